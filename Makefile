@@ -268,7 +268,7 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 # fused multiply-add, which takes one.
 of_headers := test_headers test_digits header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
-$(foreach file,header_functions headers_long test_closest test_curved test_joined test_patch_place,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
+$(foreach file,header_functions headers_long test_closest test_curved test_joined test_patch_place test_place,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
@@ -278,27 +278,25 @@ FAST := -ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros 
 ISA_x86-64    := -march=x86-64
 ISA_x86-64-v3 := -march=x86-64-v3
 ISA_x86-64-v4 := -march=x86-64-v4 -mprefer-vector-width=512
-# What the tests take where none of these has been built: half the time to compile.
-METHODS_quick := -O1 -DNDEBUG
-CALLS_quick   := -O0 -DNDEBUG
-methods_opt = $(or $(METHODS_$(1)),$(OPT_release))
-calls_opt   = $(or $(CALLS_$(1)),$(OPT_release))
+# What the tests take where none of these has been built: soon compiled, as nothing is inlined.
+OPT_quick := -O0 -DNDEBUG
+isa_opt = $(or $(OPT_$*),$(OPT_release))
 isa_id = $(subst -,_,$(1))
 
-compile_isa = $(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(1) $(FAST) $(ISA_$*) -I$(OBJ) \
+compile_isa = $(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(isa_opt) $(FAST) $(ISA_$*) -I$(OBJ) \
               -DBENCH_ISA=$(call isa_id,$*) -DBENCH_ISA_NAME='"$*"' \
-              -DBENCH_FLAGS='"$(strip $(1) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
+              -DBENCH_FLAGS='"$(strip $(isa_opt) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
 
 $(OBJ)/tests/bench/bench_methods-%.o: tests/bench/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
                                 $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$< ($*))
-	$(Q)$(call compile_isa,$(call methods_opt,$*))
+	$(Q)$(compile_isa)
 
 $(OBJ)/tests/bench/bench_calls-%.o: tests/bench/bench_calls.c $(OBJ)/calls.h $(OBJ)/calls.inc $(OBJ)/flags Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$< ($*))
-	$(Q)$(call compile_isa,$(call calls_opt,$*))
+	$(Q)$(compile_isa)
 
 # Members of a scene's fronts, beside what ships, as the methods of a bench of their own.
 FRONT   := $(BIN)/front/$(basename $(notdir $(SCENE)))

@@ -28,7 +28,7 @@
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN

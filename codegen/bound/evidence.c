@@ -223,10 +223,10 @@ static void sample_errors(struct evidence *e, struct computed *c, struct region 
     arb_init(error);
     for (size_t i = 0; i < p->outputs; i++)
         bound[i] = point_bound_new(r, region_op(r, p->output[i]));
-    while (e->samples < most && region_draw(r, &seed, 0, &tries, at)) {
+    while (e->samples < most && region_draw(r, &seed, 0, true, &tries, at)) {
         region_inputs(r, at, input);
         round_inputs(c, input);
-        if (!region_limits_steps(r, at) || !point_exact(p, input, exact))
+        if (!point_exact(p, input, exact))
             continue;
         e->samples++;
         for (size_t i = 0; i < p->outputs && e->samples <= POINTS_BOUNDED && can_bound(r->known); i++)
@@ -346,7 +346,7 @@ int evidence_print_points(const struct genome_file *f, const struct program *p, 
     long tries = (long)(MOST_BALLS / (double)r->known->program->ops);
     uint64_t seed = 1;
     int rows = 0;
-    for (int i = 0; i < 4 * POINTS && rows < POINTS && region_draw(r, &seed, POINT_BITS, &tries, at); i++) {
+    for (int i = 0; i < 4 * POINTS && rows < POINTS && region_draw(r, &seed, POINT_BITS, false, &tries, at); i++) {
         region_inputs(r, at, input);
         rows += print_point(p, inputs, input, exact, out);
     }

@@ -169,7 +169,7 @@ static double draw_coordinate(struct interval range, uint64_t *seed, int bits)
     return fmin(fmax(x, range.lo), range.hi);
 }
 
-bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *at)
+bool region_draw(struct region *r, uint64_t *seed, int bits, bool steps, long *tries, double *at)
 {
     struct interval *box = new_array(r->known->variables, sizeof *box);
     bool found = false;
@@ -178,7 +178,8 @@ bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double
             at[k] = draw_coordinate(r->doubles[r->known->input[k]], seed, bits);
             box[k] = interval_point(at[k]);
         }
-        found = r->known->program->outputs == 0 || forms_hold_at(r->required, box);
+        found = (!steps || region_limits_steps(r, at)) &&
+                (r->known->program->outputs == 0 || forms_hold_at(r->required, box));
     }
     free(box);
     return found;

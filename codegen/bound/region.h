@@ -37,12 +37,12 @@ bool region_holds(struct region *r, const struct interval *box);
  *  outside.  What a region block computes is rounded. */
 void region_inputs(const struct region *r, const double *at, double *input);
 
-/** Whether steps at a point of the region, by variable, are within their limits, as far as rounded values tell. */
+/** Whether steps at a point, by variable, are within their limits, as far as rounded values tell. */
 bool region_limits_steps(const struct region *r, const double *at);
 
 /** A random point of the region, by variable; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
  *  short, whole multiples of a power of 2, so many bits below that of their range.  False when *tries, which are
- *  counted down, are used up: the region is hard to hit. */
-bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *at);
+ *  counted down, are used up: the region is hard to hit.  `steps`: where these are within their limits. */
+bool region_draw(struct region *r, uint64_t *seed, int bits, bool steps, long *tries, double *at);
 
 #endif

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES = 10000, BOXES_FOR_EFFORT = 20 };
+enum { SAMPLES = 10000, SAMPLES_FOR_EFFORT = 20, BOXES_FOR_EFFORT = 20 };
 
 /* Rounding errors in float are 2^29 times those in double. */
 
@@ -151,10 +151,11 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     if (o->precision == PRECISION_FLOAT && !check_float(f, function, d))
         return false;
     function->scaled = o->samples && single_is_relative(f->segment, function->program);
+    const long samples = SAMPLES_FOR_EFFORT * (1 + o->compile.effort);
     const struct evidence_options options = {.arithmetic = o->precision == PRECISION_DOUBLE ? &arithmetic_double
                                                            : function->scaled               ? &arithmetic_single_scaled
                                                                                             : &arithmetic_single,
-                                             .samples = SAMPLES,
+                                             .samples = samples < SAMPLES ? samples : SAMPLES,
                                              .boxes = BOXES_FOR_EFFORT * (1 + o->compile.effort),
                                              .seed = o->compile.seed};
     function->evidence = evidence_new(f, function->genome, function->program, &options);

@@ -1,7 +1,7 @@
 /* The work on one block of pairs, written once as plain loops and compiled for each instruction set; see batch_block.h.
  * Attributes stand for separate files with separate flags: whoever copies this folder needs neither.  Loops with square
  * roots and comparisons vectorise under -fno-math-errno -fno-trapping-math, which change no result. */
-#if defined(__GNUC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define FOOTPOINT_FN static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_FN static inline

@@ -16,7 +16,7 @@ places() {
     gregory | bezier) echo 0 1 2 3 11 11 11 11 9 ;;
     esac
 }
-later 'statuses: second headers of a kind, most of the functions, five more compilers; four for the library'
+later 'statuses: second headers of a kind, most of the functions, more compilers and levels, for the library, too'
 for header in $HEADERS; do
     name=$(basename "$header" .h)
     case ${name#footpoint_} in
@@ -77,7 +77,8 @@ for header in $HEADERS; do
     for compiler in "$CC -std=gnu99 -Ofast" "clang++ -std=c++11 -Ofast" "$CC -std=c99 -O2" "clang -std=gnu99 -O2" \
                     "clang -std=c99 -Ofast" "$CXX -std=c++17 -Ofast" "$CC -std=gnu99 -O0 -ffast-math"; do
         case $compiler in
-        *c++11\ -Ofast | *c99\ -O2) ;;
+        *c++11\ -Ofast) ;;
+        *c99\ -O2) [ -n "$FOOTPOINT_LONG" ] || compiler="$CC -std=c99 -O1" ;;
         *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
         esac
         case $compiler in *fast*) exact= ;; *) exact=-DEXACT ;; esac
@@ -91,9 +92,9 @@ done
 
 # The library's quick search and what goes with it, under the same flags.
 quick="geometry/quad4 geometry/node_normals batch/batch batch/batch_lanes search/locate search/newton search/contact search/differentiate"
-for compiler in "$CC -std=gnu11 -O1 -ffast-math" "$CC -std=gnu11 -Ofast" "clang -std=gnu11 -Ofast" \
+for compiler in "$CC -std=gnu11 -O0 -ffast-math" "$CC -std=gnu11 -O1 -ffast-math" "$CC -std=gnu11 -Ofast" "clang -std=gnu11 -Ofast" \
                 "$CC -std=gnu11 -Ofast -march=native" "$CC -std=gnu11 -O2"; do
-    case $compiler in *Ofast* | *O2) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
+    case $compiler in *O0*) ;; *) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
     sources=$(for f in $quick; do echo "$PWD/runtime/$f.c"; done)
     $compiler -I"$PWD" "$PWD/tests/runtime/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
     good=$?

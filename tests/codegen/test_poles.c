@@ -67,7 +67,7 @@ static void check_points(const struct subject *s)
     uint64_t seed = 7;
     long tries = 20 * POINTS;
     point_constants(p, value);
-    for (int i = 0; i < POINTS && region_draw(r, &seed, i % 2 ? 3 : 0, &tries, at); i++) {
+    for (int i = 0; i < POINTS && region_draw(r, &seed, i % 2 ? 3 : 0, false, &tries, at); i++) {
         region_inputs(r, at, input);
         point_double(p, input, NULL, value);
         for (size_t k = 0; k < e->denominators; k++) {

@@ -26,7 +26,11 @@
 #define FOOTPOINT_REAL double
 #endif
 
+#ifdef __OPTIMIZE__
 #define RIVAL_FN static inline __attribute__((always_inline))
+#else
+#define RIVAL_FN static inline
+#endif
 #define RIVAL_NODES                                                                                                    \
     const FOOTPOINT_REAL xA[3], const FOOTPOINT_REAL xB[3], const FOOTPOINT_REAL xC[3], const FOOTPOINT_REAL xD[3],    \
         const FOOTPOINT_REAL xS[3]

@@ -326,7 +326,7 @@ void worst_errors(struct subject *s, double *worst)
     double *about = new_array(outputs, sizeof *about);
     for (size_t i = 0; i < outputs; i++)
         worst[i] = 0;
-    if (!region_draw(s->region, &seed, 0, &draws, from))
+    if (!region_draw(s->region, &seed, 0, false, &draws, from))
         fail_msg("no point of the region was found");
     while (n < sample_count() && walk(s, from, &seed, &tries))
         n += look(s, &seed, about, worst);
