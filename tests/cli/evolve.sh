@@ -50,7 +50,7 @@ expect 'a tier of which nothing is finite' 1 '*' "$work/s.scene: error: tier 'st
 grep -q '^genome paper' "$work/o.gen" && ! grep -q '^genome steps' "$work/o.gen"; report $((! $?)) 'is left out, the other is written'
 rm -f "$work/o.gen"
 scene 's/\["xi0", "eta0", "p", "q", "a", "b"\]/["xi0", "eta0"]/'
-expect 'constant values alone' 0 '*' '' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1 --quiet
+expect 'constant values alone' 0 '*' '' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1 --islands 1 --quiet
 rm -f "$work/o.gen"
 scene 's/max_length = 30/max_length = 30; budget = 0.5/'; refused 'budget below an operation' "$work/s.scene:13: error: 'budget' must be in 1..1e+06"
 
@@ -82,18 +82,18 @@ refused 'no pair is near enough' "$work/m.inp: error: no slave node within a dis
 
 scene ''
 cp tests/scenes/small.scene "$work/"
-run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 --migrate-every 2 "$@"; }
+run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 40 --migrate-every 2 "$@"; }
 expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 5 --islands 3 -o "$work/r1.gen"
 for ranks in 2 3 ${FOOTPOINT_LONG:+4}; do
     run $ranks --from-scratch --generations 5 --islands 3 -o "$work/r$ranks.gen" > /dev/null
     cmp -s "$work/r1.gen" "$work/r$ranks.gen"; report $((! $?)) "$ranks ranks, the same bytes"
 done
-expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 --migrate-every 2 --from-scratch \
+expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 40 --migrate-every 2 --from-scratch \
     --generations 5 --islands 3 -o "$work/r0.gen"
 cmp -s "$work/r1.gen" "$work/r0.gen"; report $((! $?)) 'and the same bytes'
 run 2 --start "$work/r1.gen" --generations 0 -o "$work/again.gen" > /dev/null
 cmp -s "$work/r1.gen" "$work/again.gen"; report $((! $?)) 'no generations: the same file again'
-run 2 --start "$work/r1.gen" --generations 15 -o "$work/later.gen" > "$work/table"
+run 2 --start "$work/r1.gen" --generations 6 -o "$work/later.gen" > "$work/table"
 worse=$(awk '/->/ && $5 + 0 > $3 + 0' "$work/table")
 [ -z "$worse" ] && grep -q -- '->' "$work/table"; report $((! $?)) 'a second run makes nothing worse'
 "$BIN/footpoint-codegen" --effort 1 --allow-poles "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
@@ -162,12 +162,12 @@ report $((! $?)) 'one tier of one gene beside one that is evolved'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
-    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --population 60 --generations 20 -o $work/t.gen" /dev/null > "$work/tty"
+    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --population 10 --generations 20 -o $work/t.gen" /dev/null > "$work/tty"
     tr '\r' '\n' < "$work/tty" | sed -n 's/\x1b\[K//; /^[0-9]*\/20 .* left /p' > "$work/lines"
     [ -s "$work/lines" ] && [ -z "$(awk 'length > 59' "$work/lines")" ] && tail -1 "$work/lines" | grep -q '^20/20 '
     report $((! $?)) 'a line on a terminal'
 fi
-$mpirun -n 2 "$evolve" --scene "$work/small.scene" --population 60 --generations 20 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
+$mpirun -n 2 "$evolve" --scene "$work/small.scene" --population 10 --generations 20 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
 [ "$(wc -l < "$work/lines")" -gt 10 ] && ! grep -q "$(printf '[\r\033]')" "$work/lines" &&
     tail -1 "$work/lines" | grep -q '^generation 20/20  0 s left  .* genes x samples/s  steps both .*  paper both '
 report $((! $?)) 'plain lines in a file'

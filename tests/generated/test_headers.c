@@ -1,6 +1,6 @@
 /* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene,
- * random ones and, with FOOTPOINT_LONG, all, and must show the figures of its banner; and the checked function must agree with the unchecked one however the
- * corners are numbered. */
+ * random ones and, with FOOTPOINT_LONG, all, and must show the figures of its banner; and the checked function must agree
+ * with the unchecked one however the corners are numbered. */
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/surface.h"
@@ -19,7 +19,7 @@
 
 #include <cmocka.h>
 
-enum { COMPARED = 50000 };
+enum { COMPARED = 50000, BLOCK = 1000 };
 #define ROUNDING 1e-11 /* of xi and eta; beyond 1, where steps go astray, it grows with the square */
 
 static void at_sample(const struct header_function *m, const struct sample *s, double loc[2])
@@ -80,29 +80,31 @@ static void measure(const struct header_function *m, const struct genome *g, con
 }
 
 /* The code in double against the genome in double, gene by gene: they differ by rounding alone. */
-static void compare_with_genome(const struct header_function *m, const struct genome_file *f, const struct genome *g,
-                                const struct sample_set *set)
+static void compare_block(const struct header_function *m, const struct genome_file *f, const struct genome *g,
+                          struct kernel *kernel, const struct sample *s, size_t n)
 {
-    const size_t n = set->n < COMPARED ? set->n : COMPARED;
-    struct kernel *kernel = kernel_new_widest();
-    struct columns table = frame_columns(kernel, f, set->s, n);
-    double *value[2];
+    struct columns table = frame_columns(kernel, f, s, n);
+    double value[2][BLOCK];
     for (int k = 0; k < 2; k++) {
         const struct kernel_task task = {g->out[k].gene, g->out[k].length, f->constant, &table};
-        value[k] = new_array(n, sizeof *value[k]);
         kernel_values(kernel, &task, value[k]);
     }
     for (size_t i = 0; i < n; i++) {
-        const struct sample *s = &set->s[i];
         double loc[2];
-        at_sample(m, s, loc);
+        at_sample(m, &s[i], loc);
         for (int k = 0; k < 2; k++)
             if (!(fabs(loc[k] - value[k][i]) <= ROUNDING * fmax(1, value[k][i] * value[k][i])))
-                fail_msg("%s, sample %zu: code %a, genome %a", m->name, i, loc[k], value[k][i]);
+                fail_msg("%s: xi or eta of a sample in code %a, of the genome %a", m->name, loc[k], value[k][i]);
     }
-    free(value[0]);
-    free(value[1]);
     columns_free(&table);
+}
+
+static void compare_with_genome(const struct header_function *m, const struct genome_file *f, const struct genome *g,
+                                const struct sample_set *set)
+{
+    struct kernel *kernel = kernel_new_widest();
+    for (size_t i = 0; i + BLOCK <= set->n && i < COMPARED; i += BLOCK)
+        compare_block(m, f, g, kernel, &set->s[i], BLOCK);
     kernel_free(kernel);
 }
 
