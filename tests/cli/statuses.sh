@@ -74,11 +74,10 @@ for header in $HEADERS; do
         done
     } > "$work/wide.cpp"
     $CXX -std=gnu++17 ${FOOTPOINT_LONG:+-O1} -c "$work/wide.cpp" -o "$work/wide.o" || exit 1
-    for compiler in "$CC -std=gnu99 -Ofast" "clang++ -std=c++11 -Ofast" "$CC -std=c99 -O2" "clang -std=gnu99 -O2" \
+    for compiler in "$CC -std=gnu99 -Ofast" "clang++ -std=c++11 -Ofast" "$CC -std=c99 -O1" "$CC -std=c99 -O2" "clang -std=gnu99 -O2" \
                     "clang -std=c99 -Ofast" "$CXX -std=c++17 -Ofast" "$CC -std=gnu99 -O0 -ffast-math"; do
         case $compiler in
-        *c++11\ -Ofast) ;;
-        *c99\ -O2) [ -n "$FOOTPOINT_LONG" ] || compiler="$CC -std=c99 -O1" ;;
+        *c++11\ -Ofast | *c99\ -O1) ;;
         *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
         esac
         case $compiler in *fast*) exact= ;; *) exact=-DEXACT ;; esac

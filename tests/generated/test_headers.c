@@ -79,32 +79,30 @@ static void measure(const struct header_function *m, const struct genome *g, con
     }
 }
 
-/* The code in double against the genome in double, gene by gene: they differ by rounding alone. */
-static void compare_block(const struct header_function *m, const struct genome_file *f, const struct genome *g,
-                          struct kernel *kernel, const struct sample *s, size_t n)
-{
-    struct columns table = frame_columns(kernel, f, s, n);
-    double value[2][BLOCK];
-    for (int k = 0; k < 2; k++) {
-        const struct kernel_task task = {g->out[k].gene, g->out[k].length, f->constant, &table};
-        kernel_values(kernel, &task, value[k]);
-    }
-    for (size_t i = 0; i < n; i++) {
-        double loc[2];
-        at_sample(m, &s[i], loc);
-        for (int k = 0; k < 2; k++)
-            if (!(fabs(loc[k] - value[k][i]) <= ROUNDING * fmax(1, value[k][i] * value[k][i])))
-                fail_msg("%s: xi or eta of a sample in code %a, of the genome %a", m->name, loc[k], value[k][i]);
-    }
-    columns_free(&table);
-}
-
+/* The code in double against the genome in double, gene by gene: they differ by rounding alone.  By blocks, whose columns
+ * stay in the cache. */
 static void compare_with_genome(const struct header_function *m, const struct genome_file *f, const struct genome *g,
                                 const struct sample_set *set)
 {
+    const size_t n = set->n < COMPARED ? set->n : COMPARED;
     struct kernel *kernel = kernel_new_widest();
-    for (size_t i = 0; i + BLOCK <= set->n && i < COMPARED; i += BLOCK)
-        compare_block(m, f, g, kernel, &set->s[i], BLOCK);
+    for (size_t from = 0; from < n; from += BLOCK) {
+        const size_t rows = n - from < BLOCK ? n - from : BLOCK;
+        struct columns table = frame_columns(kernel, f, &set->s[from], rows);
+        double value[2][BLOCK];
+        for (int k = 0; k < 2; k++) {
+            const struct kernel_task task = {g->out[k].gene, g->out[k].length, f->constant, &table};
+            kernel_values(kernel, &task, value[k]);
+        }
+        for (size_t i = 0; i < rows; i++) {
+            double loc[2];
+            at_sample(m, &set->s[from + i], loc);
+            for (int k = 0; k < 2; k++)
+                if (!(fabs(loc[k] - value[k][i]) <= ROUNDING * fmax(1, value[k][i] * value[k][i])))
+                    fail_msg("%s, sample %zu: code %a, genome %a", m->name, from + i, loc[k], value[k][i]);
+        }
+        columns_free(&table);
+    }
     kernel_free(kernel);
 }
 
