@@ -1,11 +1,12 @@
 /* A batch of pairs on a GPU, the part to copy: the kernel search_pairs reads nodes, segments and slave nodes out of a mesh's
  * own arrays, one pair a thread, and writes xi, eta, gap and status; nothing else is needed than generated/footpoint_quad4.h.
  * Every thread takes the same path, whatever its pair; what is out of the ordinary is searched again by the header itself.
+ * The search is a parameter of the kernel: the foot point, the closest point, where a ray meets the segment.
  *
  *     nvcc -O3 -arch=native -I generated tests/example/pairs.cu -o pairs && ./pairs
  *
  * A wavy surface of 1000 x 1000 segments and a slave node over each: answers as the host's, to the bit under -fmad=false,
- * and the time of a pair beside that of a kernel that reads and writes as much and computes nothing. */
+ * and times of a pair beside that of a kernel that reads and writes as much and computes nothing. */
 #include "footpoint_quad4.h"
 
 #include <cmath>
@@ -25,22 +26,26 @@ struct answers {
     int *status;
 };
 
+typedef int search(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                   double loc[2], double *gap);
+
+template <search find>
 __host__ __device__ inline void search_pair(const struct pairs p, size_t i, const struct answers a)
 {
     const double *const xA = p.xyz + 3 * (size_t)p.seg[4 * i], *const xB = p.xyz + 3 * (size_t)p.seg[4 * i + 1];
     const double *const xC = p.xyz + 3 * (size_t)p.seg[4 * i + 2], *const xD = p.xyz + 3 * (size_t)p.seg[4 * i + 3];
     double loc[2] = {0, 0}, gap = 0;
-    a.status[i] = footpoint_quad4_accurate(xA, xB, xC, xD, p.xyz + 3 * (size_t)p.slave[i], loc, &gap);
+    a.status[i] = find(xA, xB, xC, xD, p.xyz + 3 * (size_t)p.slave[i], loc, &gap);
     a.xi[i] = loc[0];
     a.eta[i] = loc[1];
     a.gap[i] = gap;
 }
 
-__global__ void search_pairs(const struct pairs p, const struct answers a)
+template <search find> __global__ void search_pairs(const struct pairs p, const struct answers a)
 {
     const size_t i = blockIdx.x * (size_t)blockDim.x + threadIdx.x;
     if (i < p.n)
-        search_pair(p, i, a);
+        search_pair<find>(p, i, a);
 }
 
 /* The same traffic: what no search is quicker than. */
@@ -62,6 +67,20 @@ __global__ void only_gather(const struct pairs p, const struct answers a)
 }
 
 /* ---- the example ---- */
+
+__host__ __device__ static int closest(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xS[3], double loc[2], double *dist)
+{
+    int region;
+    return footpoint_quad4_accurate_closest(xA, xB, xC, xD, xS, loc, dist, &region);
+}
+
+__host__ __device__ static int along(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xS[3], double loc[2], double *dist)
+{
+    const double down[3] = {0.1, 0.2, -1};
+    return footpoint_quad4_along(xA, xB, xC, xD, xS, down, loc, dist);
+}
 
 enum { SIDE = 1000, THREADS = 128, ROUNDS = 20 };
 
@@ -105,6 +124,30 @@ template <typename Kernel> static double seconds(Kernel kernel, const struct pai
     return least;
 }
 
+template <search find> static bool compare(const char *name, const struct pairs &here, const struct pairs &there)
+{
+    const size_t n = here.n;
+    std::vector<double> xi(n), eta(n), gap(n), got(n);
+    std::vector<int> status(n), told(n);
+    const struct answers host = {xi.data(), eta.data(), gap.data(), status.data()};
+    const struct answers device = {on_device(xi), on_device(eta), on_device(gap), on_device(status)};
+    for (size_t i = 0; i < n; i++)
+        search_pair<find>(here, i, host);
+    const double gathered = seconds(only_gather, there, device), searched = seconds(search_pairs<find>, there, device);
+    double off = 0;
+    const double *const from[3] = {device.xi, device.eta, device.gap}, *const with[3] = {xi.data(), eta.data(),
+                                                                                         gap.data()};
+    for (int k = 0; k < 3; k++) {
+        check(cudaMemcpy(got.data(), from[k], n * sizeof(double), cudaMemcpyDeviceToHost), "copy");
+        for (size_t i = 0; i < n; i++)
+            off = std::fmax(off, std::fabs(got[i] - with[k][i]));
+    }
+    check(cudaMemcpy(told.data(), device.status, n * sizeof(int), cudaMemcpyDeviceToHost), "copy");
+    std::printf("%s, %zu pairs: %.0f ps a pair, %.2f of a kernel that only gathers; off the host's by %.1e\n", name, n,
+                1e12 * searched / n, searched / gathered, off);
+    return off < 1e-9 && told == status;
+}
+
 int main()
 {
     int devices = 0;
@@ -123,28 +166,15 @@ int main()
             for (int node : {a, a + 1, a + SIDE + 2, a + SIDE + 1})
                 seg.push_back(node);
             slave.push_back((int)(nodes + slave.size()));
-            const double x = i + 0.1 + 0.8 * (i * 7919 % 1000) / 1000.0, y = j + 0.1 + 0.8 * (j * 104729 % 1000) / 1000.0;
+            const double x = i + 0.1 + 0.8 * (i * 7919 % 1000) / 1000.0,
+                         y = j + 0.1 + 0.8 * (j * 104729 % 1000) / 1000.0;
             for (double s : {x, y, wave(x, y) + 0.1 * std::sin(i + 2.0 * j)})
                 xyz.push_back(s);
         }
-    std::vector<double> xi(n), eta(n), gap(n), got(n);
-    std::vector<int> status(n), told(n);
     const struct pairs here = {n, xyz.data(), seg.data(), slave.data()};
     const struct pairs there = {n, on_device(xyz), on_device(seg), on_device(slave)};
-    const struct answers host = {xi.data(), eta.data(), gap.data(), status.data()};
-    const struct answers device = {on_device(xi), on_device(eta), on_device(gap), on_device(status)};
-    for (size_t i = 0; i < n; i++)
-        search_pair(here, i, host);
-    const double gathered = seconds(only_gather, there, device), searched = seconds(search_pairs, there, device);
-    double off = 0;
-    const double *const from[3] = {device.xi, device.eta, device.gap}, *const with[3] = {xi.data(), eta.data(), gap.data()};
-    for (int k = 0; k < 3; k++) {
-        check(cudaMemcpy(got.data(), from[k], n * sizeof(double), cudaMemcpyDeviceToHost), "copy");
-        for (size_t i = 0; i < n; i++)
-            off = std::fmax(off, std::fabs(got[i] - with[k][i]));
-    }
-    check(cudaMemcpy(told.data(), device.status, n * sizeof(int), cudaMemcpyDeviceToHost), "copy");
-    std::printf("%zu pairs: %.0f ps a pair, %.2f of a kernel that only gathers; off the host's by %.1e\n", n,
-                1e12 * searched / n, searched / gathered, off);
-    return off < 1e-9 && told == status ? 0 : 1;
+    const bool same[] = {compare<footpoint_quad4_accurate>("foot point", here, there),
+                         compare<closest>("closest point", here, there),
+                         compare<along>("along a direction", here, there)};
+    return same[0] && same[1] && same[2] ? 0 : 1;
 }
