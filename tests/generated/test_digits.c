@@ -33,10 +33,10 @@ struct moved {
     const double *at[SEGMENT_VECTORS + 1], *near_at[SEGMENT_VECTORS + 1]; /* the slave node last */
 };
 
-/* Of the samples held out.  The scene whole-quad4, whose errors vary most, needs the larger number. */
+/* Of the samples held out.  The scene whole-quad4, whose errors vary most, needs the larger number, and waits for it. */
 static size_t samples(void)
 {
-    return getenv("FOOTPOINT_LONG") ? 20000 : 6000;
+    return getenv("FOOTPOINT_LONG") ? 20000 : 2000;
 }
 
 static void move(const struct segment_kind *kind, const struct sample *s, double edges, struct moved *m)

@@ -19,7 +19,7 @@
 
 #include <cmocka.h>
 
-enum { COMPARED = 50000, BLOCK = 1000 };
+enum { COMPARED = 5000, COMPARED_LONG = 50000, BLOCK = 1000 };
 #define ROUNDING 1e-11 /* of xi and eta; beyond 1, where steps go astray, it grows with the square */
 
 static void at_sample(const struct header_function *m, const struct sample *s, double loc[2])
@@ -84,7 +84,7 @@ static void measure(const struct header_function *m, const struct genome *g, con
 static void compare_with_genome(const struct header_function *m, const struct genome_file *f, const struct genome *g,
                                 const struct sample_set *set)
 {
-    const size_t n = set->n < COMPARED ? set->n : COMPARED;
+    const size_t most = getenv("FOOTPOINT_LONG") ? COMPARED_LONG : COMPARED, n = set->n < most ? set->n : most;
     struct kernel *kernel = kernel_new_widest();
     for (size_t from = 0; from < n; from += BLOCK) {
         const size_t rows = n - from < BLOCK ? n - from : BLOCK;
