@@ -33,7 +33,8 @@ struct moved {
     const double *at[SEGMENT_VECTORS + 1], *near_at[SEGMENT_VECTORS + 1]; /* the slave node last */
 };
 
-/* Of the samples held out.  The scene whole-quad4, whose errors vary most, needs the larger number, and waits for it. */
+/* Of the samples held out.  The scene whole-quad4, whose errors vary most, needs the larger number, and is left out
+ * with the smaller. */
 static size_t samples(void)
 {
     return getenv("FOOTPOINT_LONG") ? 20000 : 2000;
