@@ -20,8 +20,8 @@ struct known {
 
 struct result { /* a + b or a * b */
     int a, b;
-    rational r; /* -1: none */
-    bool sum;
+    rational r;
+    bool sum, valid;
 };
 
 static struct known *known;
@@ -30,7 +30,7 @@ static int *bucket; /* by hash of the residues: number + 1 */
 static size_t buckets;
 static struct result *memo; /* by hash of operation and operands; a new one replaces an old one */
 static bool overflow;
-enum { MEMO = 1 << 16, MOST_BITS = 1 << 16 };
+enum { MEMO = 1 << 20, MOST_BITS = 1 << 16 };
 
 static void insert(rational r)
 {
@@ -59,21 +59,13 @@ void rational_start(void)
     buckets = 1024;
     bucket = new_array(buckets, sizeof *bucket);
     memo = new_array(MEMO, sizeof *memo);
-    for (size_t i = 0; i < MEMO; i++)
-        memo[i].r = -1;
     for (int i = 0; i < 9; i++) /* in the order of the enumeration */
         rational_from_si((long[]){0, 1, -1, 2, -2, 4, -4, 8, -8}[i]);
 }
 
-rational rational_intern(const fmpq *q)
+/* The number of a value whose residues are known. */
+static rational intern(const fmpq *q, const mp_limb_t residue[PRIMES])
 {
-    mp_limb_t residue[PRIMES];
-    for (int k = 0; k < PRIMES; k++) {
-        nmod_t m;
-        nmod_init(&m, rational_prime[k]);
-        residue[k] = nmod_mul(fmpz_fdiv_ui(fmpq_numref(q), rational_prime[k]),
-                              nmod_inv(fmpz_fdiv_ui(fmpq_denref(q), rational_prime[k]), m), m);
-    }
     for (size_t i = random_mix(residue[0]) & (buckets - 1); bucket[i]; i = (i + 1) & (buckets - 1))
         if (fmpq_equal(known[bucket[i] - 1].value, q))
             return bucket[i] - 1;
@@ -94,6 +86,24 @@ rational rational_intern(const fmpq *q)
         x->residue[k] = residue[k];
     insert((rational)n_known);
     return (rational)n_known++;
+}
+
+static nmod_t modulus(int k)
+{
+    nmod_t m;
+    nmod_init(&m, rational_prime[k]);
+    return m;
+}
+
+rational rational_intern(const fmpq *q)
+{
+    mp_limb_t residue[PRIMES];
+    for (int k = 0; k < PRIMES; k++) {
+        const nmod_t m = modulus(k);
+        residue[k] = nmod_mul(fmpz_fdiv_ui(fmpq_numref(q), rational_prime[k]),
+                              nmod_inv(fmpz_fdiv_ui(fmpq_denref(q), rational_prime[k]), m), m);
+    }
+    return intern(q, residue);
 }
 
 rational rational_from_si(long n)
@@ -146,16 +156,20 @@ static rational combine(rational a, rational b, bool sum)
         b = swap;
     }
     struct result *m = &memo[random_mix((uint64_t)a << 33 ^ (uint64_t)b << 1 ^ sum) & (MEMO - 1)];
-    if (m->r >= 0 && m->a == a && m->b == b && m->sum == sum)
+    if (m->valid && m->a == a && m->b == b && m->sum == sum)
         return m->r;
     if (!fits(bits_of(known[a].value) + bits_of(known[b].value)))
         return ONE;
     fmpq_t q;
     fmpq_init(q);
     (sum ? fmpq_add : fmpq_mul)(q, known[a].value, known[b].value);
-    const rational r = rational_intern(q);
+    mp_limb_t residue[PRIMES]; /* without an inverse of the denominator */
+    for (int k = 0; k < PRIMES; k++)
+        residue[k] = sum ? nmod_add(known[a].residue[k], known[b].residue[k], modulus(k))
+                         : nmod_mul(known[a].residue[k], known[b].residue[k], modulus(k));
+    const rational r = intern(q, residue);
     fmpq_clear(q);
-    *m = (struct result){a, b, r, sum};
+    *m = (struct result){a, b, r, sum, true};
     return r;
 }
 
