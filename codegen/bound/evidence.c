@@ -98,7 +98,7 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
 }
 
 /* The errors of divisors, by a part of the work; then by the rest, where there is no pole, of the outputs. */
-static void bound_errors(struct search *s, struct evidence *e, const struct program *p)
+static void bound_errors(struct search *s, struct evidence *e, const struct program *p, bool outputs)
 {
     struct region *r = s->region;
     for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
@@ -106,7 +106,7 @@ static void bound_errors(struct search *s, struct evidence *e, const struct prog
         const double bound = find_error(s, region_op(r, d->op), 2 * (e->denominators + p->outputs));
         d->threshold = bound < (d->verdict == POLE_FREE ? INFINITY : most_threshold(&r->known->arithmetic)) ? bound : 0;
     }
-    for (size_t i = 0; evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
+    for (size_t i = 0; outputs && evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
         e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
 }
 
@@ -275,7 +275,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     for (size_t i = 0; i < p->outputs; i++)
         e->error[i] = (struct output_error){INFINITY, -1, -1};
     if (can_bound(r->known))
-        bound_errors(&s, e, p);
+        bound_errors(&s, e, p, !options->poles);
     struct computed c = computed_new(f, p, options->arithmetic);
     if (e->region)
         sample_errors(e, &c, r, options);

@@ -40,6 +40,7 @@ struct evidence_options {
     long samples;                        /* random points for `sampled` (default 10000) */
     long boxes;                          /* work limit of branch and bound, in boxes (same limit, same bytes) */
     unsigned long seed;
+    bool poles; /* denominators alone: no bound is looked for of the outputs' errors */
 };
 
 /** Never fails; what it cannot show it says. */

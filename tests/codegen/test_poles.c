@@ -31,7 +31,7 @@ struct subject {
 
 static struct subject examine(const char *ranges, const char *code)
 {
-    static const struct evidence_options options = {.samples = 0, .boxes = BOXES, .seed = 1};
+    static const struct evidence_options options = {.samples = 0, .boxes = BOXES, .seed = 1, .poles = true};
     char text[ROOM];
     struct diag d = {0};
     struct subject s = {0};
