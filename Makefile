@@ -262,7 +262,7 @@ $(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/bench/metho
 $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/rivals*.h) tests/rivals/trust_region.h tests/rivals/pinball.h
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)
-	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
+	$(Q)$(CXX) -std=c++17 -O0 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
 # The headers' functions for the tests, all of them in one file each: no optimisation changes a result of theirs, but for
 # fused multiply-add, which takes one.

@@ -2,7 +2,7 @@
 # checkpoints, full disks and contradictions end in one line and leave what was there.
 . tests/cli/expect.inc
 evolve=$BIN/footpoint-evolve
-export OMPI_MCA_btl_base_warn_component_unused=0 OMPI_MCA_ess_singleton_isolated=1
+export OMPI_MCA_btl_base_warn_component_unused=0
 mpirun="mpirun -q --oversubscribe"
 [ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
 cp tests/scenes/small.scene "$work/"
@@ -73,7 +73,7 @@ interrupted() { # interrupted NAME SIGNAL STATUS [OPTIONS...]: then resumed to i
 interrupted 'kill -9' KILL 137
 interrupted SIGTERM TERM 143
 [ -z "$FOOTPOINT_LONG" ] || interrupted SIGUSR1 USR1 0
-interrupted 'time limit' none 0 --time-limit 2
+interrupted 'time limit' none 0 --time-limit 1
 
 # What must not be resumed; nothing is touched.
 rm -f "$work/ck"

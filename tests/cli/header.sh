@@ -200,7 +200,7 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
         if [ $type = double ] && [ -n "$FOOTPOINT_LONG" ] && [ -e "$shipped" ]; then
             cp "$shipped" "$header"
         else
-            "$BIN/footpoint-codegen" --effort 10 "$work/fresh/$name.gen" $poles --precision $type -o "$header"
+            "$BIN/footpoint-codegen" --effort 0 "$work/fresh/$name.gen" $poles --precision $type -o "$header"
         fi
         use "$header" $type > "$work/fresh/use.c"
         cp "$work/fresh/use.c" "$work/fresh/use.cpp"
@@ -228,7 +228,7 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
 done
 
 # Denominators of 0: the status says so, for one point and for many.
-"$BIN/footpoint-codegen" --effort 10 "$work/poles.gen" --allow-poles --prefix p -o "$work/fresh/p.h"
+"$BIN/footpoint-codegen" --effort 0 "$work/poles.gen" --allow-poles --prefix p -o "$work/fresh/p.h"
 cat > "$work/fresh/poles.c" <<'END'
 #include "p.h"
 int main(void)
@@ -260,7 +260,7 @@ eta = - yS 0.5
 end
 END
 for type in double float; do
-    "$BIN/footpoint-codegen" --effort 10 "$work/hidden.gen" --allow-poles --precision $type --prefix p -o "$work/fresh/p.h"
+    "$BIN/footpoint-codegen" --effort 0 "$work/hidden.gen" --allow-poles --precision $type --prefix p -o "$work/fresh/p.h"
     cat > "$work/fresh/hidden.c" <<END
 #include "p.h"
 int main(void)

@@ -29,7 +29,7 @@ expect 'another seed' 0 '' '' "$perceptron" $run --seed 5 --quiet -o "$work/3.ge
 ! cmp -s "$work/1.gen" "$work/3.gen"; report $((! $?)) 'other bytes'
 [ "$(grep '^genome ' "$work/1.gen" | tr '\n' ' ')" = 'genome hidden_4 genome hidden_3_2 ' ]
 report $((! $?)) 'a genome for each network'
-expect 'codegen takes it' 0 '*' '' "$BIN/footpoint-codegen" --count --allow-poles "$work/1.gen"
+expect 'codegen takes it' 0 '*' '' "$BIN/footpoint-codegen" --count --effort 0 --allow-poles "$work/1.gen"
 # A sigmoid is a quotient and a root; the frame has a quotient and two roots.
 awk -F, 'NR > 1 { neurons = NR == 2 ? 4 : 5; ok += $3 == 1 + neurons && $5 == 2 + neurons } END { exit ok != 2 }' \
     "$work/stdout"
