@@ -276,8 +276,9 @@ FOOTPOINT_FN int footpoint_detail_f_scale(const float *const *x, int nodes, int 
 
 /* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
  * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite;
- * uu and vv are the squares of u and v, and of edges. */
+ * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
+ * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+ * normal of nodes on a line. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_normal_gap(const float u[3], const float v[3],
                                                           const float d[3], float uu, float vv, float size,
                                                           float least, float loc, float *gap)
@@ -345,6 +346,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_gap(const float xA[3], const floa
                                                    const float xD[3], const float xS[3], float xi, float eta,
                                                    float least, float *gap)
 {
+    const float reach = 1.0f + xi * xi + eta * eta;
     float u[3], v[3], d[3], uu = 0.0f, vv = 0.0f, along = 0.0f, across = 0.0f;
     int i;
     for (i = 0; i < 3; i++) {
@@ -358,7 +360,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_gap(const float xA[3], const floa
         along += ab * ab + dc * dc;
         across += ad * ad + bc * bc;
     }
-    return footpoint_detail_f_normal_gap(u, v, d, uu + along, vv + across, along + across, least,
+    return footpoint_detail_f_normal_gap(u, v, d, uu + reach * along, vv + reach * across, along + across, least,
                                          xi + eta, gap);
 }
 

@@ -170,8 +170,9 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
 
 /* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
  * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite;
- * uu and vv are the squares of u and v, and of edges. */
+ * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
+ * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+ * normal of nodes on a line. */
 FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3], const double v[3],
                                                               const double d[3], double uu, double vv, double size,
                                                               double least, double loc, double *gap)

@@ -181,8 +181,9 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
 
 /* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
  * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite;
- * uu and vv are the squares of u and v, and of edges. */
+ * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
+ * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+ * normal of nodes on a line. */
 FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3], const double v[3],
                                                               const double d[3], double uu, double vv, double size,
                                                               double least, double loc, double *gap)
@@ -263,11 +264,13 @@ FOOTPOINT_FN void footpoint_detail_quad9_surface(const double *const *x, double 
     footpoint_detail_weighted(x, 9, p, pu, pv, u, v, d);
 }
 
-/* See footpoint_detail_normal_gap(); size is the sum of the squares of the distances of the nodes from A. */
+/* See footpoint_detail_normal_gap(); size is the sum of the squares of the distances of the nodes from A, which u and v are
+ * sums of, times derivatives of shape functions. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad9_gap(const double *const *x, double xi, double eta,
                                                              double least, double *gap)
 {
-    double u[3], v[3], d[3], size = 0.0, uu, vv;
+    const double reach = 1.0 + xi * xi + eta * eta, growth = reach * reach * reach;
+    double u[3], v[3], d[3], size = 0.0, tangents = 0.0;
     int i, j;
     footpoint_detail_quad9_surface(x, xi, eta, u, v, d);
     FOOTPOINT_UNROLL
@@ -275,10 +278,9 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad9_gap(const double *const
         FOOTPOINT_UNROLL
         for (i = 1; i < 9; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
+        tangents += u[j] * u[j] + v[j] * v[j];
     }
-    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
-    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
-    return footpoint_detail_normal_gap(u, v, d, uu, vv, size, least, xi + eta, gap);
+    return footpoint_detail_normal_gap(u, v, d, growth * size, tangents + size, size, least, xi + eta, gap);
 }
 #endif
 

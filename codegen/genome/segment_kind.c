@@ -6,13 +6,13 @@
 #include <string.h>
 
 static const struct segment_kind kinds[] = {
-    {.name = "quad4", .nodes = "ABCD", .normals = "", .corners = 4, .bilinear = true, .turns = true},
-    {.name = "tri3", .nodes = "ABC", .normals = "", .corners = 3, .triangle = true},
-    {.name = "tri6", .nodes = "ABCDEF", .normals = "", .corners = 3, .triangle = true},
-    {.name = "quad8", .nodes = "ABCDEFGH", .normals = "", .corners = 4},
-    {.name = "quad9", .nodes = "ABCDEFGHI", .normals = "", .corners = 4},
-    {.name = "bezier", .nodes = "ABCD", .normals = "ABCD", .corners = 4},
-    {.name = "gregory", .nodes = "ABCD", .normals = "ABCD", .corners = 4},
+    {.name = "quad4", .nodes = "ABCD", .normals = "", .corners = 4, .bilinear = true, .turns = true, .growth = 1},
+    {.name = "tri3", .nodes = "ABC", .normals = "", .corners = 3, .triangle = true, .growth = 1},
+    {.name = "tri6", .nodes = "ABCDEF", .normals = "", .corners = 3, .triangle = true, .growth = 1},
+    {.name = "quad8", .nodes = "ABCDEFGH", .normals = "", .corners = 4, .growth = 2},
+    {.name = "quad9", .nodes = "ABCDEFGHI", .normals = "", .corners = 4, .growth = 3},
+    {.name = "bezier", .nodes = "ABCD", .normals = "ABCD", .corners = 4, .growth = 5},
+    {.name = "gregory", .nodes = "ABCD", .normals = "ABCD", .corners = 4, .growth = 5},
 };
 
 const struct segment_kind *segment_find(const char *name)

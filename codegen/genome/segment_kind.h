@@ -18,6 +18,7 @@ struct segment_kind {
     size_t corners;
     bool bilinear; /* the four-node segment, of straight edges */
     bool triangle; /* xi, eta >= 0, xi + eta <= 1; else -1 <= xi, eta <= 1 */
+    int growth;    /* the power of xi and eta together that r_xi and r_eta grow with, far outside; at least 1 */
     bool turns;    /* genomes may ask for an order of the corners other than "any" */
 };
 

@@ -99,6 +99,18 @@ bool lines_straight(const struct unit *u)
     return k->bilinear || strcmp(k->name, "tri3") == 0;
 }
 
+/* "reach * reach" */
+static char *power_text(const char *base, int power)
+{
+    char *text = new_format("%s", base);
+    for (int i = 1; i < power; i++) {
+        char *longer = new_format("%s * %s", text, base);
+        free(text);
+        text = longer;
+    }
+    return text;
+}
+
 static struct placeholder *words_of(const struct unit *u, const struct function *f)
 {
     const struct segment_kind *k = u->file->segment;
@@ -119,6 +131,7 @@ static struct placeholder *words_of(const struct unit *u, const struct function 
                {"ACCURACY", new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding")},
                {"MISSED", new_format("%s", straight ? "FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere"
                                                     : "FOOTPOINT_ERR_NO_CONVERGENCE: no step came upon it")},
+               {"REACH_TO_GROWTH", power_text("reach", k->growth)},
                {"VECTORS", new_format("%zu", n)},
                {"SEGMENT_VECTORS", new_format("%zu", n - 1)},
                {"NODES", new_format("%zu", strlen(k->nodes))},

@@ -21,10 +21,11 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             parameters="$parameters${parameters:+, }const REAL x$k[3]"
         done
         case $nearest in curved_triangle) shape=triangle ;; *) shape=square ;; esac
-        words="VECTORS SEGMENT_VECTORS NODES COORDINATES SCALED_NODES COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS"
+        words="VECTORS SEGMENT_VECTORS NODES COORDINATES SCALED_NODES COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH"
         printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" \
             "#define COORDINATES $((3 * others + 3))" "#define SCALED_NODES $nodes" "#define COLUMNS $columns" "#define ROWS $rows" \
-            "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters"
+            "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
+            '#define REACH_TO_GROWTH (reach * reach)'
         for name in $(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|_SEARCH\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u); do
             is=$(echo "$name" | sed "s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/; s/^BARE_SEARCH/${kind}_bare/; s/^CHECKED_SEARCH/${kind}_checked/; s/^CLOSEST_SEARCH/${kind}_closest/")
             echo "#define $name $is"

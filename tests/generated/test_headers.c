@@ -1,7 +1,8 @@
 /* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene,
  * with FOOTPOINT_LONG on all of them, else of some scenes on the random ones, and must show the figures of its banner; it
  * must compute what its genome does; and the checked function must agree with the unchecked one however the corners are
- * numbered. */
+ * numbered; of nodes on a line it must say so. */
+#include "../../codegen/genome/random.h"
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/surface.h"
@@ -20,7 +21,7 @@
 
 #include <cmocka.h>
 
-enum { COMPARED = 2000, COMPARED_LONG = 50000, BLOCK = 1000 };
+enum { COMPARED = 2000, COMPARED_LONG = 50000, BLOCK = 1000, COLLINEAR = 1000 };
 #define ROUNDING 1e-11 /* of xi and eta; beyond 1, where steps go astray, it grows with the square */
 
 static void at_sample(const struct header_function *m, const struct sample *s, double loc[2])
@@ -167,6 +168,44 @@ static bool is_among(const char *name, const char *const *names, size_t n)
     return among;
 }
 
+static double uniform(uint64_t *stream)
+{
+    return (double)(random_next(stream) >> 11) * 0x1p-52 - 1;
+}
+
+/* Nodes on a line have no area, however regular they are on it: mid-side nodes in the middle, every other time corners as of
+ * a parallelogram.  Searches go far astray there, to where rounding makes a normal. */
+static void check_collinear(const struct header_function *m, const struct segment_kind *kind)
+{
+    const size_t nodes = strlen(kind->nodes), corners = kind->corners;
+    uint64_t stream = 1;
+    for (int n = 0; n < COLLINEAR && !*kind->normals; n++) {
+        double x[SEGMENT_VECTORS][3], xs[3], along[3], origin[3], at[SEGMENT_VECTORS] = {0}, loc[2], gap;
+        const double *row[SEGMENT_VECTORS];
+        for (size_t k = 0; k < corners; k++)
+            at[k] = uniform(&stream);
+        if (n % 2 && corners == 4)
+            at[2] = at[1] + at[3] - at[0];
+        for (size_t k = 0; k < corners && corners < nodes; k++) {
+            at[corners + k] = (at[k] + at[(k + 1) % corners]) / 2;
+            at[8] += nodes == 9 ? at[k] / 4 : 0;
+        }
+        for (int j = 0; j < 3; j++) {
+            along[j] = uniform(&stream);
+            origin[j] = uniform(&stream);
+            xs[j] = uniform(&stream);
+        }
+        for (size_t k = 0; k < SEGMENT_VECTORS; k++) {
+            row[k] = x[k];
+            for (int j = 0; j < 3; j++)
+                x[k][j] = origin[j] + at[k] * along[j];
+        }
+        const int status = m->locate(row, xs, loc, &gap);
+        if (status != FOOTPOINT_ERR_DEGENERATE)
+            fail_msg("%s, nodes on line %d: status %d, (%g,%g), gap %g", m->name, n, status, loc[0], loc[1], gap);
+    }
+}
+
 /* Samples on a lattice or a mesh take long, and so do those off the paper's lattices; meshes are segments as quad4's. */
 static bool is_left(const char *scene, enum sample_part part)
 {
@@ -192,6 +231,9 @@ static void check_scene(const char *name)
     const bool measured = is_measured(name);
     if (scene && !measured)
         scene->heldout = 2 * COMPARED; /* of which some may have no foot point in the box */
+    for (size_t i = 0; scene && i < HEADER_FUNCTIONS; i++)
+        if (strcmp(header_functions[i].scene, name) == 0)
+            check_collinear(&header_functions[i], scene->segment);
     for (int p = 0; scene && p < HELDOUT_PARTS; p++) {
         struct sample_set set = {0};
         if (!scene_has(scene, heldout_part[p].part) || is_left(name, heldout_part[p].part))

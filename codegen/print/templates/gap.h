@@ -1,10 +1,12 @@
 /* The gap of the kinds that have footpoint_detail_KIND_surface(). */
 
-/* See footpoint_detail_normal_gap(); size is the sum of the squares of the distances of the nodes from A. */
+/* See footpoint_detail_normal_gap(); size is the sum of the squares of the distances of the nodes from A, which u and v are
+ * sums of, times derivatives of shape functions. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_gap(const REAL *const *x, REAL xi, REAL eta,
                                                    REAL least, REAL *gap)
 {
-    REAL u[3], v[3], d[3], size = 0.0, uu, vv;
+    const REAL reach = 1.0 + xi * xi + eta * eta, growth = REACH_TO_GROWTH;
+    REAL u[3], v[3], d[3], size = 0.0, tangents = 0.0;
     int i, j;
     footpoint_detail_KIND_surface(x, xi, eta, u, v, d);
     FOOTPOINT_UNROLL
@@ -12,8 +14,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_gap(const REAL *const *x, REAL xi
         FOOTPOINT_UNROLL
         for (i = 1; i < NODES; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
+        tangents += u[j] * u[j] + v[j] * v[j];
     }
-    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
-    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
-    return footpoint_detail_normal_gap(u, v, d, uu, vv, size, least, xi + eta, gap);
+    return footpoint_detail_normal_gap(u, v, d, growth * size, tangents + size, size, least, xi + eta, gap);
 }

@@ -5,6 +5,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_gap(const REAL xA[3], const REAL xB[3]
                                               const REAL xD[3], const REAL xS[3], REAL xi, REAL eta,
                                               REAL least, REAL *gap)
 {
+    const REAL reach = 1.0 + xi * xi + eta * eta;
     REAL u[3], v[3], d[3], uu = 0.0, vv = 0.0, along = 0.0, across = 0.0;
     int i;
     for (i = 0; i < 3; i++) {
@@ -18,7 +19,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_gap(const REAL xA[3], const REAL xB[3]
         along += ab * ab + dc * dc;
         across += ad * ad + bc * bc;
     }
-    return footpoint_detail_normal_gap(u, v, d, uu + along, vv + across, along + across, least,
+    return footpoint_detail_normal_gap(u, v, d, uu + reach * along, vv + reach * across, along + across, least,
                                        xi + eta, gap);
 }
 

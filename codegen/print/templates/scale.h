@@ -36,8 +36,9 @@ FOOTPOINT_FN int footpoint_detail_scale(const REAL *const *x, int nodes, int vec
 
 /* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
  * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite;
- * uu and vv are the squares of u and v, and of edges. */
+ * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
+ * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+ * normal of nodes on a line. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_normal_gap(const REAL u[3], const REAL v[3],
                                                      const REAL d[3], REAL uu, REAL vv, REAL size,
                                                      REAL least, REAL loc, REAL *gap)
