@@ -933,7 +933,7 @@ static const double footpoint_paper_gregory_weighted_points[][31] = {
  *   genome_sha256:  1574660cee74884d8b4bfbd9b88c701fd31b21473f4c143efc5d0a84404df4d4
  *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.0055 (rounding error <= 1.1e-13)
  *   poles:          divisor of t61: proved free of zeros, |...| >= 0.2 (rounding error <= 1.7e-15)
- *   poles:          t71 * t72 - t69 * t70: undecided
+ *   poles:          t71 * t72 - t69 * t70: no zero where the region's requires hold, by no proved margin
  *   poles:          t109: proved free of zeros, |t109| >= 0.0068 (rounding error <= 1.7e-14)
  *   poles:          t111: proved free of zeros, |t111| >= 8.5e-05 (rounding error <= 3.5e-13)
  *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 4.6e-14)

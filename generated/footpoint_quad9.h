@@ -1621,8 +1621,8 @@ static const double footpoint_quad9_fine_points[][34] = {
  *   genome_sha256:  a8fbe5e316191446a4f06b0693463db755bba80a6b00e6af42ff76619a531089
  *   poles:          2.0 * (t17 * t18 - t16 * t16): proved free of zeros, |...| >= 32 (rounding error <= 7.9e-14)
  *   poles:          t99 * t100 - t98 * t98: proved free of zeros, |...| >= 0.74 (rounding error <= 0.00021)
- *   poles:          t161 * t162 - t160 * t160: undecided
- *   poles:          t175 * t171 - t174 * t174: undecided
+ *   poles:          t161 * t162 - t160 * t160: no zero where the region's requires hold, by no proved margin
+ *   poles:          t175 * t171 - t174 * t174: no zero where the region's requires hold, by no proved margin
  *   rounding:       xi 1.3e-14 at points, 5.1e-15 sampled; eta 1.2e-14 at points, 1.3e-14 sampled (7092 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 146 mean 2.860e-07

@@ -90,6 +90,8 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
     const struct pole pole = find_zero(s, op, boxes);
     d->verdict = pole.verdict;
     d->least = pole.least;
+    if (pole.verdict == POLE_UNDECIDED && known_requires(r->known, op))
+        d->verdict = POLE_REQUIRED;
     if (pole.verdict == POLE_EXISTS) {
         d->witness = new_array(r->known->places, sizeof *d->witness);
         region_inputs(r, pole.witness, d->witness);

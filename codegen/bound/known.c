@@ -310,6 +310,25 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
     return x;
 }
 
+bool known_requires(const struct known *x, int op)
+{
+    const struct program *p = x->program;
+    bool required = false, *made = new_array(p->ops, sizeof *made); /* of it a require is made */
+    for (size_t i = 0; i < p->outputs; i++) {
+        made[p->output[i]] = true;
+        required = required || value_of(x, p->output[i]) == value_of(x, op);
+    }
+    for (int i = (int)x->first - 1; i >= 0 && !required; i--) {
+        const struct op *o = &p->op[i];
+        required = made[i] && o->kind == OP_DIV && value_of(x, o->b) == value_of(x, op);
+        for (int k = 0; made[i] && k < 2; k++)
+            if ((k ? o->b : o->a) >= 0)
+                made[k ? o->b : o->a] = true;
+    }
+    free(made);
+    return required;
+}
+
 void known_free(struct known *x)
 {
     if (!x)

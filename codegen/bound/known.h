@@ -47,6 +47,8 @@ struct known {
  *  has one; otherwise all that is said of the inputs themselves is known. */
 struct known *known_new(const struct genome_file *f, const struct program *p, bool shapes);
 void known_free(struct known *x);
+/** Whether no require can be > 0 where operation `op` is 0: one is a multiple of it, or made of a quotient by it. */
+bool known_requires(const struct known *x, int op);
 /** Where the joint program has operation `op` of p. */
 int known_op(const struct known *x, int op);
 

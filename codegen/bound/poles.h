@@ -4,7 +4,8 @@
 
 #include "region.h"
 
-enum pole_verdict { POLE_FREE, POLE_EXISTS, POLE_UNDECIDED };
+/** POLE_REQUIRED: no zero where the requires hold, since where it is 0 one of them is not > 0, but by no proved margin. */
+enum pole_verdict { POLE_FREE, POLE_EXISTS, POLE_REQUIRED, POLE_UNDECIDED };
 
 struct pole {
     enum pole_verdict verdict;
@@ -14,7 +15,8 @@ struct pole {
     long draws;             /* random points of the box that were looked at */
 };
 
-/** Looks for zeros of operation `op` of the region's program, by branch and bound in at most `boxes` boxes. */
+/** Looks for zeros of operation `op` of the region's program, by branch and bound in at most `boxes` boxes; never
+ *  POLE_REQUIRED. */
 struct pole pole_find(struct region *r, int op, long boxes);
 
 #endif

@@ -78,7 +78,9 @@ static bool check_poles(const struct genome_file *f, const struct function *func
             return diag_at(d, f->path, function->genome->line, 1,
                            "genome '%s' may divide by 0 (%s: %s); give the inputs' ranges, or --allow-poles",
                            function->genome->name, e->denominator[i].name,
-                           e->denominator[i].verdict == POLE_EXISTS ? "has a zero" : "undecided");
+                           e->denominator[i].verdict == POLE_EXISTS     ? "has a zero"
+                           : e->denominator[i].verdict == POLE_REQUIRED ? "not 0 by requires, without a margin"
+                                                                        : "undecided");
     return true;
 }
 

@@ -92,6 +92,8 @@ static void print_denominator(const struct genome_file *f, const struct program 
         add_witness(&l, f, p, d);
     else if (d->verdict == POLE_UNDECIDED)
         banner_add(&l, "undecided");
+    else if (d->verdict == POLE_REQUIRED)
+        banner_add(&l, "no zero where the region's requires hold, by no proved margin");
     else {
         const bool word = d->name[strcspn(d->name, " (")] == '\0';
         banner_add(&l, "proved free of zeros, |%s| >= %s", word ? d->name : "...", rounded(d->least, -1, number));

@@ -53,7 +53,10 @@ static void subject_free(struct subject *s)
 
 static const char *verdict_name(enum pole_verdict verdict)
 {
-    return verdict == POLE_FREE ? "free" : verdict == POLE_EXISTS ? "zero" : "undecided";
+    return verdict == POLE_FREE       ? "free"
+           : verdict == POLE_EXISTS   ? "zero"
+           : verdict == POLE_REQUIRED ? "required"
+                                      : "undecided";
 }
 
 /* At random points of the region no denominator is nearer to 0 than was proved. */
@@ -219,7 +222,11 @@ static void test_requires(void **state)
     (void)state;
     static const struct trial trials[] = {
         {UNIT_2 "\nrequire - a 0.5", "*out_r = 1.0 / in_a;", POLE_FREE, 0.5},
-        {UNIT_2 "\nrequire - a b", "*out_r = 1.0 / (in_a - in_b);", POLE_UNDECIDED, 0}, /* > 0, but not by any margin */
+        {UNIT_2 "\nrequire - a b", "*out_r = 1.0 / (in_a - in_b);", POLE_REQUIRED, 0}, /* > 0, but not by any margin */
+        /* where a and b are nearly equal the quotient is too large, where they are equal it is none */
+        {UNIT_2 "\nrequire - 10 abs / 1 - a b", "*out_r = 1.0 / (in_a - in_b);", POLE_REQUIRED, 0},
+        {UNIT_2 "\nrequire - 10 abs % 1 - a b", "*out_r = 1.0 / (in_a - in_b);", POLE_UNDECIDED, 0}, /* protected */
+        {UNIT_2 "\nrequire - 10 abs / 1 - a b", "*out_r = 1.0 / (in_a + in_b);", POLE_EXISTS, 0},
         {UNIT_2 "\nrequire - - a b 0.1", "*out_r = 1.0 / (in_a - in_b);", POLE_FREE, 0.1},
         {UNIT_2 "\nrequire - - a b 0.1", "*out_r = 1.0 / (in_a + in_b);", POLE_EXISTS, 0},
         {UNIT_2 "\nrequire - + * a a * b b 0.25", "*out_r = 1.0 / (in_a * in_a + in_b * in_b - 0.2);", POLE_FREE, 0.05},
