@@ -257,7 +257,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_gap(const double *cons
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
         tangents += u[j] * u[j] + v[j] * v[j];
     }
-    return footpoint_detail_normal_gap(u, v, d, growth * size, tangents + size, size, least, xi + eta, gap);
+    return footpoint_detail_normal_gap(u, v, d, growth * size, tangents + size, size, least,
+                                       xi + eta, gap);
 }
 #endif
 

@@ -258,8 +258,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gap(const double xA[3], const
         along += ab * ab + dc * dc;
         across += ad * ad + bc * bc;
     }
-    return footpoint_detail_normal_gap(u, v, d, uu + reach * along, vv + reach * across, along + across, least,
-                                       xi + eta, gap);
+    return footpoint_detail_normal_gap(u, v, d, uu + reach * along, vv + reach * across,
+                                       along + across, least, xi + eta, gap);
 }
 
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_gap(const double *const *x, double xi, double eta,

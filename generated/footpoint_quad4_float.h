@@ -360,8 +360,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_gap(const float xA[3], const floa
         along += ab * ab + dc * dc;
         across += ad * ad + bc * bc;
     }
-    return footpoint_detail_f_normal_gap(u, v, d, uu + reach * along, vv + reach * across, along + across, least,
-                                         xi + eta, gap);
+    return footpoint_detail_f_normal_gap(u, v, d, uu + reach * along, vv + reach * across,
+                                         along + across, least, xi + eta, gap);
 }
 
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_gap(const float *const *x, float xi, float eta,

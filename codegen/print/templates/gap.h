@@ -16,5 +16,6 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_gap(const REAL *const *x, REAL xi
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
         tangents += u[j] * u[j] + v[j] * v[j];
     }
-    return footpoint_detail_normal_gap(u, v, d, growth * size, tangents + size, size, least, xi + eta, gap);
+    return footpoint_detail_normal_gap(u, v, d, growth * size, tangents + size, size, least,
+                                       xi + eta, gap);
 }

@@ -19,8 +19,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_gap(const REAL xA[3], const REAL xB[3]
         along += ab * ab + dc * dc;
         across += ad * ad + bc * bc;
     }
-    return footpoint_detail_normal_gap(u, v, d, uu + reach * along, vv + reach * across, along + across, least,
-                                       xi + eta, gap);
+    return footpoint_detail_normal_gap(u, v, d, uu + reach * along, vv + reach * across,
+                                       along + across, least, xi + eta, gap);
 }
 
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_gap(const REAL *const *x, REAL xi, REAL eta,
