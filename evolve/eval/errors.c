@@ -42,6 +42,14 @@ double errors_p99(double *absolute, size_t n)
     return gsl_stats_select(absolute, 1, n, place_of_p99(n));
 }
 
+WIDE bool errors_p99_within(const double *absolute, size_t n, double most)
+{
+    size_t within = 0;
+    for (size_t i = 0; i < n; i++)
+        within += absolute[i] <= most;
+    return within > place_of_p99(n);
+}
+
 double errors_p99_above(double *absolute, size_t n, double least)
 {
     size_t above = 0;

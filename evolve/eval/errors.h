@@ -19,6 +19,8 @@ double errors_max(const double *absolute, size_t n);
 double errors_p99(double *absolute, size_t n);
 /** The same, or `least` where it is no more than that; overwrites absolute[]. */
 double errors_p99_above(double *absolute, size_t n, double least);
+/** Whether it is no more than `most`. */
+bool errors_p99_within(const double *absolute, size_t n, double most);
 
 /** Errors of expressions of a program, t[i] of output[i] (0: xi, 1: eta), over the samples, which are taken in pieces:
  *  what all of them are made of is computed once, and memory bounded by a value for each sample and expression. */

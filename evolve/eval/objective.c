@@ -105,10 +105,9 @@ bool objective_no_worse(struct objective *o, const struct tree *t, size_t target
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0; i < OUTPUT_PARTS; i++) {
             size_t n;
-            double *e = part_of(o, k, i, &n);
-            const double p99 = than->p99[k][i];
-            if (!(mean_of(e, n) <= than->mean[k][i]) || !(errors_max(e, n) <= than->max[k][i]) ||
-                !(errors_p99_above(e, n, p99) <= p99))
+            const double *e = part_of(o, k, i, &n);
+            if (!(errors_max(e, n) <= than->max[k][i]) || !errors_p99_within(e, n, than->p99[k][i]) ||
+                !(mean_of(e, n) <= than->mean[k][i]))
                 return false;
         }
     return true;
