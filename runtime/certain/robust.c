@@ -13,6 +13,7 @@
 #define FLAT 1e-6           /* determinant of a Hessian, over h11 h22: points along its valley are as near */
 #define SAME_SQUARE 0x1p-96 /* of distances, over themselves and m^2: what rounding of xi and eta may hide */
 #define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
+#define SIZABLE 1e-20 /* |r_xi x r_eta|^2 over m^4: more than rounding makes of nodes on a line */
 #define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
 
 enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
@@ -26,11 +27,10 @@ struct edge_point {
     double loc[2], d[3], square;
 };
 
-static double signed_length(const double a[3], const double b[3], const double d[3])
+/* Of d, whose square is d . d, by the side of the normal n that it is on. */
+static double signed_length(const double n[3], const double d[3], double square)
 {
-    double n[3];
-    vector_cross(a, b, n);
-    const double size = sqrt(vector_dot(d, d));
+    const double size = sqrt(square);
     return vector_dot(n, d) < 0.0 ? -size : size;
 }
 
@@ -40,6 +40,7 @@ static int find_foot(const struct bilinear *f, double xi, double eta, struct ans
     for (int n = 0; n < STEPS; n++) {
         struct bilinear_point p;
         struct bilinear_proof proof;
+        double normal[3];
         if (!(fabs(xi) <= FAR_START && fabs(eta) <= FAR_START))
             return 0;
         const int proved = footpoint_bilinear_prove(f, xi, eta, &p, &proof);
@@ -53,9 +54,10 @@ static int find_foot(const struct bilinear *f, double xi, double eta, struct ans
                 return 0;
             for (int i = 0; i < 3; i++)
                 p.d[i] -= p.a[i] * (u - xi) + (p.b[i] + f->c3[i] * (u - xi)) * (v - eta);
+            vector_cross(p.a, p.b, normal);
             answer->loc[0] = u;
             answer->loc[1] = v;
-            answer->dist = signed_length(p.a, p.b, p.d);
+            answer->dist = signed_length(normal, p.d, vector_dot(p.d, p.d));
             return 1;
         }
         xi = x;
@@ -106,6 +108,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
 {
     struct edge_point best, c;
     struct bilinear_point p;
+    double normal[3];
     nearest_of_edge(f, 0, &best);
     for (int k = 1; k < EDGES; k++) {
         nearest_of_edge(f, k, &c);
@@ -116,12 +119,14 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
     if ((fabs(best.loc[0]) < 1.0 && !(p.error <= ACCURACY * p.h11)) ||
         (fabs(best.loc[1]) < 1.0 && !(p.error <= ACCURACY * p.h22)))
         return 0; /* rounding may move it that far along the edge */
-    if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP) ||
-        !footpoint_bilinear_has_area(f))
+    if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
+        return 0;
+    vector_cross(p.a, p.b, normal);
+    if (!(vector_dot(normal, normal) > SIZABLE * (f->m * f->m) * (f->m * f->m)) && !footpoint_bilinear_has_area(f))
         return 0;
     answer->loc[0] = best.loc[0];
     answer->loc[1] = best.loc[1];
-    answer->dist = signed_length(p.a, p.b, best.d);
+    answer->dist = signed_length(normal, best.d, best.square);
     return 1;
 }
 
@@ -222,10 +227,12 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
             best = k;
     }
     struct bilinear_point p;
+    double normal[3];
     bilinear_at(f, c[best].loc[0], c[best].loc[1], &p);
+    vector_cross(p.a, p.b, normal);
     answer->loc[0] = c[best].loc[0];
     answer->loc[1] = c[best].loc[1];
-    answer->dist = signed_length(p.a, p.b, c[best].d);
+    answer->dist = signed_length(normal, c[best].d, vector_dot(c[best].d, c[best].d));
     if (!footpoint_bilinear_has_area(f)) {
         answer->dist = fabs(answer->dist);
         return FOOTPOINT_NO_AREA;
