@@ -386,16 +386,31 @@ static void statuses(void **state)
     assert_true(gap == UNTOUCHED);
 }
 
+/* A slave node a hundred edges beside a plane face still has a foot point in its plane. */
+static void far_foot_points_are_found(void **state)
+{
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const struct exact_face f = exact_face_of(footpoint_face_nodes(face));
+        const double far[3] = {200.0, -140.0, 0.5};
+        double x[C] = {0}, loc[2], gap;
+        for (int i = 0; i < 3 * f.nodes; i++)
+            x[i] = i % 3 < 2 ? f.place[i / 3][i % 3] : 0.0;
+        memcpy(x + 3 * f.nodes, far, sizeof far);
+        assert_int_equal(footpoint_face_locate(face, x, loc, &gap), FOOTPOINT_OK);
+        expect_near(loc[0], far[0], 1e-6, "xi", face);
+        expect_near(loc[1], far[1], 1e-6, "eta", face);
+        expect_near(gap, far[2], 1e-6, "gap", face);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(foot_points_are_right),
-        cmocka_unit_test(nothing_is_closer),
-        cmocka_unit_test(pairs_are_single_ones),
-        cmocka_unit_test(the_nearest_face_is_chosen),
-        cmocka_unit_test(robust_is_closest),
-        cmocka_unit_test(robust_is_sure_or_says_so),
-        cmocka_unit_test(statuses),
+        cmocka_unit_test(foot_points_are_right),      cmocka_unit_test(far_foot_points_are_found),
+        cmocka_unit_test(nothing_is_closer),          cmocka_unit_test(pairs_are_single_ones),
+        cmocka_unit_test(the_nearest_face_is_chosen), cmocka_unit_test(robust_is_closest),
+        cmocka_unit_test(robust_is_sure_or_says_so),  cmocka_unit_test(statuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
