@@ -92,16 +92,21 @@ static bool add_statement(const struct genome_file *frame, size_t k, const struc
     return good;
 }
 
-static size_t same_symbol(const struct genome_file *frame, size_t symbol, const struct genome_file *program)
+/* The program's number of a value of the frame, which the tier may call otherwise. */
+static size_t same_symbol(const struct genome_file *frame, size_t symbol, const struct tier *t,
+                          const struct genome_file *program)
 {
-    return (size_t)genome_find_symbol(program, genome_symbol_name(frame, symbol));
+    char name[NAME], suffix[16];
+    tier_suffix(t, suffix);
+    snprintf(name, sizeof name, "%s%s", genome_symbol_name(frame, symbol), symbol < frame->inputs ? "" : suffix);
+    return (size_t)genome_find_symbol(program, name);
 }
 
 /* Inputs may be exchanged in several frames, but alike. */
-static bool add_exchange(const struct genome_file *frame, const size_t pair[2], struct genome_file *program,
-                         struct diag *d)
+static bool add_exchange(const struct genome_file *frame, const size_t pair[2], const struct tier *t,
+                         struct genome_file *program, struct diag *d)
 {
-    const size_t a = same_symbol(frame, pair[0], program), b = same_symbol(frame, pair[1], program);
+    const size_t a = same_symbol(frame, pair[0], t, program), b = same_symbol(frame, pair[1], t, program);
     for (size_t i = 0; i < program->exchanges; i++) {
         const size_t *other = program->exchange[i];
         if ((other[0] == a && other[1] == b) || (other[0] == b && other[1] == a))
@@ -114,15 +119,25 @@ static bool add_exchange(const struct genome_file *frame, const size_t pair[2], 
     return true;
 }
 
+static bool has_function(const struct genome_file *frame, const struct tier *t, const char *name)
+{
+    char suffix[16], *own = new_text(name, strlen(name));
+    tier_suffix(t, suffix);
+    own[strlen(name) - strlen(suffix)] = '\0';
+    const bool found = line_function(frame, own) >= 0;
+    free(own);
+    return found;
+}
+
 /* Names in a tier's list that are no operators. */
 static bool check_functions(const struct genome_file *frame, const struct scene *s, const struct tier *t,
                             struct diag *d)
 {
     for (size_t i = 0; i < t->functions; i++)
-        if (gene_of_name(t->function[i]) < 0 && line_function(frame, t->function[i]) < 0)
+        if (gene_of_name(t->function[i]) < 0 && !has_function(frame, t, t->function[i]))
             return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name,
                            t->function[i], t->frame);
-    if (t->last && line_function(frame, t->last) < 0)
+    if (t->last && !has_function(frame, t, t->last))
         return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name, t->last,
                        t->frame);
     return true;
@@ -180,8 +195,8 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
                        frame->format, program->format);
     for (size_t i = 0; good && i < frame->statements && frame_is_new(s, tier); i++)
         good = add_statement(frame, i, s, t, program, d);
-    for (size_t i = 0; good && i < frame->exchanges && frame_is_new(s, tier) && !t->at; i++)
-        good = add_exchange(frame, frame->exchange[i], program, d);
+    for (size_t i = 0; good && i < frame->exchanges && frame_is_new(s, tier); i++)
+        good = add_exchange(frame, frame->exchange[i], t, program, d);
     good = good && check_functions(frame, s, t, d);
     for (size_t i = 0; good && i < 2 * t->starts; i++)
         if (genome_find_symbol(program, t->start[i / 2][i % 2]) < 0)

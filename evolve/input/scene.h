@@ -15,6 +15,7 @@ struct lattice {
     double z_max, z_step;   /* z of C, S */
     double xi[2], eta[2];   /* contact points kept: strictly above the lower bound, up to and with the upper one */
     int newton;             /* > 0: kept only if so many Newton steps from (0,0) find the contact point; 0: all */
+    size_t random;          /* training samples off the lattice, besides */
     int normal_sets;        /* of segments with normals: random sets for each configuration */
     double tilt;            /* tangent of the largest angle of a normal off the facet's own at the corner */
 };

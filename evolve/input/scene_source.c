@@ -28,7 +28,7 @@ static bool check_lattice(const struct scene_reader *r, config_setting_t *g, con
     static const struct scene_key normals[] = {
         {"xy", "[1.0, 0.25]"}, {"z", "[0.3, 0.1]"}, {"xi", "[-1.0, 0.0]"}, {"eta", "[-1.0, 0.0]"},
         {"normal_sets", "10"}, {"tilt", "0.3"},     {NULL, NULL}};
-    static const char *const optional[] = {"newton", NULL};
+    static const char *const optional[] = {"newton", "random", NULL};
     if (!kind->bilinear && !*kind->normals)
         return key_fail(r, g, "a 'lattice' is of segments quad4, gregory and bezier");
     return keys_check(r, g, "lattice", *kind->normals ? normals : grid, optional);
@@ -63,10 +63,13 @@ static bool read_lattice(const struct scene_reader *r, config_setting_t *g, cons
             return key_fail(r, s, "'%s' is [lower, upper]; the lower must be below the upper", box[i].key);
     }
     const config_setting_t *s = config_setting_get_member(g, "newton");
-    long long steps = 0;
-    if (s && !key_count(r, s, "newton", 1, 1000, &steps))
+    const config_setting_t *besides = config_setting_get_member(g, "random");
+    long long steps = 0, random = 0;
+    if ((s && !key_count(r, s, "newton", 1, 1000, &steps)) ||
+        (besides && !key_count(r, besides, "random", 1, 100000000, &random)))
         return false;
     l->newton = (int)steps;
+    l->random = (size_t)random;
     return !*kind->normals || read_normals(r, g, l);
 }
 

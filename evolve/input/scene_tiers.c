@@ -1,6 +1,8 @@
 /* The functions of a header that a scene asks for; see scene_parts.h. */
 #include "scene_parts.h"
 
+#include "../../codegen/genome/text.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +29,6 @@ static bool read_terminals(const struct scene_reader *r, const config_setting_t 
 static bool read_tier_reference(const struct scene_reader *r, const config_setting_t *s, const struct scene *scene,
                                 struct tier *t)
 {
-    char suffix[16];
     if (!key_two(r, s, "reference", -1, 1, t->reference))
         return false;
     int known = 0, same = 0;
@@ -37,14 +38,30 @@ static bool read_tier_reference(const struct scene_reader *r, const config_setti
             same = u->at;
     }
     t->at = same ? same : known + 1;
-    tier_suffix(t, suffix);
-    for (size_t i = 0; i < t->terminals; i++) {
-        char name[300];
-        snprintf(name, sizeof name, "%.250s%s", t->terminal[i], suffix);
-        free(t->terminal[i]);
-        t->terminal[i] = new_text(name, strlen(name));
-    }
     return true;
+}
+
+static void add_suffix(char **name, const char *suffix)
+{
+    char *longer = new_format("%s%s", *name, suffix);
+    free(*name);
+    *name = longer;
+}
+
+/* What the tier names of its frame, as a frame about the tier's own point calls it. */
+static void suffix_names(struct tier *t)
+{
+    char suffix[16];
+    tier_suffix(t, suffix);
+    for (size_t i = 0; i < t->terminals; i++)
+        add_suffix(&t->terminal[i], suffix);
+    for (size_t i = 0; i < 2 * t->starts; i++)
+        add_suffix(&t->start[i / 2][i % 2], suffix);
+    for (size_t i = 0; i < t->functions; i++)
+        if (gene_of_name(t->function[i]) < 0)
+            add_suffix(&t->function[i], suffix);
+    if (t->last)
+        add_suffix(&t->last, suffix);
 }
 
 /* "polynomial", "rational", or a list of operators and of functions of the frame. */
@@ -177,8 +194,6 @@ static bool read_tier(const struct scene_reader *r, config_setting_t *g, const c
     own = config_setting_get_member(g, "reference");
     if (own && !read_tier_reference(r, own, scene, t))
         return false;
-    if (own && t->calls)
-        return key_fail(r, own, "tier '%s': functions of a frame are about the scene's reference point", t->name);
     const config_setting_t *starts = setting(g, root, "starts");
     if (starts && t->program && !read_starts(r, starts, t))
         return false;
@@ -187,6 +202,7 @@ static bool read_tier(const struct scene_reader *r, config_setting_t *g, const c
         own = config_setting_get_member(root, "last");
     if (own && !read_last(r, own, t))
         return false;
+    suffix_names(t);
     const config_setting_t *budget = config_setting_get_member(g, "budget");
     return !budget || key_number(r, budget, "budget", 1, 1e6, NULL, &t->budget);
 }

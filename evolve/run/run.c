@@ -113,7 +113,8 @@ static bool draw_training(const struct scene *scene, struct run_samples *s, stru
 {
     if (s->training.n > 0)
         return true;
-    if (!scene_samples(scene, PART_TRAINING, &s->training, d))
+    if (!scene_samples(scene, PART_TRAINING, &s->training, d) ||
+        (scene->lattice.random > 0 && !scene_samples(scene, PART_TRAINING_RANDOM, &s->training, d)))
         return false;
     s->vary = variation_measure(scene->segment, &s->training);
     return true;

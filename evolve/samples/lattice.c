@@ -271,7 +271,7 @@ bool lattice_samples(const struct scene *scene, enum sample_part part, struct sa
 {
     struct sample_set all = {0};
     struct grid g;
-    if (part == PART_HELDOUT_RANDOM || part == PART_VALIDATION)
+    if (part != PART_TRAINING && part != PART_HELDOUT)
         return off_lattice(scene, part, set, d);
     if (!common_unit(&scene->lattice, &g))
         return diag_at(d, scene->path, 0, 0, "the lattice's ranges and steps have no common unit 1/n with n <= 1000");

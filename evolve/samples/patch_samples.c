@@ -20,9 +20,10 @@ static bool of_lattice(const struct scene *scene, enum sample_part part, struct 
                                          surface_find(scene->segment)->patch};
     const struct lattice_gregory all = {&facets, 0, scene->lattice.normal_sets, scene->lattice.tilt, plan.kind};
     facets.training = configurations(&scene->lattice, scene->training);
+    facets.lattice.random = configurations(&scene->lattice, scene->lattice.random);
     facets.heldout = plan.configurations;
-    const bool trains = part == PART_TRAINING || part == PART_VALIDATION;
-    return lattice_gregory_samples(trains ? &all : &plan, part, set, NULL, d);
+    const bool held_out = part == PART_HELDOUT || part == PART_HELDOUT_RANDOM;
+    return lattice_gregory_samples(held_out ? &plan : &all, part, set, NULL, d);
 }
 
 size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])

@@ -22,7 +22,19 @@ bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d);
 /** How many samples of a part are drawn at random. */
 static inline size_t samples_wanted(const struct scene *s, enum sample_part part)
 {
-    return part == PART_TRAINING || part == PART_VALIDATION ? s->training : s->heldout;
+    switch (part) {
+    case PART_TRAINING:
+        return s->training;
+    case PART_TRAINING_RANDOM:
+        return s->lattice.random;
+    case PART_VALIDATION:
+        return s->training + s->lattice.random;
+    case PART_HELDOUT:
+    case PART_HELDOUT_RANDOM:
+    case PART_HELDOUT_EVEN:
+        break;
+    }
+    return s->heldout;
 }
 
 bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);

@@ -29,7 +29,8 @@ enum sample_part {
     PART_HELDOUT,        /* lattice and mesh: the rest of the same points; random: a second stream */
     PART_HELDOUT_RANDOM, /* off the grid: drawn at random from the same ranges */
     PART_HELDOUT_EVEN,   /* ordinary shapes: another distribution in the same limits, to which nothing is fitted */
-    PART_VALIDATION      /* as many as for training, drawn at random: what champions are chosen by */
+    PART_VALIDATION,     /* as many as for training, drawn at random: what champions are chosen by */
+    PART_TRAINING_RANDOM /* off the grid, what programs see besides; of lattices that ask for it */
 };
 
 enum { HELDOUT_PARTS = 3 };

@@ -19,15 +19,21 @@ static struct sample_set samples_of(const struct scene *s, enum sample_part part
 /* Each call gives the same bytes; no configuration is in two parts. */
 static void check_parts(const struct scene *s)
 {
+    const size_t wanted[] = {[PART_TRAINING] = s->training,
+                             [PART_HELDOUT] = 0,
+                             [PART_HELDOUT_RANDOM] = s->heldout,
+                             [PART_HELDOUT_EVEN] = s->heldout,
+                             [PART_VALIDATION] = s->training + s->lattice.random,
+                             [PART_TRAINING_RANDOM] = s->lattice.random};
     struct sample_set all = {0};
-    for (int part = PART_TRAINING; part <= PART_HELDOUT_EVEN; part++) {
-        if (!scene_has(s, (enum sample_part)part))
+    for (int part = PART_TRAINING; part <= PART_TRAINING_RANDOM; part++) {
+        if (!scene_has(s, (enum sample_part)part) || (part != PART_HELDOUT && wanted[part] == 0))
             continue;
         struct sample_set a = samples_of(s, (enum sample_part)part), b = samples_of(s, (enum sample_part)part);
         assert_int_equal(a.n, b.n);
         assert_memory_equal(a.s, b.s, a.n * sizeof *a.s);
         if (part != PART_HELDOUT)
-            assert_int_equal(a.n, part == PART_TRAINING ? s->training : s->heldout);
+            assert_int_equal(a.n, wanted[part]);
         for (size_t i = 0; i < a.n; i++)
             sample_set_add(&all, &a.s[i]);
         sample_set_free(&a);
@@ -52,6 +58,7 @@ static void parts_share_nothing(void **state)
     for (int i = 0; i < 2; i++) {
         struct scene *s = read_from_text(text[i], &d);
         assert_non_null(s);
+        s->lattice.random = s->source == SOURCE_LATTICE ? 300 : 0;
         check_parts(s);
         scene_free(s);
     }

@@ -191,6 +191,8 @@ static const struct malformed malformed[] = {
     {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "", "9: error: lattice lacks 'eta' (such as [-1.0, 0.0])"},
     {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "eta = [-1.0, 0.0]; newton = 0;",
      "9: error: 'newton' must be in 1..1000"},
+    {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "eta = [-1.0, 0.0]; random = 0;",
+     "9: error: 'random' must be in 1..100000000"},
     {HEAD LATTICE TAIL, "xy", "yx", "9: error: unknown key 'yx' in lattice"},
     /* mesh */
     {HEAD MESH TAIL, "MESH", "/nonexistent/m.inp", "9: error: cannot read mesh file '/nonexistent/m.inp'"},
@@ -360,6 +362,34 @@ static void tiers_expand_about_points_of_their_own(void **state)
 #undef TIER
 }
 
+/* Programs about a point of their own: of the frame there, functions, starts and exchanges too. */
+static void programs_have_reference_points(void **state)
+{
+    struct diag d;
+    struct scene *s = read_from_text(HEAD SHAPES "frame = \"parallelogram\";\n"
+                                                 "tiers = (\n"
+                                                 "    { name = \"a\"; terminals = [\"e11\"]; max_length = 9; "
+                                                 "functions = [\"+\", \"*\", \"solve_u\"];\n"
+                                                 "      starts = ([\"p\", \"q\"]); reference = [0.5, 0.25]; }\n"
+                                                 ");\n",
+                                     &d);
+    (void)state;
+    if (!s)
+        fail_msg("%s", d.text);
+    assert_string_equal(s->tier[0].function[1], "*");
+    assert_string_equal(s->tier[0].function[2], "solve_u_at1");
+    assert_string_equal(s->tier[0].start[0][1], "q_at1");
+    struct genome_file *program = frame_program(".", s, "program", &d);
+    if (!program)
+        fail_msg("%s", d.text);
+    assert_true(genome_find_function(program, "solve_u_at1") >= 0 && genome_find_function(program, "solve_u") < 0);
+    assert_int_equal(program->exchanges, 3);
+    assert_int_equal(program->exchange[2][0], genome_find_symbol(program, "e11_at1"));
+    assert_int_equal(program->exchange[2][1], genome_find_symbol(program, "e22_at1"));
+    genome_file_free(program);
+    scene_free(s);
+}
+
 /* Two frames in one scene: what both define alike is one value; what they define differently is refused. */
 static void frames_share_what_is_alike(void **state)
 {
@@ -421,6 +451,7 @@ int main(void)
         cmocka_unit_test(usual_values),
         cmocka_unit_test(unusual_limits_are_told),
         cmocka_unit_test(tiers_expand_about_points_of_their_own),
+        cmocka_unit_test(programs_have_reference_points),
         cmocka_unit_test(frames_share_what_is_alike),
         cmocka_unit_test(missing_scenes_are_refused),
     };
