@@ -4,7 +4,7 @@
 #define FOOTPOINT_BENCH_METHODS_H
 
 #include "../../codegen/genome/segment_kind.h"
-#include "../rivals/rivals_tuned.h"
+#include "../rivals/rivals_kept.h"
 
 #include <stddef.h>
 

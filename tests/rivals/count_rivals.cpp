@@ -65,7 +65,7 @@ static bool operator<=(Real a, Real b)
 #include "rivals_closed.h"
 #include "rivals_converged.h"
 #include "rivals_faces.h"
-#include "rivals_tuned.h"
+#include "rivals_kept.h"
 #include "trust_region.h"
 
 // A warped segment and a slave node off it; no iteration converges at once.
@@ -110,6 +110,7 @@ int main()
     RIVAL_CLOSED_FORMS(COUNT)
     COUNT(pinball)
     RIVAL_TUNED_ITERATIONS(COUNT_TUNED)
+    RIVAL_KEPT(COUNT_TUNED)
     RIVAL_POLYNOMIALS(COUNT_TUNED)
     const auto newton = [](int most, Real *xi, Real *eta) { rival_newton(xA, xB, xC, xD, xS, most, 0.0, xi, eta); };
     count_steps("newton", newton);

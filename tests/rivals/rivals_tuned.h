@@ -48,10 +48,8 @@ struct rival_tuning {
     R(quadratic, 45)                                                                                                   \
     R(cubic, RIVAL_TERMS)
 
-RIVAL_FN void rival_iterate_tuned(RIVAL_NODES, const struct rival_tuning *t, int gauss_newton, int newton, int clamped,
-                                  FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
+RIVAL_FN struct rival_basis rival_basis_tuned(RIVAL_NODES, const struct rival_tuning *t)
 {
-    const FOOTPOINT_REAL two = 2.0;
     struct rival_basis b;
     for (int i = 0; i < 3; i++) {
         const FOOTPOINT_REAL ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], as = xS[i] - xA[i];
@@ -60,6 +58,14 @@ RIVAL_FN void rival_iterate_tuned(RIVAL_NODES, const struct rival_tuning *t, int
         b.e2[i] = ad + t->s * b.c3[i];
         b.d[i] = as - t->s * ab - t->t * b.e2[i];
     }
+    return b;
+}
+
+RIVAL_FN void rival_iterate_tuned(RIVAL_NODES, const struct rival_tuning *t, int gauss_newton, int newton, int clamped,
+                                  FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
+{
+    const FOOTPOINT_REAL two = 2.0;
+    const struct rival_basis b = rival_basis_tuned(xA, xB, xC, xD, xS, t);
     const struct rival_plan plan = {gauss_newton, newton, two, clamped ? &t->clamp : NULL};
     const struct rival_point p = rival_steps(&b, &plan);
     *xi = t->xi0 + p.u;

@@ -1,7 +1,7 @@
 /* The rivals that are tuned to a scene, those that iterate until they stand, and their forms for columns. */
 #include "../support/ordinary_quad.h"
 #include "newton_lanes.h"
-#include "rivals_tuned.h"
+#include "rivals_kept.h"
 #include "trust_region.h"
 
 #include "../../evolve/surface/foot_bilinear.h"
@@ -67,6 +67,34 @@ static void test_start(void **state)
         close_to(xi, q.xi);
         close_to(eta, q.eta);
     }
+}
+
+/* Steps with kept determinants get nearer with each, and where there are enough of them, there; the box holds them. */
+static void test_kept(void **state)
+{
+    struct rival_tuning t = {.s = 0.5, .t = 0.5};
+    t.clamp.plain = (struct rival_box){{-0.7, -0.7}, {0.7, 0.7}};
+    double sum[7] = {0};
+    (void)state;
+    for (uint64_t number = 0; number < SEGMENTS; number++) {
+        const struct quad q = quad_draw(&quad_ordinary, number);
+        double xi, eta;
+        int i = 0;
+#define KEPT(name, ...)                                                                                                \
+    rival_##name(NODES(q), &t, &xi, &eta);                                                                             \
+    sum[i++] += fabs(xi - q.xi) + fabs(eta - q.eta);
+        RIVAL_KEPT(KEPT)
+        close_to(xi, q.xi);
+        close_to(eta, q.eta);
+    }
+    for (int i = 1; i < 5; i++)
+        assert_true(sum[i] < 0.5 * sum[i - 1]);
+    assert_true(sum[5] < 0.1 * sum[2] && sum[5] < 1e-6 * SEGMENTS);
+    t.clamp.plain = (struct rival_box){{0.1, 0.2}, {0.1, 0.2}};
+    const struct quad q = quad_draw(&quad_ordinary, 0);
+    double xi, eta;
+    rival_hand_kept_fine(NODES(q), &t, &xi, &eta);
+    assert_true(xi == 0.2 && eta == 0.4);
 }
 
 /* The inputs are those of section 3.1: distances are kept, and A, B, D are where they belong. */
@@ -202,8 +230,9 @@ static void test_trust_region(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_centre),     cmocka_unit_test(test_start),
-                                       cmocka_unit_test(test_similarity), cmocka_unit_test(test_polynomials),
-                                       cmocka_unit_test(test_lanes),      cmocka_unit_test(test_trust_region)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_centre),      cmocka_unit_test(test_start),
+                                       cmocka_unit_test(test_kept),        cmocka_unit_test(test_similarity),
+                                       cmocka_unit_test(test_polynomials), cmocka_unit_test(test_lanes),
+                                       cmocka_unit_test(test_trust_region)};
     return cmocka_run_group_tests_name("tuned rivals", tests, NULL, NULL);
 }
