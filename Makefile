@@ -149,7 +149,7 @@ MODULE := $(if $(findstring gfortran,$(FC)),$(if $(shell command -v $(FC) 2> /de
 # The scenes and frames that footpoint comes with; those of one's own, beside them, are neither installed nor measured.
 SHIPPED := bezier blocks-quad4 bricks-quad4 gregory paper-gregory paper-quad4 parallelogram-quad4 plane-quad4 punch-quad4 \
            quad4 quad4-float quad8 quad9 rectangle-quad4 tri3 tri6 whole-quad4
-FRAMES  := affine bezier gregory guarded parallelogram plane quad8 quad9 similarity similarity_gregory steps tri3 tri6
+FRAMES  := affine bezier gregory parallelogram plane quad8 quad9 similarity similarity_gregory steps tri3 tri6
 header_of = generated/footpoint_$(subst -,_,$(1)).h
 GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
 # Derivatives at a foot point, by kind of face and patch.

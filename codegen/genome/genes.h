@@ -27,7 +27,7 @@
  *     rising       1 if it never falls
  *     negative     1 if it is defined below 0
  *     error        of the function of C: in 2^-53 of the value, at most)
- * Of these all passes, proofs and bounds are made; graph/functions.c adds its exact values. */
+ * Of these all passes, proofs and bounds are made; graph/unary.c adds its exact values. */
 #define UNARY(G)                                                                                                       \
     G(SQRT, "sqrt", sqrt(a), (0.5 * s / v), "/ s * 2 sqrt a", "sqrt", "sqrt($a0)", "\\sqrt{$a0}", sqrt, 2, 1, 0, 1)    \
     G(ABS, "abs", fabs(a), (a < 0 ? -s : s), NULL, "fabs", "abs($a0)", "\\left|$a0\\right|", compare, 1, 0, 1, 0)

@@ -168,7 +168,7 @@ static void test_changes(void **state)
     struct fits *fits = fits_new(f->objective);
     const struct fitting hooks = fits_hooks(fits);
     struct tree mate = program_of(f, "let u v = newton_kept ut vt", "u", "v");
-    struct tree t = program_of(f, "let u1 v1 = newton p q\nlet u v = solve_u u1 v1", "u", "v");
+    struct tree t = program_of(f, "let us1 vs1 = newton p q\nlet u v = solve_u us1 vs1", "u", "v");
     struct tree child = {new_array(LONGEST, sizeof *child.gene), 0};
     const struct tree parents[2] = {t, mate};
     struct tree now = {new_array(LONGEST, sizeof *now.gene), 0};
@@ -316,8 +316,8 @@ static void test_costs(void **state)
     assert_true(cost_of_text(f, "let u v = solve_u p q", "u", "v") - cost_of_text(f, "", "p", "q") ==
                 4 + 6 + 8 + 12 + 8 - 3 - 1);
     /* A step costs a step. */
-    const double one = cost_of_text(f, "let u1 v1 = newton p q", "u1", "v1"),
-                 two = cost_of_text(f, "let u1 v1 = newton p q\nlet u2n v2n = newton u1 v1", "u2n", "v2n");
+    const double one = cost_of_text(f, "let us1 vs1 = newton p q", "us1", "vs1"),
+                 two = cost_of_text(f, "let us1 vs1 = newton p q\nlet u2n v2n = newton us1 vs1", "u2n", "v2n");
     assert_true(two - one == 2 + 2 + 3 + 1 + 3 + 3 + 3 + 4 + 4 + 3 + 8 + 4 + 4); /* line by line of the frame */
 }
 
@@ -329,9 +329,9 @@ static void test_seeds(void **state)
         {"", "p", "q"},
         {"let u v = inside p q", "u", "v"},
         {"let u v = newton_kept p q", "u", "v"},
-        {"let u0 v0 = inside ut vt\nlet u1 v1 = newton_kept u0 v0\nlet u v = inside u1 v1", "u", "v"},
-        {"let u1 v1 = newton_kept p q\nlet u v = newton_kept u1 v1", "u", "v"},
-        {"let u0 v0 = inside ut vt\nlet u1 v1 = solve_u u0 v0\nlet u v = solve_v u1 v1", "u", "v"}};
+        {"let u0 v0 = inside ut vt\nlet us1 vs1 = newton_kept u0 v0\nlet u v = inside us1 vs1", "u", "v"},
+        {"let us1 vs1 = newton_kept p q\nlet u v = newton_kept us1 vs1", "u", "v"},
+        {"let u0 v0 = inside ut vt\nlet us1 vs1 = solve_u u0 v0\nlet u v = solve_v us1 vs1", "u", "v"}};
     struct front *found = front_new(f->plan.front_limit, LONGEST);
     compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->target, &f->plan.prices, found);
     struct lines_counter *c = lines_counter_new(f->objective->rules);

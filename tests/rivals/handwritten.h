@@ -1,4 +1,4 @@
-/* The formulas of the shipped genomes (evolve/frames/parallelogram.gen, guarded.gen) as a finite element programmer
+/* The formulas of the shipped genomes (evolve/frames/parallelogram.gen, steps.gen) as a finite element programmer
  * writes them by hand: vectors, scalar products, and one function for each idea.  The reference for the speed of the
  * emitted code.
  *
@@ -208,7 +208,7 @@ FOOTPOINT_FN struct hand_point hand_guarded_newton(const struct hand_products *g
 }
 
 /* Guarded steps about the point (x0,x0), for contact points within a box about it. */
-enum hand_start { HAND_GAUSS, HAND_GAUSS_CLAMPED, HAND_TAPER, HAND_FIRST, HAND_SECOND };
+enum hand_start { HAND_GAUSS, HAND_TAPER, HAND_FIRST, HAND_SECOND };
 
 FOOTPOINT_FN struct hand_point hand_guarded_start(const struct hand_products *g, enum hand_start start,
                                                   struct hand_box box)
@@ -219,8 +219,6 @@ FOOTPOINT_FN struct hand_point hand_guarded_start(const struct hand_products *g,
     double w = kept.u * kept.v;
     if (start == HAND_GAUSS)
         return x;
-    if (start == HAND_GAUSS_CLAMPED)
-        return kept;
     if (start == HAND_TAPER) {
         const double linear = 1 - (a * q + b * p);
         w = p * q * (linear < 0.6 ? 0.6 : linear);
@@ -232,34 +230,21 @@ FOOTPOINT_FN struct hand_point hand_guarded_start(const struct hand_products *g,
     return (struct hand_point){p - a * w, q - b * w};
 }
 
-/* A Newton step, and so many times the squares that it leaves out, each time within a limit. */
-FOOTPOINT_FN struct hand_point hand_guarded_step(const struct hand_products *g, struct hand_point x, int squares,
-                                                 struct hand_box box)
-{
-    const struct hand_box limit = {-0.1, 0.1};
-    struct hand_matrix m;
-    const struct hand_point to = hand_guarded_newton(g, x, &m);
-    struct hand_point found = to;
-    for (int i = 0; i < squares; i++) {
-        const struct hand_point c = hand_clamp_point(hand_squares(&m, x, found), limit);
-        const struct hand_point next = {to.u - c.u, to.v - c.v};
-        found = i + 1 < squares ? hand_clamp_point(next, box) : next;
-    }
-    found = hand_clamp_point(found, box);
-    return found;
-}
-
-/* Newton steps, or Chebyshev's: one, and another that takes the squares twice. */
-FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, struct hand_box box, enum hand_start start, int newton,
-                               int chebyshev, double *xi, double *eta)
+/* A start, and steps of Newton, with the squares that they leave out within a limit or without; all but the first of the
+ * starts kept in the box. */
+FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, struct hand_box box, enum hand_start start, int steps,
+                               int squares, double *xi, double *eta)
 {
     const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);
+    const struct hand_box limit = {-0.1, 0.1};
     struct hand_point x = hand_guarded_start(&g, start, box);
-    for (int i = 0; i < newton; i++)
-        x = hand_guarded_step(&g, x, 0, box);
-    for (int i = 0; i < chebyshev; i++)
-        x = hand_guarded_step(&g, x, 1 + i, box);
-    if (start == HAND_TAPER)
+    for (int i = 0; i < steps; i++) {
+        struct hand_matrix m;
+        const struct hand_point from = x, to = hand_guarded_newton(&g, from, &m);
+        const struct hand_point c = hand_clamp_point(hand_squares(&m, from, to), limit);
+        x = squares ? (struct hand_point){to.u - c.u, to.v - c.v} : to;
+    }
+    if (start != HAND_GAUSS)
         x = hand_clamp_point(x, box);
     *xi = x0 + x.u;
     *eta = x0 + x.v;
@@ -275,27 +260,22 @@ FOOTPOINT_FN void hand_guarded_gauss2(HAND_NODES, double x0, double *xi, double 
     *eta = x0 + x.v;
 }
 
-#define HAND_GUARDED(name, x0, high, start, newton, chebyshev)                                                         \
+#define HAND_GUARDED(name, x0, high, start, steps, squares)                                                            \
     FOOTPOINT_FN void hand_##name(HAND_NODES, double *xi, double *eta)                                                 \
     {                                                                                                                  \
         const struct hand_box box = {-1 - (x0), (high) - (x0)};                                                        \
-        hand_guarded(xA, xB, xC, xD, xS, x0, box, start, newton, chebyshev, xi, eta);                                  \
+        hand_guarded(xA, xB, xC, xD, xS, x0, box, start, steps, squares, xi, eta);                                     \
     }
 #define HAND_LATTICE(scene, x0, high)                                                                                  \
     HAND_GUARDED(scene##_gauss, x0, high, HAND_GAUSS, 0, 0)                                                            \
     HAND_GUARDED(scene##_taper, x0, high, HAND_TAPER, 0, 0)                                                            \
-    HAND_GUARDED(scene##_newton, x0, high, HAND_GAUSS_CLAMPED, 1, 0)                                                   \
-    HAND_GUARDED(scene##_medium, x0, high, HAND_FIRST, 1, 0)                                                           \
-    HAND_GUARDED(scene##_balanced, x0, high, HAND_SECOND, 0, 1)                                                        \
-    HAND_GUARDED(scene##_fine, x0, high, HAND_SECOND, 2, 0)                                                            \
-    HAND_GUARDED(scene##_precise, x0, high, HAND_SECOND, 3, 0)                                                         \
-    HAND_GUARDED(scene##_accurate, x0, high, HAND_SECOND, 0, 2)                                                        \
-    HAND_GUARDED(scene##_full, x0, high, HAND_SECOND, 4, 0)                                                            \
     FOOTPOINT_FN void hand_##scene##_gauss2(HAND_NODES, double *xi, double *eta)                                       \
     {                                                                                                                  \
         hand_guarded_gauss2(xA, xB, xC, xD, xS, x0, xi, eta);                                                          \
     }
 HAND_LATTICE(paper, -0.45, 0.0)
 HAND_LATTICE(whole, -0.15, 1.0)
+HAND_GUARDED(paper_medium, -0.45, 0.0, HAND_FIRST, 1, 0)
+HAND_GUARDED(paper_balanced, -0.45, 0.0, HAND_SECOND, 1, 1)
 
 #endif

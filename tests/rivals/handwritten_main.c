@@ -78,13 +78,13 @@ struct search {
     M(paper_quad4_taper, hand_paper_taper)                                                                             \
     M(paper_quad4_gauss2, hand_paper_gauss2)                                                                           \
     M(paper_quad4_coarse, written_paper_quad4_coarse)                                                                  \
-    M(paper_quad4_newton, hand_paper_newton)                                                                           \
+    M(paper_quad4_newton, written_paper_quad4_newton)                                                                  \
     M(paper_quad4_medium, hand_paper_medium)                                                                           \
     M(paper_quad4_balanced, hand_paper_balanced)                                                                       \
-    M(paper_quad4_fine, hand_paper_fine)                                                                               \
-    M(paper_quad4_precise, hand_paper_precise)                                                                         \
-    M(paper_quad4_accurate, hand_paper_accurate)                                                                       \
-    M(paper_quad4_full, hand_paper_full)                                                                               \
+    M(paper_quad4_fine, written_paper_quad4_fine)                                                                      \
+    M(paper_quad4_precise, written_paper_quad4_precise)                                                                \
+    M(paper_quad4_accurate, written_paper_quad4_accurate)                                                              \
+    M(paper_quad4_full, written_paper_quad4_full)                                                                      \
     M(punch_quad4_fast, hand_fast)                                                                                     \
     M(punch_quad4_coarse, hand_coarse)                                                                                 \
     M(punch_quad4_gauss2, hand_gauss2)                                                                                 \
@@ -106,13 +106,13 @@ struct search {
     M(whole_quad4_taper, hand_whole_taper)                                                                             \
     M(whole_quad4_gauss2, hand_whole_gauss2)                                                                           \
     M(whole_quad4_coarse, written_whole_quad4_coarse)                                                                  \
-    M(whole_quad4_newton, hand_whole_newton)                                                                           \
-    M(whole_quad4_medium, hand_whole_medium)                                                                           \
-    M(whole_quad4_balanced, hand_whole_balanced)                                                                       \
-    M(whole_quad4_fine, hand_whole_fine)                                                                               \
-    M(whole_quad4_precise, hand_whole_precise)                                                                         \
-    M(whole_quad4_accurate, hand_whole_accurate)                                                                       \
-    M(whole_quad4_full, hand_whole_full)
+    M(whole_quad4_newton, written_whole_quad4_newton)                                                                  \
+    M(whole_quad4_medium, written_whole_quad4_medium)                                                                  \
+    M(whole_quad4_balanced, written_whole_quad4_balanced)                                                              \
+    M(whole_quad4_fine, written_whole_quad4_fine)                                                                      \
+    M(whole_quad4_precise, written_whole_quad4_precise)                                                                \
+    M(whole_quad4_accurate, written_whole_quad4_accurate)                                                              \
+    M(whole_quad4_full, written_whole_quad4_full)
 
 /* A name of its own for the hand-written one of each method, which several may share. */
 #define DEFINE_HAND(name, hand)                                                                                        \

@@ -1,5 +1,5 @@
 /* Functions of the scene quad4 that were derived by hand: Gauss-Newton and Newton steps, the first with taper and warp, as
- * the frame `parallelogram` defines them (u3, u3h, u4) and codegen schedules them.  What evolution bred in
+ * the frame `parallelogram` defines them (u3, its `chebyshev` of uz, u4) and codegen schedules them.  What evolution bred in
  * their place must not lose to them. */
 #ifndef FOOTPOINT_RIVALS_HAND_H
 #define FOOTPOINT_RIVALS_HAND_H
