@@ -316,16 +316,48 @@ static void make_tools(const struct evolve_options *o, struct problem *p)
     }
 }
 
-/* Hand-written methods, composed of the functions of a tier of programs, to breed from.  All ranks find the same. */
-static void compose_seeds(const struct problem *p, size_t tier)
+static bool same_names(char *const *a, size_t n, char *const *b, size_t m)
 {
-    const struct tier *t = &p->scene->tier[tier];
-    struct front *found = front_new(p->plan.front_limit, tier_genes(t));
-    compose_programs(t, &p->genes[tier], p->objective, archive_target(p->archive, tier, TIER_BOTH), &p->plan.times,
-                     found);
-    for (size_t k = 0; k < front_count(found); k++)
-        archive_add_seed(p->archive, (long)tier, TIER_BOTH, &front_member(found, k)->tree);
-    front_free(found);
+    bool same = n == m;
+    for (size_t i = 0; same && i < n; i++)
+        same = strcmp(a[i], b[i]) == 0;
+    return same;
+}
+
+/* Tiers of programs that differ in nothing but their names and budgets compose the same. */
+static bool compose_alike(const struct tier *a, const struct tier *b)
+{
+    return a->program && b->program && a->max_length == b->max_length && a->rational == b->rational &&
+           same_names(a->terminal, a->terminals, b->terminal, b->terminals) &&
+           same_names(a->function, a->functions, b->function, b->functions) && a->starts == b->starts &&
+           same_names((char *const *)a->start, 2 * a->starts, (char *const *)b->start, 2 * b->starts) &&
+           strcmp(a->last ? a->last : "", b->last ? b->last : "") == 0;
+}
+
+/* Hand-written methods, composed of the functions of tiers of programs, to breed from.  All ranks find the same. */
+static void compose_seeds(const struct problem *p)
+{
+    const size_t n = p->scene->tiers;
+    struct front **found = new_array(n, sizeof *found); /* NULL where an earlier tier's is the same */
+    for (size_t i = 0; i < n; i++) {
+        const struct tier *t = &p->scene->tier[i];
+        size_t first = 0;
+        while (first < i && !compose_alike(&p->scene->tier[first], t))
+            first++;
+        if (!t->program)
+            continue;
+        if (first == i) {
+            found[i] = front_new(p->plan.front_limit, tier_genes(t));
+            compose_programs(t, &p->genes[i], p->objective, archive_target(p->archive, i, TIER_BOTH), &p->plan.times,
+                             found[i]);
+        }
+        for (size_t k = 0; k < front_count(found[first]); k++)
+            archive_add_seed(p->archive, (long)i, TIER_BOTH, &front_member(found[first], k)->tree);
+    }
+    for (size_t i = 0; i < n; i++)
+        if (found[i])
+            front_free(found[i]);
+    free(found);
 }
 
 /* What is known before islands breed: exact values, seeds, and the fronts of both. */
@@ -339,9 +371,8 @@ static void prepare(const struct call *call, struct problem *p, const struct run
     for (size_t i = 0; i < p->scene->tiers; i++)
         if (tier_is_chosen(&p->scene->tier[i]))
             archive_choose_values(p->archive, i, o->generations > 0);
-    for (size_t i = 0; o->generations > 0 && i < p->scene->tiers; i++)
-        if (p->scene->tier[i].program)
-            compose_seeds(p, i);
+    if (o->generations > 0)
+        compose_seeds(p);
     archive_measure(p->archive, &p->plan, p->objective);
 }
 
