@@ -317,7 +317,7 @@ endif
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
 SCENES := $(patsubst evolve/scenes/%.scene,%,$(sort $(wildcard evolve/scenes/*.scene)))
-MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe \
+MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe --bind-to none \
           --mca odls_base_sigkill_timeout 5
 
 regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch

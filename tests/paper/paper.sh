@@ -5,7 +5,7 @@
 # from their checkpoint.  FULL=1: the paper's own size, in a folder of its own (FOLDER/full).  All results but times
 # depend on the seeds alone.
 folder=$1
-BIN=${BIN:-build} RANKS=${RANKS:-2} MPIRUN=${MPIRUN:-mpirun --oversubscribe -n $RANKS}
+BIN=${BIN:-build} RANKS=${RANKS:-2} MPIRUN=${MPIRUN:-mpirun --oversubscribe --bind-to none -n $RANKS}
 if [ "$FULL" = 1 ]; then
     folder=$folder/full
     seeds='1 2 3 4 5 6 7 8 9 10' pga_generations=3000 gp_generations=3000 group_generations=3000
