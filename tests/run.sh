@@ -28,9 +28,9 @@ if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed se
     exit 0
 fi
 export CMOCKA_MESSAGE_OUTPUT=TAP OMPI_MCA_mpi_yield_when_idle=1 # ranks that wait give way to other tests
-# Programs start soonest where they are not told to look for networks, and one rank needs no daemon.
 # Each mpirun binds its ranks to the first processors, those of tests side by side to the same ones.
 export OMPI_MCA_hwloc_base_binding_policy=none
+# Programs start soonest where they are not told to look for networks, and one rank needs no daemon.
 export OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_ess_singleton_isolated=1
 counts=$(mktemp) || exit 3
 trap 'rm -f "$counts"' EXIT
