@@ -209,6 +209,23 @@ static void add_start(struct composer *s, char *const name[2], struct candidates
     free(t.gene);
 }
 
+static bool same_names(char *const *a, size_t n, char *const *b, size_t m)
+{
+    bool same = n == m;
+    for (size_t i = 0; same && i < n; i++)
+        same = strcmp(a[i], b[i]) == 0;
+    return same;
+}
+
+bool compose_alike(const struct tier *a, const struct tier *b)
+{
+    return a->program && b->program && a->max_length == b->max_length && a->rational == b->rational &&
+           same_names(a->terminal, a->terminals, b->terminal, b->terminals) &&
+           same_names(a->function, a->functions, b->function, b->functions) && a->starts == b->starts &&
+           same_names((char *const *)a->start, 2 * a->starts, (char *const *)b->start, 2 * b->starts) &&
+           strcmp(a->last ? a->last : "", b->last ? b->last : "") == 0;
+}
+
 void compose_programs(const struct tier *tier, const struct gene_set *genes, const struct objective *objective,
                       size_t target, const struct prices *prices, struct front *found)
 {

@@ -7,6 +7,9 @@
 #include "../eval/operation_count.h"
 #include "../genotype/front.h"
 
+/** Tiers of programs that differ in nothing but their names and budgets compose the same. */
+bool compose_alike(const struct tier *a, const struct tier *b);
+
 /** Offer programs to a front, by their errors on some of the objective's samples: the starts, and the compositions of
  *  functions that begin with the most promising ones.  Deterministic.
  *  @param[in] objective  of decimal numbers */

@@ -316,24 +316,6 @@ static void make_tools(const struct evolve_options *o, struct problem *p)
     }
 }
 
-static bool same_names(char *const *a, size_t n, char *const *b, size_t m)
-{
-    bool same = n == m;
-    for (size_t i = 0; same && i < n; i++)
-        same = strcmp(a[i], b[i]) == 0;
-    return same;
-}
-
-/* Tiers of programs that differ in nothing but their names and budgets compose the same. */
-static bool compose_alike(const struct tier *a, const struct tier *b)
-{
-    return a->program && b->program && a->max_length == b->max_length && a->rational == b->rational &&
-           same_names(a->terminal, a->terminals, b->terminal, b->terminals) &&
-           same_names(a->function, a->functions, b->function, b->functions) && a->starts == b->starts &&
-           same_names((char *const *)a->start, 2 * a->starts, (char *const *)b->start, 2 * b->starts) &&
-           strcmp(a->last ? a->last : "", b->last ? b->last : "") == 0;
-}
-
 /* Hand-written methods, composed of the functions of tiers of programs, to breed from.  All ranks find the same. */
 static void compose_seeds(const struct problem *p)
 {
