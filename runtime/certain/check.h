@@ -18,7 +18,7 @@
 #include "../geometry/vector.h"
 
 /** The worst error of xi and eta that the banner of generated/footpoint_quad4.h states for footpoint_quad4_accurate. */
-#define FOOTPOINT_CHECK_WORST 2.219e-05
+#define FOOTPOINT_CHECK_WORST 1.024e-07
 /* Rounding errors of all products together, over squares of lengths; about 500 units. */
 #define FOOTPOINT_CHECK_ROUNDING 1e-13
 

@@ -5,7 +5,7 @@
 #include "verdict.h"
 
 /* Of the generated expression, in xi and eta: what its banner calls max. */
-#define BANNER_WORST 2.219e-05
+#define BANNER_WORST 1.024e-07
 
 struct tally {
     long calls, answered, outside, not_unique, unproved, refused; /* by status */

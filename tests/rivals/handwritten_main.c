@@ -72,7 +72,7 @@ struct search {
     M(blocks_quad4_medium, hand_medium)                                                                                \
     M(blocks_quad4_balanced, written_blocks_quad4_balanced)                                                            \
     M(blocks_quad4_fine, hand_fine)                                                                                    \
-    M(blocks_quad4_accurate, hand_precise)                                                                             \
+    M(blocks_quad4_accurate, written_blocks_quad4_accurate)                                                            \
     M(paper_quad4_gauss, hand_paper_gauss)                                                                             \
     M(paper_quad4_fast, written_paper_quad4_fast)                                                                      \
     M(paper_quad4_taper, hand_paper_taper)                                                                             \
@@ -99,8 +99,8 @@ struct search {
     M(quad4_balanced, written_quad4_balanced)                                                                          \
     M(quad4_fine, written_quad4_fine)                                                                                  \
     M(quad4_precise, written_quad4_precise)                                                                            \
-    M(quad4_accurate, hand_accurate)                                                                                   \
-    M(quad4_full, hand_full)                                                                                           \
+    M(quad4_accurate, written_quad4_accurate)                                                                          \
+    M(quad4_full, written_quad4_full)                                                                                  \
     M(whole_quad4_gauss, hand_whole_gauss)                                                                             \
     M(whole_quad4_fast, written_whole_quad4_fast)                                                                      \
     M(whole_quad4_taper, hand_whole_taper)                                                                             \
