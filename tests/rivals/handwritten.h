@@ -157,29 +157,14 @@ FOOTPOINT_FN void hand_coarse(HAND_NODES, double *xi, double *eta)
     *eta = x.v;
 }
 
-/* Centre of the segment, taper, then steps of Newton or of Chebyshev. */
-FOOTPOINT_FN void hand_search(HAND_NODES, int newton, int chebyshev, double *xi, double *eta)
+/* Centre of the segment, taper, then a step of Chebyshev's. */
+FOOTPOINT_FN void hand_fine(HAND_NODES, double *xi, double *eta)
 {
     const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
-    struct hand_point x = hand_taper_more(&g);
-    struct hand_matrix m;
-    for (int i = 0; i < newton; i++)
-        x = hand_newton(&g, x, &m);
-    for (int i = 0; i < chebyshev; i++)
-        x = hand_chebyshev(&g, x);
+    const struct hand_point x = hand_chebyshev(&g, hand_taper_more(&g));
     *xi = x.u;
     *eta = x.v;
 }
-
-#define HAND_SEARCH(name, newton, chebyshev)                                                                           \
-    FOOTPOINT_FN void hand_##name(HAND_NODES, double *xi, double *eta)                                                 \
-    {                                                                                                                  \
-        hand_search(xA, xB, xC, xD, xS, newton, chebyshev, xi, eta);                                                   \
-    }
-HAND_SEARCH(fine, 0, 1)
-HAND_SEARCH(precise, 2, 0)
-HAND_SEARCH(accurate, 3, 0)
-HAND_SEARCH(full, 4, 0)
 
 FOOTPOINT_FN double hand_clamp(double u, struct hand_box box)
 {
