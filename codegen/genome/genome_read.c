@@ -255,20 +255,23 @@ static bool read_range(struct reader *r)
     return end_of_item(r);
 }
 
-/* "step K" behind a require W - |v - m|. */
+/* "step K" behind a require W - |v - m|, wherever the line breaks. */
 static bool read_step(struct reader *r, struct genome_expr *e)
 {
     const struct words end = r->w;
     int number;
-    if (r->file->format == 1 || !next_word(r, true) || !word_is(&r->w, "step")) {
+    if (r->file->format == 1 || !next_word(r, false) || !word_is(&r->w, "step")) {
         r->w = end;
         return true;
     }
     if (!r->file->region || e->length < 6 || e->gene[0] != GENE_SUB || e->gene[1] >= 0 || e->gene[2] != GENE_ABS ||
         e->gene[3] != GENE_SUB)
         return reader_fail(r, "'%s' of what is not the distance of a value from one of the region");
-    if (!next_word(r, true) || !looks_like_number(r))
+    const struct words step = r->w;
+    if (!next_word(r, false) || !looks_like_number(r)) {
+        r->w = step;
         return reader_fail(r, "'step' needs a decimal number");
+    }
     if (!read_number(r, &number))
         return false;
     e->step = (size_t)-number;

@@ -55,7 +55,7 @@ static const char region[] = "footpoint-genome 2\n"
                              "end\n"
                              "let s = - S A\n"
                              "let u = dot s s, s2 = sqrt u\n"
-                             "require - 0.5 abs - u xi, - 0.25 abs - * u s2 eta step 1e-3, - 3 u\n"
+                             "require - 0.5 abs - u xi, - 0.25 abs - * u s2 eta step\n    1e-3, - 3 u\n"
                              "genome one\n"
                              "xi = u, eta = xS\n"
                              "end\n";
@@ -295,7 +295,7 @@ static void test_region(void **state)
         {"region\ninput x y\nend\nregion\nend", "6:1: error: a second 'region'"},
         {"region\ninput x y\nnote a b\nend", "5:1: error: 'note' inside the region"},
         {"region\ninput x y t\nend\nlet u = * x t", "6:13: error: unknown gene 't'"},
-        {"region\ninput x y t\nend\nrequire - 1 abs - x t step", "6:27: error: 'step' needs a decimal number"},
+        {"region\ninput x y t\nend\nrequire - 1 abs - x t step", "6:23: error: 'step' needs a decimal number"},
         {"region\ninput x y t\nend\nrequire - 1 x step 2",
          "6:15: error: 'step' of what is not the distance of a value from one of the region"},
         {"require - 1 abs - x y step 2",
