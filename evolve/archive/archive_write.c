@@ -139,26 +139,31 @@ struct writing {
     struct tree *out; /* owned; genes, too, of tiers of programs */
     int *output;      /* owned */
     size_t n;
+    size_t *genes;                       /* owned: of each tier's program */
     struct errors *found[HELDOUT_PARTS]; /* owned; NULL where the scene has no such part */
 };
 
-/* Lets and outputs of a program of a tier, as its text is read again. */
-static void expand(const struct archive *a, const struct tree *t, size_t tier, struct genome_file *f, const char *name,
-                   struct tree out[2])
+/* Lets and outputs of a program of a tier, as its text is read again; gives how many genes it has then. */
+static size_t expand(const struct archive *a, const struct tree *t, size_t tier, struct genome_file *f,
+                     const char *name, struct tree out[2])
 {
     const struct tier *own = &a->scene->tier[tier];
     const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = own->terminals};
     struct tree again = {new_array(tier_genes(own), sizeof *again.gene), 0};
     const bool good = lines_respell(a->lines, t, &genes, tier_genes(own), &again);
-    lines_expand(a->lines, good ? &again : t, archive_last(a, tier), f, name, out);
+    const struct tree *written = good ? &again : t;
+    const size_t length = written->length;
+    lines_expand(a->lines, written, archive_last(a, tier), f, name, out);
     free(again.gene);
     free(genes.symbol);
+    return length;
 }
 
 static struct writing expand_tiers(struct archive *a)
 {
     struct writing w = {.out = new_array(2 * a->scene->tiers, sizeof *w.out),
-                        .output = new_array(2 * a->scene->tiers, sizeof *w.output)};
+                        .output = new_array(2 * a->scene->tiers, sizeof *w.output),
+                        .genes = new_array(a->scene->tiers, sizeof *w.genes)};
     for (size_t i = 0; i < a->scene->tiers; i++) {
         const struct champion *c = a->champion[i];
         struct tree *out = &w.out[w.n];
@@ -167,7 +172,7 @@ static struct writing expand_tiers(struct archive *a)
         out[0] = c[0].tree;
         out[1] = c[1].tree;
         if (a->scene->tier[i].program)
-            expand(a, &c[TIER_BOTH].tree, i, a->program, a->scene->tier[i].name, out);
+            w.genes[i] = expand(a, &c[TIER_BOTH].tree, i, a->program, a->scene->tier[i].name, out);
         w.output[w.n + 1] = 1;
         w.n += 2;
     }
@@ -193,7 +198,8 @@ static void add_errors(struct genome *g, const struct archive *a, size_t tier, c
     for (int k = tier_first(t); k <= tier_last(t); k++) {
         const struct champion *c = &a->champion[tier][k];
         note_key("training", k, key);
-        NOTE(key, "genes %zu %s %.3e", c->tree.length, norm_name[a->scene->norm], c->error);
+        const size_t genes = k == TIER_BOTH ? w->genes[tier] : c->tree.length;
+        NOTE(key, "genes %zu %s %.3e", genes, norm_name[a->scene->norm], c->error);
     }
     for (int part = 0; part < HELDOUT_PARTS; part++)
         if (w->found[part]) {
@@ -237,6 +243,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     kernel_free(kernel);
     free(w.out);
     free(w.output);
+    free(w.genes);
     for (int part = 0; part < HELDOUT_PARTS; part++)
         free(w.found[part]);
     scene_region_add(a->program, heldout->part, 2);
@@ -261,10 +268,11 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
 {
     char name[300];
     struct tree out[2] = {{NULL, 0}, {NULL, 0}};
+    size_t genes = m->tree.length;
     const int first = output == TIER_BOTH ? 0 : output, last = output == TIER_BOTH ? 1 : output;
     snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
     if (output == TIER_BOTH) {
-        expand(a, &m->tree, tier, f, name, out);
+        genes = expand(a, &m->tree, tier, f, name, out);
     } else {
         out[output].gene = new_array(m->tree.length, sizeof *out[output].gene);
         tree_bind(f, &m->tree, &out[output]);
@@ -272,7 +280,7 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
     struct genome *g = genome_add(f, name);
     NOTE("cost", "%g", m->cost);
     NOTE("origin", "%s", origin_name[m->origin]);
-    NOTE("training", "genes %zu %s %.3e", m->tree.length, norm_name[a->scene->norm], m->error);
+    NOTE("training", "genes %zu %s %.3e", genes, norm_name[a->scene->norm], m->error);
     for (int k = first; k <= last; k++) {
         if (output != TIER_BOTH)
             add_member_errors(f, kernel, g, k, &out[k], heldout);
