@@ -124,16 +124,20 @@ static void print_checked(const struct unit *u, const struct function *f, const 
     free(head);
 }
 
+/* What NAME_sure vouches for at the finest: nearer, rounding errors of its check leave it unsure too often. */
+#define SURE_FINEST 1e-4
+
 /* NAME_sure: NAME, and whether its answer is as good as the banner says. */
 static void print_sure(const struct unit *u, const struct function *f, const char *vectors, FILE *out)
 {
     char *head = new_format("FOOTPOINT_FN int %s_sure", f->name), *worst = single_worst_name(f);
-    fprintf(
-        out,
-        "\n/* As %s, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the\n"
-        " * largest error of xi and eta on the samples held out, and that no point of the segment is nearer to S. */\n"
-        "#define %s %.3ef\n",
-        f->name, worst, f->measured->worst);
+    fprintf(out,
+            "\n/* As %s, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the\n"
+            " * largest error of xi and eta on the samples held out, %g at least, and that no point of the segment is "
+            "nearer\n"
+            " * to S. */\n"
+            "#define %s %.3ef\n",
+            f->name, SURE_FINEST, worst, fmax(f->measured->worst, SURE_FINEST));
     lines_print_head(u, head, "REAL loc[2],REAL *gap", out);
     single_print_sure(f, vectors, out);
     free(worst);

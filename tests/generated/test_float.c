@@ -42,7 +42,7 @@ static const struct function {
     double refused; /* part of the scene's samples that NAME_sure may not be sure of */
 } functions[] = {FUNCTION(fast, FAST, 0.6),        FUNCTION(coarse, COARSE, 0.15),     FUNCTION(gauss2, GAUSS2, 0.05),
                  FUNCTION(medium, MEDIUM, 0.01),   FUNCTION(balanced, BALANCED, 2e-3), FUNCTION(fine, FINE, 5e-4),
-                 FUNCTION(precise, PRECISE, 1e-4), FUNCTION(accurate, ACCURATE, 0.4)};
+                 FUNCTION(precise, PRECISE, 1e-4), FUNCTION(accurate, ACCURATE, 0.1)};
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 static struct sample_set set[2];

@@ -22,11 +22,6 @@ struct hand_box {
     double lo, hi; /* of u and of v */
 };
 
-/* One step's pair of equations, r11 r12 r12 r22, with the inverse of its determinant; t and s as below. */
-struct hand_matrix {
-    double r11, r12, r22, inverse, t, s;
-};
-
 FOOTPOINT_FN double hand_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -69,54 +64,14 @@ FOOTPOINT_FN struct hand_point hand_taper(const struct hand_products *g)
     return (struct hand_point){(h.p - h.a * w) * r * linear, (h.q - h.b * w) * r * linear};
 }
 
-/* One order more. */
-FOOTPOINT_FN struct hand_point hand_taper_more(const struct hand_products *g)
-{
-    const struct hand_plane h = hand_in_plane(g);
-    const double linear = h.det * h.det + h.a * h.q + h.b * h.p;
-    const double square = linear * linear - h.a * h.b * (h.p * h.q);
-    const double r = 1 / (h.det * square);
-    const double w = h.p * h.q * linear * r * h.det;
-    return (struct hand_point){(h.p - h.a * w) * r * square, (h.q - h.b * w) * r * square};
-}
-
-FOOTPOINT_FN struct hand_point hand_solve(const struct hand_matrix *m, double f1, double f2)
-{
-    return (struct hand_point){(m->r22 * f1 - m->r12 * f2) * m->inverse, (m->r11 * f2 - m->r12 * f1) * m->inverse};
-}
-
 /* One Gauss-Newton step on (7), (8). */
 FOOTPOINT_FN struct hand_point hand_gauss(const struct hand_products *g, struct hand_point x)
 {
     const double t = g->c1 + x.v * g->cc, s = g->c2 + x.u * g->cc, y = x.u * g->c1 + x.v * s, w = x.u * x.v;
-    struct hand_matrix m = {.r11 = g->e11 + x.v * (g->c1 + t), .r12 = g->e12 + y, .r22 = g->e22 + x.u * (g->c2 + s)};
-    m.inverse = 1 / (m.r11 * m.r22 - m.r12 * m.r12);
-    return hand_solve(&m, g->d1 + x.v * g->cd + w * t, g->d2 + x.u * g->cd + w * s);
-}
-
-/* One Newton step, and its matrix. */
-FOOTPOINT_FN struct hand_point hand_newton(const struct hand_products *g, struct hand_point x, struct hand_matrix *m)
-{
-    const double t = g->c1 + x.v * g->cc, s = g->c2 + x.u * g->cc, y = x.u * g->c1 + x.v * s, w = x.u * x.v;
-    *m = (struct hand_matrix){.r11 = g->e11 + x.v * (g->c1 + t), .r22 = g->e22 + x.u * (g->c2 + s), .t = t, .s = s};
-    m->r12 = g->e12 + 2 * y - g->cd;
-    m->inverse = 1 / (m->r11 * m->r22 - m->r12 * m->r12);
-    return hand_solve(m, g->d1 + x.v * y + w * t, g->d2 + x.u * y + w * s);
-}
-
-/* The squares that a Newton step from `x` to `to` leaves out, through the step's matrix. */
-FOOTPOINT_FN struct hand_point hand_squares(const struct hand_matrix *m, struct hand_point x, struct hand_point to)
-{
-    const double du = to.u - x.u, dv = to.v - x.v, a = m->t * du, b = m->s * dv;
-    return hand_solve(m, dv * (2 * a + b), du * (2 * b + a));
-}
-
-/* Chebyshev's step. */
-FOOTPOINT_FN struct hand_point hand_chebyshev(const struct hand_products *g, struct hand_point x)
-{
-    struct hand_matrix m;
-    const struct hand_point to = hand_newton(g, x, &m), c = hand_squares(&m, x, to);
-    return (struct hand_point){to.u - c.u, to.v - c.v};
+    const double r11 = g->e11 + x.v * (g->c1 + t), r12 = g->e12 + y, r22 = g->e22 + x.u * (g->c2 + s);
+    const double f1 = g->d1 + x.v * g->cd + w * t, f2 = g->d2 + x.u * g->cd + w * s;
+    const double inverse = 1 / (r11 * r22 - r12 * r12);
+    return (struct hand_point){(r22 * f1 - r12 * f2) * inverse, (r11 * f2 - r12 * f1) * inverse};
 }
 
 /* Centre of the segment, nothing kept in a box: one Gauss-Newton step or two, with the taper between or not. */
@@ -157,15 +112,6 @@ FOOTPOINT_FN void hand_coarse(HAND_NODES, double *xi, double *eta)
     *eta = x.v;
 }
 
-/* Centre of the segment, taper, then a step of Chebyshev's. */
-FOOTPOINT_FN void hand_fine(HAND_NODES, double *xi, double *eta)
-{
-    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
-    const struct hand_point x = hand_chebyshev(&g, hand_taper_more(&g));
-    *xi = x.u;
-    *eta = x.v;
-}
-
 FOOTPOINT_FN double hand_clamp(double u, struct hand_box box)
 {
     const double above = u < box.lo ? box.lo : u;
@@ -177,65 +123,29 @@ FOOTPOINT_FN struct hand_point hand_clamp_point(struct hand_point x, struct hand
     return (struct hand_point){hand_clamp(x.u, box), hand_clamp(x.v, box)};
 }
 
-/* A Newton step whose determinant is at least 0.02 of its first product. */
-FOOTPOINT_FN struct hand_point hand_guarded_newton(const struct hand_products *g, struct hand_point x,
-                                                   struct hand_matrix *m)
-{
-    const double t = g->c1 + x.v * g->cc, s = g->c2 + x.u * g->cc, y = x.u * g->c1 + x.v * s, w = x.u * x.v;
-    const double f1 = g->d1 + x.v * y + w * t, f2 = g->d2 + x.u * y + w * s;
-    *m = (struct hand_matrix){.r11 = g->e11 + x.v * (g->c1 + t), .r22 = g->e22 + x.u * (g->c2 + s), .t = t, .s = s};
-    m->r12 = g->e12 + 2 * y - g->cd;
-    const double first = m->r11 * m->r22, det = first - m->r12 * m->r12, least = 0.02 * first;
-    const double kept = det < least ? least : det;
-    m->inverse = 1 / kept;
-    return (struct hand_point){((kept - det) * x.u + (m->r22 * f1 - m->r12 * f2)) * m->inverse,
-                               ((kept - det) * x.v + (m->r11 * f2 - m->r12 * f1)) * m->inverse};
-}
-
-/* Guarded steps about the point (x0,x0), for contact points within a box about it. */
-enum hand_start { HAND_GAUSS, HAND_TAPER, HAND_FIRST, HAND_SECOND };
-
-FOOTPOINT_FN struct hand_point hand_guarded_start(const struct hand_products *g, enum hand_start start,
-                                                  struct hand_box box)
-{
-    const struct hand_plane h = hand_in_plane(g);
-    const double inverse = 1 / h.det, p = h.p * inverse, q = h.q * inverse, a = h.a * inverse, b = h.b * inverse;
-    const struct hand_point x = {p, q}, kept = hand_clamp_point(x, box);
-    double w = kept.u * kept.v;
-    if (start == HAND_GAUSS)
-        return x;
-    if (start == HAND_TAPER) {
-        const double linear = 1 - (a * q + b * p);
-        w = p * q * (linear < 0.6 ? 0.6 : linear);
-    }
-    if (start == HAND_SECOND) {
-        const double linear = 1 - (a * kept.v + b * kept.u);
-        w = w * (linear < 0.5 ? 0.5 : linear);
-    }
-    return (struct hand_point){p - a * w, q - b * w};
-}
-
-/* A start, and steps of Newton, with the squares that they leave out within a limit or without; all but the first of the
- * starts kept in the box. */
-FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, struct hand_box box, enum hand_start start, int steps,
-                               int squares, double *xi, double *eta)
+/* About the point (x0,x0), for contact points within a box about it: one Gauss-Newton step; the taper to second order, in
+ * the box. */
+FOOTPOINT_FN void hand_lattice_gauss(HAND_NODES, double x0, double *xi, double *eta)
 {
     const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);
-    const struct hand_box limit = {-0.1, 0.1};
-    struct hand_point x = hand_guarded_start(&g, start, box);
-    for (int i = 0; i < steps; i++) {
-        struct hand_matrix m;
-        const struct hand_point from = x, to = hand_guarded_newton(&g, from, &m);
-        const struct hand_point c = hand_clamp_point(hand_squares(&m, from, to), limit);
-        x = squares ? (struct hand_point){to.u - c.u, to.v - c.v} : to;
-    }
-    if (start != HAND_GAUSS)
-        x = hand_clamp_point(x, box);
+    const struct hand_plane h = hand_in_plane(&g);
+    const double inverse = 1 / h.det;
+    *xi = x0 + h.p * inverse;
+    *eta = x0 + h.q * inverse;
+}
+
+FOOTPOINT_FN void hand_lattice_taper(HAND_NODES, double x0, struct hand_box box, double *xi, double *eta)
+{
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);
+    const struct hand_plane h = hand_in_plane(&g);
+    const double inverse = 1 / h.det, p = h.p * inverse, q = h.q * inverse, a = h.a * inverse, b = h.b * inverse;
+    const double linear = 1 - (a * q + b * p), w = p * q * (linear < 0.6 ? 0.6 : linear);
+    const struct hand_point x = hand_clamp_point((struct hand_point){p - a * w, q - b * w}, box);
     *xi = x0 + x.u;
     *eta = x0 + x.v;
 }
 
-FOOTPOINT_FN void hand_guarded_gauss2(HAND_NODES, double x0, double *xi, double *eta)
+FOOTPOINT_FN void hand_lattice_gauss2(HAND_NODES, double x0, double *xi, double *eta)
 {
     const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);
     const struct hand_plane h = hand_in_plane(&g);
@@ -245,22 +155,21 @@ FOOTPOINT_FN void hand_guarded_gauss2(HAND_NODES, double x0, double *xi, double 
     *eta = x0 + x.v;
 }
 
-#define HAND_GUARDED(name, x0, high, start, steps, squares)                                                            \
-    FOOTPOINT_FN void hand_##name(HAND_NODES, double *xi, double *eta)                                                 \
+#define HAND_LATTICE(scene, x0, high)                                                                                  \
+    FOOTPOINT_FN void hand_##scene##_gauss(HAND_NODES, double *xi, double *eta)                                        \
+    {                                                                                                                  \
+        hand_lattice_gauss(xA, xB, xC, xD, xS, x0, xi, eta);                                                           \
+    }                                                                                                                  \
+    FOOTPOINT_FN void hand_##scene##_taper(HAND_NODES, double *xi, double *eta)                                        \
     {                                                                                                                  \
         const struct hand_box box = {-1 - (x0), (high) - (x0)};                                                        \
-        hand_guarded(xA, xB, xC, xD, xS, x0, box, start, steps, squares, xi, eta);                                     \
-    }
-#define HAND_LATTICE(scene, x0, high)                                                                                  \
-    HAND_GUARDED(scene##_gauss, x0, high, HAND_GAUSS, 0, 0)                                                            \
-    HAND_GUARDED(scene##_taper, x0, high, HAND_TAPER, 0, 0)                                                            \
+        hand_lattice_taper(xA, xB, xC, xD, xS, x0, box, xi, eta);                                                      \
+    }                                                                                                                  \
     FOOTPOINT_FN void hand_##scene##_gauss2(HAND_NODES, double *xi, double *eta)                                       \
     {                                                                                                                  \
-        hand_guarded_gauss2(xA, xB, xC, xD, xS, x0, xi, eta);                                                          \
+        hand_lattice_gauss2(xA, xB, xC, xD, xS, x0, xi, eta);                                                          \
     }
 HAND_LATTICE(paper, -0.45, 0.0)
 HAND_LATTICE(whole, -0.15, 1.0)
-HAND_GUARDED(paper_medium, -0.45, 0.0, HAND_FIRST, 1, 0)
-HAND_GUARDED(paper_balanced, -0.45, 0.0, HAND_SECOND, 1, 1)
 
 #endif

@@ -69,9 +69,9 @@ struct search {
     M(blocks_quad4_fast, hand_fast)                                                                                    \
     M(blocks_quad4_coarse, written_blocks_quad4_coarse)                                                                \
     M(blocks_quad4_gauss2, hand_gauss2)                                                                                \
-    M(blocks_quad4_medium, hand_medium)                                                                                \
+    M(blocks_quad4_medium, written_blocks_quad4_medium)                                                                \
     M(blocks_quad4_balanced, written_blocks_quad4_balanced)                                                            \
-    M(blocks_quad4_fine, hand_fine)                                                                                    \
+    M(blocks_quad4_fine, written_blocks_quad4_fine)                                                                    \
     M(blocks_quad4_accurate, written_blocks_quad4_accurate)                                                            \
     M(paper_quad4_gauss, hand_paper_gauss)                                                                             \
     M(paper_quad4_fast, written_paper_quad4_fast)                                                                      \
@@ -79,8 +79,8 @@ struct search {
     M(paper_quad4_gauss2, hand_paper_gauss2)                                                                           \
     M(paper_quad4_coarse, written_paper_quad4_coarse)                                                                  \
     M(paper_quad4_newton, written_paper_quad4_newton)                                                                  \
-    M(paper_quad4_medium, hand_paper_medium)                                                                           \
-    M(paper_quad4_balanced, hand_paper_balanced)                                                                       \
+    M(paper_quad4_medium, written_paper_quad4_medium)                                                                  \
+    M(paper_quad4_balanced, written_paper_quad4_balanced)                                                              \
     M(paper_quad4_fine, written_paper_quad4_fine)                                                                      \
     M(paper_quad4_precise, written_paper_quad4_precise)                                                                \
     M(paper_quad4_accurate, written_paper_quad4_accurate)                                                              \
