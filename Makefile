@@ -1,7 +1,7 @@
 # footpoint: `make help` lists the targets.
 SCENE       ?=
 RANKS       ?= 2
-GENERATIONS ?= $(if $(SCENE),100,4)
+GENERATIONS ?= $(if $(SCENE),100,2)
 SEED        ?= 1
 CONFIG      ?= release
 CXX         ?= g++
