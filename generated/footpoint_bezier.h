@@ -18,9 +18,9 @@
  *     [-0.37,0.61], znC in [0.77,1.00], xnD in [-0.53,0.41], ynD in [-0.47,0.55], znD in [0.71,1.00], xS in
  *     [-1.27,1.87], yS in [-0.08,2.80], zS in [-0.56,0.61]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_BEZIER_H
 #define FOOTPOINT_BEZIER_H
@@ -418,8 +418,8 @@ footpoint_detail_bezier_over_n(footpoint_detail_search *search, const double *co
  *   genome_sha256:  04d8b817151946e4cccf21cde219136de6cff25f954ed3eefbf5b104c1780d1f
  *   cancelled:      1 division: the genome is singular where the code is not
  *   poles:          t17 * t17 - t16 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 7.4e-14)
- *   rounding:       xi <= 3.1e-08 proved, 6.1e-15 at points, 2.7e-15 sampled; eta <= 2.8e-08 proved, 7.1e-15 at
- *     points, 2.4e-15 sampled (10000 points)
+ *   rounding:       xi <= 3.1e-08 proved, <= 1.5e-13 on the hull, 6.1e-15 at points, 2.7e-15 sampled; eta <= 2.8e-08
+ *     proved, <= 1.2e-13 on the hull, 7.1e-15 at points, 2.4e-15 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 68 islands 2
  *   training_both:  genes 107 mean 1.131e-02
  *   heldout:        xi 9.146e-03 5.680e-02 1.743e-01, eta 1.340e-02 8.400e-02 2.002e-01, samples 20000
@@ -524,8 +524,8 @@ static const double footpoint_bezier_facet_points[][31] = {
  *   genome_sha256:  224693a1f8176a5d583904803f516eb5d90d303cb8adb0462f899b4b858a6aea
  *   poles:          t35 * t33 - t34 * t34: proved free of zeros, |...| >= 0.045 (rounding error <= 7.3e-13)
  *   poles:          t47: proved free of zeros, |t47| >= 0.5 (rounding error <= 3.1e-10)
- *   rounding:       xi <= 1.3e-09 proved, 1.1e-14 at points, 7e-15 sampled; eta <= 1.3e-09 proved, 1.8e-14 at points,
- *     7.5e-15 sampled (10000 points)
+ *   rounding:       xi <= 1.3e-09 proved, <= 1.7e-13 on the hull, 1.1e-14 at points, 7e-15 sampled; eta <= 1.3e-09
+ *     proved, <= 1.9e-13 on the hull, 1.8e-14 at points, 7.5e-15 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 68 islands 2
  *   training_both:  genes 158 mean 3.555e-03
  *   heldout:        xi 3.132e-03 1.928e-02 7.107e-02, eta 4.022e-03 2.724e-02 8.920e-02, samples 20000
@@ -638,7 +638,8 @@ static const double footpoint_bezier_normals_points[][31] = {
  *   genome_sha256:  0f8030968f5cc93fc25dac4a7d44278ec0b7571700b7fc444b43b169782b6a40
  *   poles:          t47 * t47 + t46 * t48: proved free of zeros, |...| >= 0.046 (rounding error <= 8.9e-13)
  *   poles:          t131 * t133 - t132 * t132: proved free of zeros, |...| >= 0.022
- *   rounding:       xi 1.6e-14 at points, 1.4e-14 sampled; eta 1.7e-14 at points, 3.4e-14 sampled (7352 points)
+ *   rounding:       xi <= 9.4e-13 on the hull, 1.6e-14 at points, 1.4e-14 sampled; eta <= 9.6e-13 on the hull,
+ *     1.7e-14 at points, 3.4e-14 sampled (7352 points, hull of 10000)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 143 mean 1.291e-04
  *   heldout:        xi 9.484e-05 1.123e-03 2.486e-02, eta 1.688e-04 2.166e-03 2.655e-02, samples 20000
@@ -788,7 +789,8 @@ static const double footpoint_bezier_smooth_points[][31] = {
  *   genome_sha256:  c88387952a13a4c581dfde5dcd161f26183f7345e94c1c8e7d0cb429272c588f
  *   poles:          t39 * t39 - t42 * t40: proved free of zeros, |...| >= 0.045 (rounding error <= 8.5e-13)
  *   poles:          t162: proved free of zeros, |t162| >= 0.0027
- *   rounding:       xi 2.6e-14 at points, 4.5e-14 sampled; eta 5.1e-14 at points, 2.1e-14 sampled (6088 points)
+ *   rounding:       xi <= 5.3e-12 on the hull, 2.6e-14 at points, 4.5e-14 sampled; eta <= 2e-12 on the hull, 5.1e-14
+ *     at points, 2.1e-14 sampled (6088 points, hull of 8363)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 140 mean 2.147e-05
  *   heldout:        xi 1.927e-05 2.245e-04 2.363e-02, eta 2.555e-05 3.712e-04 3.806e-02, samples 20000
@@ -954,7 +956,8 @@ static const double footpoint_bezier_precise_points[][31] = {
  *   poles:          t65: proved free of zeros, |t65| >= 0.5 (rounding error <= 3.3e-10)
  *   poles:          t163: proved free of zeros, |t163| >= 0.0028
  *   poles:          t238: proved free of zeros, |t238| >= 0.0024
- *   rounding:       xi 1.8e-13 at points, 1.8e-14 sampled; eta 3.9e-14 at points, 4.6e-14 sampled (4287 points)
+ *   rounding:       xi <= 2.1e-12 on the hull, 1.8e-13 at points, 1.8e-14 sampled; eta <= 2.1e-12 on the hull,
+ *     3.9e-14 at points, 4.6e-14 sampled (4287 points, hull of 4106)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 143 mean 1.623e-07
  *   heldout:        xi 2.190e-07 1.606e-06 1.238e-03, eta 3.759e-07 2.872e-06 1.920e-03, samples 20000
@@ -1159,7 +1162,8 @@ static const double footpoint_bezier_exact_points[][31] = {
  *   poles:          t205: proved free of zeros, |t205| >= 0.0024
  *   poles:          t280: proved free of zeros, |t280| >= 0.0023
  *   poles:          t355: proved free of zeros, |t355| >= 0.0023
- *   rounding:       xi 1.1e-13 at points, 1.7e-14 sampled; eta 1.1e-13 at points, 1.6e-14 sampled (2906 points)
+ *   rounding:       xi <= 4.4e-12 on the hull, 1.1e-13 at points, 1.7e-14 sampled; eta <= 4.5e-12 on the hull,
+ *     1.1e-13 at points, 1.6e-14 sampled (2906 points, hull of 1922)
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 491 mean 6.436e-10
  *   heldout:        xi 1.102e-09 1.900e-09 1.122e-05, eta 1.585e-09 3.770e-09 1.457e-05, samples 20000
@@ -1397,9 +1401,9 @@ FOOTPOINT_LOOP void footpoint_bezier_full_over_n(const double *const nodes[8], s
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_bezier_full_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0056939523986932524, 1, 7.0221345568533839e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.6292402215964602, 1.110223024625157e-16, 3.7882166342202103e-16},
+    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.6292402215964602, 1.110223024625157e-16, 3.7882166342202083e-16},
     {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.2995080543589817, 0.12296583666322358, 1.107192116073485e-15, 5.9124598339038417e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.83168432690433558, 1.110223024625157e-16, 1.566988420878156e-15},
+    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.83168432690433558, 1.110223024625157e-16, 1.5669884208781556e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.74503054908736266, 0.21185000172836807, 1.6035660689061141e-15, 8.0615564334162423e-16},
     {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63374755806640792, 1.110223024625157e-16, 1.3926150606554312e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91147151150159644, 0.79690552354457111, 1.1445930015342747e-15, 1.4335909377582625e-15},

@@ -17,9 +17,9 @@
  *     [-0.18,0.18], g11 in [-0.01,0.01], xi in [-1.20,1.20], eta in [-1.20,1.20], lift in [-1.01,1.02]; all requires
  *     > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_BLOCKS_QUAD4_H
 #define FOOTPOINT_BLOCKS_QUAD4_H
@@ -854,7 +854,7 @@ static const double footpoint_blocks_quad4_fast_points[][19] = {
  *   operations:     50 mul, 1 div, 51 add, 0 sqrt, 0 compare; 31 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  920571248c13a2659f298fecbef9ab2b163b11d1c3017f28f9786a7621fe316f
- *   poles:          t29: proved free of zeros, |t29| >= 1.7e+03 (rounding error <= 4.3e-11)
+ *   poles:          t29: proved free of zeros, |t29| >= 1.7e+03 (rounding error <= 4.2e-11)
  *   rounding:       xi <= 1.7e-14 proved, 3.6e-15 at points, 7.5e-16 sampled; eta <= 1.6e-14 proved, 3.2e-15 at
  *     points, 9.1e-16 sampled (10000 points)
  *   found_both:     seed 1 generations 60 islands 2
@@ -1015,9 +1015,9 @@ static const double footpoint_blocks_quad4_coarse_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  4122890f78022c7deeb286091119e06725aaf86af6aee26e2af8dab1b4b409ea
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.1e-14)
- *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 4 (rounding error <= 7.2e-13)
- *   rounding:       xi <= 2e-13 proved, 3.9e-15 at points, 8.3e-16 sampled; eta <= 1.8e-13 proved, 4.5e-15 at points,
- *     8.6e-16 sampled (10000 points)
+ *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 4 (rounding error <= 7e-13)
+ *   rounding:       xi <= 1.9e-13 proved, <= 1.8e-14 on the hull, 3.9e-15 at points, 8.3e-16 sampled; eta <= 1.8e-13
+ *     proved, <= 1.6e-14 on the hull, 4.5e-15 at points, 8.6e-16 sampled (10000 points, hull of 10000)
  *   training_both:  genes 143 mean 7.344e-05
  *   heldout:        xi 4.546e-05 5.493e-04 8.993e-04, eta 4.389e-05 4.581e-04 9.931e-04, samples 315
  *   heldout_random: xi 6.865e-05 1.067e-03 8.635e-03, eta 7.057e-05 1.130e-03 9.856e-03, samples 200000
@@ -1179,8 +1179,8 @@ static const double footpoint_blocks_quad4_gauss2_points[][19] = {
  *   genome_sha256:  e39e9f934b0a4b42f0d0b8e55d37557b5f7ef31d4a203611ee9edcfec0f358c1
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.1e-14)
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 3.6 (rounding error <= 1.1e-12)
- *   rounding:       xi <= 4.8e-14 proved, 4.4e-15 at points, 8.4e-16 sampled; eta <= 4.6e-14 proved, 3.9e-15 at
- *     points, 9.2e-16 sampled (10000 points)
+ *   rounding:       xi <= 4.8e-14 proved, <= 1.9e-14 on the hull, 4.4e-15 at points, 8.4e-16 sampled; eta <= 4.5e-14
+ *     proved, <= 1.6e-14 on the hull, 3.9e-15 at points, 9.2e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 200 mean 1.160e-06
  *   heldout:        xi 4.274e-07 4.618e-06 1.931e-05, eta 3.962e-07 3.825e-06 1.515e-05, samples 315
@@ -1341,10 +1341,10 @@ static const double footpoint_blocks_quad4_medium_points[][19] = {
  *   operations:     83 mul, 2 div, 74 add, 0 sqrt, 0 compare; 51 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  f2e42b74bcf9a208e4a72f5c5d792d420a2d01f575bcea7103451bbf62b2829e
- *   poles:          t32: proved free of zeros, |t32| >= 3e+05 (rounding error <= 3.1e-08)
- *   poles:          t43 * t44 - t42 * t42: proved free of zeros, |...| >= 4.6 (rounding error <= 4.2e-12)
- *   rounding:       xi <= 8e-13 proved, 6.1e-15 at points, 8.5e-16 sampled; eta <= 7.6e-13 proved, 5e-15 at points,
- *     7.9e-16 sampled (10000 points)
+ *   poles:          t32: proved free of zeros, |t32| >= 3e+05 (rounding error <= 3e-08)
+ *   poles:          t43 * t44 - t42 * t42: proved free of zeros, |...| >= 4.6 (rounding error <= 4e-12)
+ *   rounding:       xi <= 7.7e-13 proved, <= 2.1e-14 on the hull, 6.1e-15 at points, 8.5e-16 sampled; eta <= 7.3e-13
+ *     proved, <= 1.8e-14 on the hull, 5e-15 at points, 7.9e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 248 mean 1.268e-08
  *   heldout:        xi 4.077e-09 2.983e-08 1.974e-07, eta 4.300e-09 6.374e-08 1.539e-07, samples 315
@@ -1509,11 +1509,11 @@ static const double footpoint_blocks_quad4_balanced_points[][19] = {
  *   operations:     90 mul, 3 div, 85 add, 0 sqrt, 0 compare; 58 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  13518257224dda61df68b1b393ca6652891a034e75b45a4cd409e88acfa31d8a
- *   poles:          t29: proved free of zeros, |t29| >= 1.4e+03 (rounding error <= 5.5e-11)
- *   poles:          t43 * t42 - t41 * t41: proved free of zeros, |...| >= 4.6 (rounding error <= 3.3e-12)
- *   poles:          t53 * t52 - t55 * t55: proved free of zeros, |...| >= 4.6 (rounding error <= 1.7e-10)
- *   rounding:       xi <= 6e-14 proved, 4.6e-15 at points, 7.7e-16 sampled; eta <= 5.6e-14 proved, 5.4e-15 at points,
- *     9.1e-16 sampled (10000 points)
+ *   poles:          t29: proved free of zeros, |t29| >= 1.4e+03 (rounding error <= 5.4e-11)
+ *   poles:          t43 * t42 - t41 * t41: proved free of zeros, |...| >= 4.6 (rounding error <= 4.7e-12)
+ *   poles:          t53 * t52 - t55 * t55: proved free of zeros, |...| >= 4.6 (rounding error <= 1.4e-10)
+ *   rounding:       xi <= 6e-14 proved, <= 2.1e-14 on the hull, 4.6e-15 at points, 7.7e-16 sampled; eta <= 5.5e-14
+ *     proved, <= 1.8e-14 on the hull, 5.4e-15 at points, 9.1e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 314 mean 5.570e-14
  *   heldout:        xi 1.991e-15 4.852e-14 2.347e-13, eta 2.327e-15 3.778e-14 2.247e-13, samples 315
@@ -1682,11 +1682,11 @@ static const double footpoint_blocks_quad4_fine_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  62f303a04e4ce4769532d082ed173bea1e75668223e0a7b72d7ba1b8129ef575
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.2e-14)
- *   poles:          t37 * t36 - t35 * t35: proved free of zeros, |...| >= 3.5 (rounding error <= 1.7e-12)
- *   poles:          t47 * t47 - t44 * t46: proved free of zeros, |...| >= 4.6 (rounding error <= 6.2e-12)
- *   poles:          t57 * t56 - t59 * t59: proved free of zeros, |...| >= 4.6 (rounding error <= 8e-12)
- *   rounding:       xi <= 6.4e-14 proved, 4.7e-15 at points, 8.8e-16 sampled; eta <= 6.1e-14 proved, 4.4e-15 at
- *     points, 9.4e-16 sampled (10000 points)
+ *   poles:          t37 * t36 - t35 * t35: proved free of zeros, |...| >= 3.5 (rounding error <= 1.6e-12)
+ *   poles:          t47 * t47 - t44 * t46: proved free of zeros, |...| >= 4.6 (rounding error <= 6.1e-12)
+ *   poles:          t57 * t56 - t59 * t59: proved free of zeros, |...| >= 4.6 (rounding error <= 7.8e-12)
+ *   rounding:       xi <= 6.4e-14 proved, <= 2.1e-14 on the hull, 4.7e-15 at points, 8.8e-16 sampled; eta <= 6.1e-14
+ *     proved, <= 1.8e-14 on the hull, 4.4e-15 at points, 9.4e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 398 mean 9.860e-17
  *   heldout:        xi 8.490e-17 3.331e-16 4.441e-16, eta 8.836e-17 4.441e-16 4.441e-16, samples 315

@@ -21,9 +21,9 @@
  *     [-1.00,1.00], znC in [-0.17,1.00], xnD in [-1.00,1.00], ynD in [-1.00,1.00], znD in [-0.11,1.00], xS in
  *     [-0.40,0.50], yS in [-0.07,1.01], zS in [-0.30,0.30]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_PAPER_GREGORY_H
 #define FOOTPOINT_PAPER_GREGORY_H
@@ -464,8 +464,8 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c63b17cef1da5faf0bdf3053ad45faa4046e82cadba950c566f4a680c6d7bf50
  *   poles:          t27 * t27 - t25 * t26: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.6e-15)
- *   rounding:       xi <= 0.0038 proved, 1.1e-14 at points, 4.1e-14 sampled; eta <= 0.00019 proved, 2.4e-13 at
- *     points, 3.2e-14 sampled (10000 points)
+ *   rounding:       xi <= 0.0038 proved, <= 2.7e-12 on the hull, 1.1e-14 at points, 4.1e-14 sampled; eta <= 0.00019
+ *     proved, <= 1.3e-12 on the hull, 2.4e-13 at points, 3.2e-14 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 2.330e-02
  *   heldout:        xi 1.946e-02 1.259e-01 4.513e-01, eta 2.780e-02 1.996e-01 8.994e-01, samples 27582
@@ -579,7 +579,8 @@ static const double footpoint_paper_gregory_facet_points[][31] = {
  *   genome_sha256:  7da24519c16188dc1868c0c01e59f1d9112f6fac0e6c8957d3de0c709a865fa4
  *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.6e-15)
  *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013
- *   rounding:       xi 1.1e-13 at points, 8.4e-14 sampled; eta 3.8e-14 at points, 9.4e-14 sampled (7936 points)
+ *   rounding:       xi <= 7.6e-10 on the hull, 1.1e-13 at points, 8.4e-14 sampled; eta <= 3.9e-10 on the hull,
+ *     3.8e-14 at points, 9.4e-14 sampled (7936 points, hull of 10000)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 1.446e-02
  *   heldout:        xi 1.238e-02 1.207e-01 6.445e-01, eta 1.599e-02 1.579e-01 7.815e-01, samples 27582
@@ -738,7 +739,8 @@ static const double footpoint_paper_gregory_smooth_points[][31] = {
  *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07
  *   poles:          t152: proved free of zeros, |t152| >= 0.24
  *   poles:          t214: proved free of zeros, |t214| >= 0.00027
- *   rounding:       xi 8.3e-13 at points, 1.5e-13 sampled; eta 7.6e-14 at points, 4.8e-14 sampled (4613 points)
+ *   rounding:       xi <= 0.22 on the hull, 8.3e-13 at points, 1.5e-13 sampled; eta <= 0.17 on the hull, 7.6e-14 at
+ *     points, 4.8e-14 sampled (4613 points, hull of 4908)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 2.681e-03
  *   heldout:        xi 2.355e-03 2.516e-02 7.588e-01, eta 2.997e-03 3.467e-02 5.941e-01, samples 27582
@@ -937,7 +939,7 @@ static const double footpoint_paper_gregory_weighted_points[][31] = {
  *   poles:          t71 * t72 - t69 * t70: no zero where the region's requires hold, by no proved margin
  *   poles:          t109: proved free of zeros, |t109| >= 0.0068 (rounding error <= 1.7e-14)
  *   poles:          t111: proved free of zeros, |t111| >= 8.5e-05 (rounding error <= 3.5e-13)
- *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 4.6e-14)
+ *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 4.3e-14)
  *   poles:          t118: proved free of zeros, |t118| >= 2.3e-05 (rounding error <= 1.4e-15)
  *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07
  *   poles:          t245: proved free of zeros, |t245| >= 0.24
@@ -1189,14 +1191,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const n
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_gregory_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.55557117640894815, 0, 2.1794125794063916e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.13510847024777228, 0, 1.0528917695004752e-14, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.19741674904819029, 9.8813129168249309e-324, 8.3817358106422964e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31571747334748002, 9.8813129168249309e-324, 3.7844293076236228e-15},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.55557117640894815, 0, 2.1794125794063786e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.13510847024777228, 0, 1.0528917695004726e-14, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.19741674904819029, 9.8813129168249309e-324, 8.3817358106229346e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31571747334748002, 9.8813129168249309e-324, 3.7844293076234421e-15},
     {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72550115267363502, 1.110223024625157e-16, 1.2380675289676115e-15},
+    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72550115267363502, 1.110223024625157e-16, 1.2380675289672666e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.25824958793026681, -0.28465961561439485, 2.6278353099060125e-15, 1.0372889628086593e-15},
+    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.25824958793026681, -0.28465961561439485, 2.6278353098314474e-15, 1.0372889627835996e-15},
 };
 #endif
 
@@ -1207,7 +1209,7 @@ static const double footpoint_paper_gregory_precise_points[][31] = {
  *   poles:          t40 * t42 - t41 * t41: proved free of zeros, |...| >= 0.0013 (rounding error <= 1.9e-13)
  *   poles:          t88: proved free of zeros, |t88| >= 8.5e-05 (rounding error <= 3.7e-13)
  *   poles:          t90: proved free of zeros, |t90| >= 0.0068 (rounding error <= 1.7e-14)
- *   poles:          t95: proved free of zeros, |t95| >= 2.9e-07 (rounding error <= 5e-14)
+ *   poles:          t95: proved free of zeros, |t95| >= 2.9e-07 (rounding error <= 4.5e-14)
  *   poles:          t97: proved free of zeros, |t97| >= 2.3e-05 (rounding error <= 1.4e-15)
  *   poles:          t191: proved free of zeros, |t191| >= 0.5 (rounding error <= 4.3e-05)
  *   poles:          t238: proved free of zeros, |t238| >= 9.9e-07
@@ -1548,7 +1550,7 @@ static const double footpoint_paper_gregory_exact_points[][31] = {
  *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.7e-15)
  *   poles:          t69: proved free of zeros, |t69| >= 8.5e-05 (rounding error <= 3.8e-13)
  *   poles:          t71: proved free of zeros, |t71| >= 0.0068 (rounding error <= 1.7e-14)
- *   poles:          t76: proved free of zeros, |t76| >= 2.9e-07 (rounding error <= 5.1e-14)
+ *   poles:          t76: proved free of zeros, |t76| >= 2.9e-07 (rounding error <= 4.7e-14)
  *   poles:          t78: proved free of zeros, |t78| >= 2.3e-05 (rounding error <= 1.4e-15)
  *   poles:          t215: proved free of zeros, |t215| >= 9.9e-07
  *   poles:          t217: proved free of zeros, |t217| >= 0.24 (rounding error <= 6.1e-05)

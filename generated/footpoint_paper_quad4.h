@@ -17,9 +17,9 @@
  *     in [-0.30,0.30], xD in [-1.00,1.00], yD in [0.00,1.00], zD = 0.00, xS in [-0.50,0.50], yS in [-0.97,1.96], zS
  *     in [-0.30,0.30]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_PAPER_QUAD4_H
 #define FOOTPOINT_PAPER_QUAD4_H
@@ -470,8 +470,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  b0d2b917a0823c298a1a90f445e86a1b95cccf8d0c2a6f75f6f39303ac342119
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   rounding:       xi <= 1.2e-07 proved, 6.6e-12 at points, 8.9e-12 sampled; eta <= 1.3e-07 proved, 9.9e-12 at
- *     points, 1.1e-11 sampled (10000 points)
+ *   rounding:       xi <= 1.2e-07 proved, <= 2.2e-10 on the hull, 6.6e-12 at points, 8.9e-12 sampled; eta <= 1.3e-07
+ *     proved, <= 3e-10 on the hull, 9.9e-12 at points, 1.1e-11 sampled (10000 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.408e-02; eta genes 1 mean 3.603e-02
  *   heldout:        xi 2.094e-02 1.205e-01 2.546e+00, eta 3.106e-02 1.769e-01 1.956e+00, samples 439697
@@ -560,8 +560,8 @@ static const double footpoint_paper_quad4_gauss_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  a923c4288a48a75569cc3edb38c3c548038f26f1c91afeba9f35efff10d344f4
  *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   rounding:       xi <= 1.2e-07 proved, 6.5e-15 at points, 7.7e-14 sampled; eta <= 1.5e-07 proved, 1.7e-14 at
- *     points, 3.1e-14 sampled (10000 points)
+ *   rounding:       xi <= 1.2e-07 proved, <= 2.8e-13 on the hull, 6.5e-15 at points, 7.7e-14 sampled; eta <= 1.5e-07
+ *     proved, <= 3.6e-13 on the hull, 1.7e-14 at points, 3.1e-14 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 100 islands 2
  *   training_both:  genes 14 mean 2.058e-02
  *   heldout:        xi 1.679e-02 1.221e-01 6.373e-01, eta 2.031e-02 1.475e-01 7.901e-01, samples 439697
@@ -652,7 +652,8 @@ static const double footpoint_paper_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  34d9211899b4a28aa8efad76340094ff912f9ef89f148fc43106ec7d90b8e26a
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   rounding:       xi 1.2e-14 at points, 4.1e-14 sampled; eta 1.1e-14 at points, 3.1e-14 sampled (10000 points)
+ *   rounding:       xi <= 0.00059 on the hull, 1.2e-14 at points, 4.1e-14 sampled; eta <= 9.7e-13 on the hull,
+ *     1.1e-14 at points, 3.1e-14 sampled (10000 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.630e-03; eta genes 1 mean 1.237e-02
  *   heldout:        xi 9.592e-03 9.288e-02 6.124e-01, eta 1.280e-02 1.332e-01 8.053e-01, samples 439697
@@ -748,7 +749,8 @@ static const double footpoint_paper_quad4_taper_points[][19] = {
  *   genome_sha256:  31486ca32b630fff7ad7c182d72516b13fa038c26f00922465c50d7467f703a4
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09
- *   rounding:       xi 1.1e-11 at points, 2.9e-11 sampled; eta 5.7e-12 at points, 2.5e-11 sampled (10000 points)
+ *   rounding:       xi <= 0.0041 on the hull, 1.1e-11 at points, 2.9e-11 sampled; eta <= 0.0042 on the hull, 5.7e-12
+ *     at points, 2.5e-11 sampled (10000 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.637e-03; eta genes 1 mean 1.207e-02
  *   heldout:        xi 3.655e-03 5.702e-02 2.370e+00, eta 4.161e-03 7.139e-02 2.686e+00, samples 439697
@@ -845,8 +847,9 @@ static const double footpoint_paper_quad4_gauss2_points[][19] = {
  *   genome_sha256:  e7d80ee9d16b9818030571bcfc508e87f1f9e2fa877f2cc068b71cf6368ab0a7
  *   poles:          t17 * t18 - 0.8464976 * t16 * t16: proved free of zeros, |...| >= 0.0014 (rounding error <=
  *     7.5e-15)
- *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.2e-08)
- *   rounding:       xi 4.1e-13 at points, 2.2e-13 sampled; eta 3.1e-13 at points, 2.5e-13 sampled (10000 points)
+ *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.1e-08)
+ *   rounding:       xi <= 1.8e-09 on the hull, 4.1e-13 at points, 2.2e-13 sampled; eta <= 2.8e-09 on the hull,
+ *     3.1e-13 at points, 2.5e-13 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 146 mean 2.979e-03
  *   heldout:        xi 2.479e-03 4.082e-02 9.873e-01, eta 2.861e-03 4.698e-02 9.259e-01, samples 439697
@@ -1048,7 +1051,8 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 7.6e-15)
  *   poles:          t30: proved free of zeros, |t30| >= 0.001
  *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05
- *   rounding:       xi 5.4e-14 at points, 1.1e-13 sampled; eta 1.1e-12 at points, 9.3e-14 sampled (10000 points)
+ *   rounding:       xi <= 0.0021 on the hull, 5.4e-14 at points, 1.1e-13 sampled; eta <= 0.0013 on the hull, 1.1e-12
+ *     at points, 9.3e-14 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 194 mean 6.185e-04
  *   heldout:        xi 4.831e-04 6.358e-03 3.677e-01, eta 6.606e-04 6.936e-03 3.811e-01, samples 439697

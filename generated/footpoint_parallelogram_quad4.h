@@ -16,9 +16,9 @@
  * region: as the genomes place it, stretch in [0.37,2.24], skew in [-1.00,1.00], xi in [-1.20,1.20], eta in
  *     [-1.20,1.20], lift in [-0.95,0.96]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_PARALLELOGRAM_QUAD4_H
 #define FOOTPOINT_PARALLELOGRAM_QUAD4_H

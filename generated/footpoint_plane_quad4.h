@@ -16,9 +16,9 @@
  * region: as the genomes place it, stretch in [0.37,2.24], skew in [-1.00,1.00], a11 in [-0.30,0.30], b11 in
  *     [-0.30,0.30], xi in [-1.20,1.20], eta in [-1.20,1.20], lift in [-1.93,1.62]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_PLANE_QUAD4_H
 #define FOOTPOINT_PLANE_QUAD4_H
@@ -855,7 +855,7 @@ static const double footpoint_plane_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  752308dde0899a0420adeb685cc693d3043afc1b218ab617ceb6fa5741f45798
  *   poles:          t29: proved free of zeros, |t29| >= 2e+03 (rounding error <= 1.5e-10)
- *   rounding:       xi <= 9.5e-14 proved, 1.7e-14 at points, 5.2e-15 sampled; eta <= 8.4e-14 proved, 1.1e-14 at
+ *   rounding:       xi <= 9.3e-14 proved, 1.7e-14 at points, 5.2e-15 sampled; eta <= 8.3e-14 proved, 1.1e-14 at
  *     points, 2.1e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.091e-03; eta genes 1 mean 1.084e-03
@@ -1014,8 +1014,8 @@ static const double footpoint_plane_quad4_coarse_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  2893dcf78c59459d1eb79a8d5ba9c284660dd64f07e4fd85695497c3f290661c
  *   poles:          t32: proved free of zeros, |t32| >= 3.1e+03 (rounding error <= 6.2e-10)
- *   rounding:       xi <= 1.7e-13 proved, 1.6e-14 at points, 4.2e-15 sampled; eta <= 1.6e-13 proved, 7.1e-15 at
- *     points, 1.7e-15 sampled (10000 points)
+ *   rounding:       xi <= 1.7e-13 proved, <= 7.3e-14 on the hull, 1.6e-14 at points, 4.2e-15 sampled; eta <= 1.5e-13
+ *     proved, <= 4.5e-14 on the hull, 7.1e-15 at points, 1.7e-15 sampled (10000 points, hull of 10000)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 1.587e-16; eta genes 1 mean 1.593e-16
  *   heldout:        xi 1.596e-16 8.882e-16 4.274e-15, eta 1.603e-16 8.882e-16 3.997e-15, samples 200000

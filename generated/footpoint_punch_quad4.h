@@ -17,9 +17,9 @@
  *     [-0.23,0.20], g11 in [-0.03,0.03], xi in [-1.20,1.20], eta in [-1.20,1.20], lift in [-1.28,1.33]; all requires
  *     > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_PUNCH_QUAD4_H
 #define FOOTPOINT_PUNCH_QUAD4_H
@@ -1013,9 +1013,9 @@ static const double footpoint_punch_quad4_coarse_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  68f975f9c792cba6476b970bb36e2a5b95d48efe7657ca3073a54c7b70c1cd55
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.6e-14)
- *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 3.6 (rounding error <= 1.8e-12)
- *   rounding:       xi <= 5.3e-13 proved, 6.7e-15 at points, 1.3e-15 sampled; eta <= 5.1e-13 proved, 5.4e-15 at
- *     points, 9.9e-16 sampled (10000 points)
+ *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 3.6 (rounding error <= 1.7e-12)
+ *   rounding:       xi <= 5.2e-13 proved, <= 2.9e-14 on the hull, 6.7e-15 at points, 1.3e-15 sampled; eta <= 5e-13
+ *     proved, <= 2.6e-14 on the hull, 5.4e-15 at points, 9.9e-16 sampled (10000 points, hull of 10000)
  *   training_both:  genes 143 mean 5.234e-05
  *   heldout:        xi 5.895e-05 1.039e-03 2.290e-03, eta 5.769e-05 1.054e-03 2.009e-03, samples 609
  *   heldout_random: xi 5.078e-05 9.017e-04 1.027e-02, eta 4.995e-05 9.005e-04 1.518e-02, samples 200000
@@ -1176,9 +1176,9 @@ static const double footpoint_punch_quad4_gauss2_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  5e25798544f5f7b3619b19f679764ba8d69a62fce7e337520b545b6ab9bb5af3
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.6e-14)
- *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 3.1 (rounding error <= 2.6e-12)
- *   rounding:       xi <= 9.1e-14 proved, 5.2e-15 at points, 1.2e-15 sampled; eta <= 8.9e-14 proved, 5.4e-15 at
- *     points, 1.3e-15 sampled (10000 points)
+ *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 3.1 (rounding error <= 2.5e-12)
+ *   rounding:       xi <= 9e-14 proved, <= 3e-14 on the hull, 5.2e-15 at points, 1.2e-15 sampled; eta <= 8.8e-14
+ *     proved, <= 2.8e-14 on the hull, 5.4e-15 at points, 1.3e-15 sampled (10000 points, hull of 10000)
  *   training_both:  genes 182 mean 1.974e-06
  *   heldout:        xi 1.476e-06 2.793e-05 1.255e-04, eta 1.447e-06 2.304e-05 1.092e-04, samples 609
  *   heldout_random: xi 1.839e-06 2.620e-05 1.453e-03, eta 1.916e-06 2.688e-05 2.543e-03, samples 200000
@@ -1339,10 +1339,10 @@ static const double footpoint_punch_quad4_medium_points[][19] = {
  *   operations:     78 mul, 2 div, 72 add, 0 sqrt, 0 compare; 49 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  8653707046254251b59b1fcfb7c8c27026b140368afd12612458ff7e90ded75d
- *   poles:          t33: proved free of zeros, |t33| >= 2.7e+05 (rounding error <= 4.4e-08)
- *   poles:          divisor of t49: proved free of zeros, |...| >= 3.5 (rounding error <= 2.2e-11)
- *   rounding:       xi <= 2.7e-12 proved, 4.9e-15 at points, 8.6e-16 sampled; eta <= 2.6e-12 proved, 4.8e-15 at
- *     points, 9.9e-16 sampled (10000 points)
+ *   poles:          t33: proved free of zeros, |t33| >= 2.7e+05 (rounding error <= 4.3e-08)
+ *   poles:          divisor of t49: proved free of zeros, |...| >= 3.5 (rounding error <= 1.7e-11)
+ *   rounding:       xi <= 2.7e-12 proved, <= 3.3e-14 on the hull, 4.9e-15 at points, 8.6e-16 sampled; eta <= 2.5e-12
+ *     proved, <= 3.1e-14 on the hull, 4.8e-15 at points, 9.9e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 233 mean 3.341e-08
  *   heldout:        xi 1.445e-08 1.732e-07 8.584e-07, eta 1.377e-08 2.465e-07 3.965e-07, samples 609
@@ -1509,10 +1509,10 @@ static const double footpoint_punch_quad4_balanced_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  19a78b94c1c2c23fa005928a05d170d52ac42e0cb689f65e7e21de1ec8b74363
  *   poles:          t19: proved free of zeros, |t19| >= 16 (rounding error <= 3.6e-14)
- *   poles:          divisor of t41: proved free of zeros, |...| >= 3.1 (rounding error <= 4.3e-12)
- *   poles:          t50 * t47 + t49 * t49: proved free of zeros, |...| >= 3.4 (rounding error <= 2.7e-10)
- *   rounding:       xi <= 1.2e-13 proved, 5.8e-15 at points, 1.4e-15 sampled; eta <= 1.2e-13 proved, 4.8e-15 at
- *     points, 9.6e-16 sampled (10000 points)
+ *   poles:          divisor of t41: proved free of zeros, |...| >= 3.1 (rounding error <= 4.2e-12)
+ *   poles:          t50 * t47 + t49 * t49: proved free of zeros, |...| >= 3.4 (rounding error <= 2.6e-10)
+ *   rounding:       xi <= 1.2e-13 proved, <= 3.4e-14 on the hull, 5.8e-15 at points, 1.4e-15 sampled; eta <= 1.2e-13
+ *     proved, <= 3.2e-14 on the hull, 4.8e-15 at points, 9.6e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 323 mean 1.229e-11
  *   heldout:        xi 1.630e-12 4.624e-11 1.258e-10, eta 1.571e-12 3.376e-11 1.327e-10, samples 609
@@ -1669,9 +1669,9 @@ static const double footpoint_punch_quad4_fine_points[][19] = {
     {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.031250000000001388, -1.0937500000000657, 9.5854331118645073e-16, 2.2784770780507145e-15},
     {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.62499999999621336, 0.89062500000596678, 1.4313472008169583e-15, 2.4289995956142366e-15},
     {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0937500000000211, 0.062500000000024841, 2.1544366599125999e-15, 5.3523711816514328e-16},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.15624999996108149, 0.29687499991928978, 8.0323861814521176e-16, 1.0199097726273459e-15},
+    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.15624999996108149, 0.29687499991928978, 8.0323861814521117e-16, 1.0199097726273457e-15},
     {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.67187499999720879, -0.9687499999994521, 1.5717650704422684e-15, 1.8695090741550602e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.34375000000010453, 0.82812500000003175, 1.5300762459813338e-15, 2.0695866245934704e-15},
+    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.34375000000010453, 0.82812500000003175, 1.5300762459813336e-15, 2.0695866245934704e-15},
     {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 1.1250000027208957, -0.67187499859025901, 3.0971536643500539e-15, 1.9124419329067347e-15},
 };
 #endif
@@ -1680,11 +1680,11 @@ static const double footpoint_punch_quad4_fine_points[][19] = {
  *   operations:     95 mul, 3 div, 87 add, 0 sqrt, 0 compare; 61 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d9bd19fbdd27071e7877f95ed05340140c8372ed616c45a4933b0f9db98b001b
- *   poles:          t32: proved free of zeros, |t32| >= 2.7e+05 (rounding error <= 4.8e-08)
- *   poles:          t44 * t43 - t46 * t46: proved free of zeros, |...| >= 3.5 (rounding error <= 3.1e-11)
- *   poles:          t58 * t58 + t55 * t56: proved free of zeros, |...| >= 3.3 (rounding error <= 3.4e-09)
- *   rounding:       xi <= 1.5e-13 proved, 5.8e-15 at points, 1.2e-15 sampled; eta <= 1.4e-13 proved, 4.8e-15 at
- *     points, 9.9e-16 sampled (10000 points)
+ *   poles:          t32: proved free of zeros, |t32| >= 2.7e+05 (rounding error <= 4.7e-08)
+ *   poles:          t44 * t43 - t46 * t46: proved free of zeros, |...| >= 3.5 (rounding error <= 2.5e-11)
+ *   poles:          t58 * t58 + t55 * t56: proved free of zeros, |...| >= 3.3 (rounding error <= 2.2e-09)
+ *   rounding:       xi <= 1.4e-13 proved, <= 3.4e-14 on the hull, 5.8e-15 at points, 1.2e-15 sampled; eta <= 1.4e-13
+ *     proved, <= 3.2e-14 on the hull, 4.8e-15 at points, 9.9e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 341 mean 1.742e-14
  *   heldout:        xi 2.381e-15 4.052e-14 4.536e-13, eta 9.427e-16 1.166e-14 1.763e-13, samples 609

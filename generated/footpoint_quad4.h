@@ -19,9 +19,9 @@
  *     [-0.30,0.30], g11 in [-0.19,0.19], xi in [-1.20,1.20], eta in [-1.20,1.20], lift in [-1.89,1.65]; all requires
  *     > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_QUAD4_H
 #define FOOTPOINT_QUAD4_H
@@ -852,8 +852,8 @@ static const double footpoint_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  4a534b7415348bcce9de436b5cd428e59981139dc723c7ac956165bac68d1766
  *   poles:          t29: proved free of zeros, |t29| >= 1.1e+03 (rounding error <= 2.4e-10)
- *   rounding:       xi <= 3.9e-13 proved, 1.9e-14 at points, 3.4e-15 sampled; eta <= 3.2e-13 proved, 7.7e-15 at
- *     points, 3e-15 sampled (10000 points)
+ *   rounding:       xi <= 3.8e-13 proved, <= 6.7e-14 on the hull, 1.9e-14 at points, 3.4e-15 sampled; eta <= 3.1e-13
+ *     proved, <= 4.3e-14 on the hull, 7.7e-15 at points, 3e-15 sampled (10000 points, hull of 10000)
  *   training_both:  genes 98 mean 4.821e-03
  *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, samples 200000
  *   heldout_random: xi 4.847e-03 3.710e-02 1.822e-01, eta 4.846e-03 3.716e-02 1.537e-01, samples 200000
@@ -1008,9 +1008,9 @@ static const double footpoint_quad4_coarse_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  18169bceba926d46ed007ecfca6610c8786a5a45c122c515daf9a68999f3fed4
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 6.7e-14)
- *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 2.3 (rounding error <= 1.5e-10)
- *   rounding:       xi <= 8.1e-11 proved, 4.3e-14 at points, 1.1e-14 sampled; eta <= 6.6e-11 proved, 2.3e-14 at
- *     points, 5.5e-15 sampled (10000 points)
+ *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 2.3 (rounding error <= 1.4e-10)
+ *   rounding:       xi <= 8.1e-11 proved, <= 2.9e-13 on the hull, 4.3e-14 at points, 1.1e-14 sampled; eta <= 6.8e-11
+ *     proved, <= 2.3e-13 on the hull, 2.3e-14 at points, 5.5e-15 sampled (10000 points, hull of 10000)
  *   training_both:  genes 143 mean 1.266e-03
  *   heldout:        xi 1.257e-03 1.604e-02 1.483e-01, eta 1.254e-03 1.613e-02 1.093e-01, samples 200000
  *   heldout_random: xi 1.261e-03 1.604e-02 1.218e-01, eta 1.266e-03 1.613e-02 1.140e-01, samples 200000
@@ -1169,9 +1169,9 @@ static const double footpoint_quad4_gauss2_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  92bb5fb93cdc4519cf0b6fa16cbf5e2fc456f89a33b57b3ab818cff2c06aa9ba
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 6.7e-14)
- *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 1.5 (rounding error <= 3.8e-10)
- *   rounding:       xi <= 1.3e-11 proved, 5.1e-14 at points, 1.1e-14 sampled; eta <= 9.7e-12 proved, 2.7e-14 at
- *     points, 8.5e-15 sampled (10000 points)
+ *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 1.5 (rounding error <= 3.7e-10)
+ *   rounding:       xi <= 1.3e-11 proved, <= 2.6e-13 on the hull, 5.1e-14 at points, 1.1e-14 sampled; eta <= 9.5e-12
+ *     proved, <= 1.9e-13 on the hull, 2.7e-14 at points, 8.5e-15 sampled (10000 points, hull of 10000)
  *   training_both:  genes 182 mean 1.914e-04
  *   heldout:        xi 1.919e-04 2.962e-03 9.525e-02, eta 1.913e-04 3.013e-03 6.393e-02, samples 200000
  *   heldout_random: xi 1.938e-04 3.022e-03 7.520e-02, eta 1.946e-04 3.059e-03 6.525e-02, samples 200000
@@ -1331,10 +1331,10 @@ static const double footpoint_quad4_medium_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  880f29e4d9fb1709972022b33d9792d876ff418f52bf7a5738f505a791333e51
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 16 (rounding error <= 7.9e-14)
- *   poles:          t33 * t32 - t31 * t31: proved free of zeros, |...| >= 2 (rounding error <= 3e-10)
+ *   poles:          t33 * t32 - t31 * t31: proved free of zeros, |...| >= 2 (rounding error <= 2.9e-10)
  *   poles:          t42 * t42 + t44 * t43: proved free of zeros, |...| >= 1 (rounding error <= 7e-07)
- *   rounding:       xi <= 1.8e-10 proved, 5.3e-14 at points, 1.2e-14 sampled; eta <= 1.7e-10 proved, 2.4e-14 at
- *     points, 6.1e-15 sampled (10000 points)
+ *   rounding:       xi <= 1.8e-10 proved, <= 3.1e-13 on the hull, 5.3e-14 at points, 1.2e-14 sampled; eta <= 1.7e-10
+ *     proved, <= 2.5e-13 on the hull, 2.4e-14 at points, 6.1e-15 sampled (10000 points, hull of 10000)
  *   found_both:     seed 2 generations 200 islands 2
  *   training_both:  genes 251 mean 1.688e-05
  *   heldout:        xi 1.778e-05 2.394e-04 3.570e-02, eta 1.746e-05 2.368e-04 2.201e-02, samples 200000
@@ -1499,10 +1499,10 @@ static const double footpoint_quad4_balanced_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  b91df269f3365cb114821dbc2ee258d42d2e386d4b8bacdfcbc87c375942db09
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 7.2e-14)
- *   poles:          t37 * t40 - t42 * t42: proved free of zeros, |...| >= 1.2 (rounding error <= 6.4e-10)
- *   poles:          t51 * t50 - t53 * t53: proved free of zeros, |...| >= 1 (rounding error <= 3.1e-07)
- *   rounding:       xi <= 1.4e-10 proved, 4.2e-14 at points, 1.1e-14 sampled; eta <= 2.5e-10 proved, 2.6e-14 at
- *     points, 7.6e-15 sampled (10000 points)
+ *   poles:          t37 * t40 - t42 * t42: proved free of zeros, |...| >= 1.2 (rounding error <= 6.2e-10)
+ *   poles:          t51 * t50 - t53 * t53: proved free of zeros, |...| >= 1 (rounding error <= 3e-07)
+ *   rounding:       xi <= 1.4e-10 proved, <= 3.2e-13 on the hull, 4.2e-14 at points, 1.1e-14 sampled; eta <= 2.5e-10
+ *     proved, <= 2.4e-13 on the hull, 2.6e-14 at points, 7.6e-15 sampled (10000 points, hull of 10000)
  *   found_both:     seed 2 generations 200 islands 2
  *   training_both:  genes 335 mean 3.144e-07
  *   heldout:        xi 5.165e-07 3.374e-06 8.499e-03, eta 4.304e-07 3.063e-06 4.708e-03, samples 200000
@@ -1669,10 +1669,10 @@ static const double footpoint_quad4_fine_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  a831eef30f8a2851e0a8583fdf164d979d7f1fd974989077dd9afdb28934cb12
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 7.2e-14)
- *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 7.7e-10)
- *   poles:          t50 * t50 - t47 * t46: proved free of zeros, |...| >= 1 (rounding error <= 6.2e-08)
- *   rounding:       xi <= 7.7e-08 proved, 4.4e-14 at points, 1.1e-14 sampled; eta <= 3.6e-10 proved, 4.6e-14 at
- *     points, 6.6e-15 sampled (10000 points)
+ *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 7.5e-10)
+ *   poles:          t50 * t50 - t47 * t46: proved free of zeros, |...| >= 1 (rounding error <= 6.1e-08)
+ *   rounding:       xi <= 7.3e-08 proved, <= 3.3e-13 on the hull, 4.4e-14 at points, 1.1e-14 sampled; eta <= 3.5e-10
+ *     proved, <= 2.4e-13 on the hull, 4.6e-14 at points, 6.6e-15 sampled (10000 points, hull of 10000)
  *   found_both:     seed 2 generations 200 islands 2
  *   training_both:  genes 365 mean 9.970e-09
  *   heldout:        xi 2.424e-08 4.192e-08 8.866e-04, eta 2.543e-08 3.301e-08 1.407e-03, samples 200000
@@ -1842,12 +1842,12 @@ static const double footpoint_quad4_precise_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  a0b5bedb7a82a4976011dfe627a41b8a81c88cb6ae223e29263ce9a1afcc789b
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 16 (rounding error <= 8.6e-14)
- *   poles:          t35 * t33 - t34 * t34: proved free of zeros, |...| >= 0.93 (rounding error <= 7.9e-10)
+ *   poles:          t35 * t33 - t34 * t34: proved free of zeros, |...| >= 0.93 (rounding error <= 7.7e-10)
  *   poles:          t46 * t45 - t44 * t44: proved free of zeros, |...| >= 0.93 (rounding error <= 1.2e-06)
- *   poles:          t57 * t56 - t59 * t59: proved free of zeros, |...| >= 0.99 (rounding error <= 4.1e-06)
- *   poles:          t69 * t68 - t71 * t71: proved free of zeros, |...| >= 0.99 (rounding error <= 1.8e-05)
- *   rounding:       xi <= 9.6e-11 proved, 7.2e-14 at points, 1.1e-14 sampled; eta <= 2.3e-10 proved, 4.2e-14 at
- *     points, 6.1e-15 sampled (10000 points)
+ *   poles:          t57 * t56 - t59 * t59: proved free of zeros, |...| >= 0.99 (rounding error <= 4e-06)
+ *   poles:          t69 * t68 - t71 * t71: proved free of zeros, |...| >= 0.99 (rounding error <= 1.7e-05)
+ *   rounding:       xi <= 9.1e-11 proved, <= 3.4e-13 on the hull, 7.2e-14 at points, 1.1e-14 sampled; eta <= 2.2e-10
+ *     proved, <= 2.6e-13 on the hull, 4.2e-14 at points, 6.1e-15 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 110 islands 2
  *   training_both:  genes 503 mean 9.360e-14
  *   heldout:        xi 1.487e-12 9.104e-15 1.024e-07, eta 1.016e-12 8.826e-15 6.810e-08, samples 200000
@@ -2025,12 +2025,12 @@ static const double footpoint_quad4_accurate_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  681d500f58d4a6872c665699b4f850271b881189c24df22691057de10c928e49
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 16 (rounding error <= 8.6e-14)
- *   poles:          t37 * t38 - t36 * t36: proved free of zeros, |...| >= 1 (rounding error <= 1.3e-09)
+ *   poles:          t37 * t38 - t36 * t36: proved free of zeros, |...| >= 1 (rounding error <= 1.2e-09)
  *   poles:          t49 * t48 - t51 * t51: proved free of zeros, |...| >= 0.99 (rounding error <= 1.6e-07)
- *   poles:          t61 * t60 - t63 * t63: proved free of zeros, |...| >= 0.99 (rounding error <= 6.6e-07)
- *   poles:          t75 * t75 - t72 * t71: proved free of zeros, |...| >= 0.99 (rounding error <= 5.9e-07)
- *   rounding:       xi <= 4.6e-07 proved, 8.5e-14 at points, 1.2e-14 sampled; eta <= 3.8e-11 proved, 4.1e-14 at
- *     points, 9.1e-15 sampled (10000 points)
+ *   poles:          t61 * t60 - t63 * t63: proved free of zeros, |...| >= 0.99 (rounding error <= 6.5e-07)
+ *   poles:          t75 * t75 - t72 * t71: proved free of zeros, |...| >= 0.99 (rounding error <= 5.7e-07)
+ *   rounding:       xi <= 4.4e-07 proved, <= 3.4e-13 on the hull, 8.5e-14 at points, 1.2e-14 sampled; eta <= 3.6e-11
+ *     proved, <= 2.6e-13 on the hull, 4.1e-14 at points, 9.1e-15 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 602 mean 2.131e-16
  *   heldout:        xi 2.208e-16 1.665e-15 1.294e-12, eta 2.179e-16 1.665e-15 7.310e-13, samples 200000

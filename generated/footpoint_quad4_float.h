@@ -19,9 +19,9 @@
  *     [-0.31,0.30], g11 in [-0.19,0.19], xi in [-1.20,1.20], eta in [-1.21,1.20], lift in [-1.89,1.65]; all requires
  *     > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_QUAD4_FLOAT_H
 #define FOOTPOINT_QUAD4_FLOAT_H
@@ -939,8 +939,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *co
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  41894fdb374e6df39f613a106c47b53c471a4cb73106f6367343d7239d031360
  *   poles:          t29: proved free of zeros, |t29| >= 1.1e+03 (rounding error <= 0.31)
- *   rounding:       xi <= 0.00058 proved, 8.8e-06 at points, 2.2e-06 sampled; eta <= 0.00046 proved, 6.6e-06 at
- *     points, 1.1e-06 sampled (10000 points)
+ *   rounding:       xi <= 0.00057 proved, <= 8.3e-05 on the hull, 8.8e-06 at points, 2.2e-06 sampled; eta <= 0.00045
+ *     proved, <= 5.4e-05 on the hull, 6.6e-06 at points, 1.1e-06 sampled (10000 points, hull of 10000)
  *   training_both:  genes 98 mean 4.821e-03
  *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, samples 200000
  *   heldout_random: xi 4.847e-03 3.710e-02 1.822e-01, eta 4.846e-03 3.716e-02 1.537e-01, samples 200000
@@ -1078,8 +1078,8 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *
  *   genome_sha256:  b837c245f02968599a6b90020bee905f946ca4ef2d23d77baaeedcd055ee3fe3
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.5e-05)
  *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 2.3 (rounding error <= 0.17)
- *   rounding:       xi 3.4e-05 at points, 5.8e-06 sampled; eta <= 0.66 proved, 1.5e-05 at points, 3.4e-06 sampled
- *     (10000 points)
+ *   rounding:       xi <= 0.31 proved, <= 0.00031 on the hull, 3.4e-05 at points, 5.8e-06 sampled; eta <= 0.19
+ *     proved, <= 0.00027 on the hull, 1.5e-05 at points, 3.4e-06 sampled (10000 points, hull of 10000)
  *   training_both:  genes 143 mean 1.266e-03
  *   heldout:        xi 1.257e-03 1.604e-02 1.483e-01, eta 1.254e-03 1.613e-02 1.093e-01, samples 200000
  *   heldout_random: xi 1.261e-03 1.604e-02 1.218e-01, eta 1.266e-03 1.613e-02 1.140e-01, samples 200000
@@ -1221,7 +1221,8 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *
  *   genome_sha256:  e75c79cd8e5af19e2ea7b01b72205dd01cb3258c1563684242a1a401b1b97f3a
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.5e-05)
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 1.5 (rounding error <= 0.43)
- *   rounding:       xi 2.9e-05 at points, 6.7e-06 sampled; eta 1.5e-05 at points, 4.4e-06 sampled (10000 points)
+ *   rounding:       xi <= 0.00031 on the hull, 2.9e-05 at points, 6.7e-06 sampled; eta <= 0.00026 on the hull,
+ *     1.5e-05 at points, 4.4e-06 sampled (10000 points, hull of 10000)
  *   training_both:  genes 182 mean 1.914e-04
  *   heldout:        xi 1.919e-04 2.962e-03 9.525e-02, eta 1.913e-04 3.014e-03 6.392e-02, samples 200000
  *   heldout_random: xi 1.938e-04 3.022e-03 7.520e-02, eta 1.946e-04 3.060e-03 6.525e-02, samples 200000
@@ -1362,10 +1363,11 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *
  *   operations:     75 mul, 3 div, 78 add, 0 sqrt, 0 compare; 47 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ae11cd0d06c5a2407d2701f8d9a95894ab8f6c537be0a79e3d060aba3bb57f3a
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.8e-05)
- *   poles:          t33 * t32 - t31 * t31: proved free of zeros, |...| >= 2 (rounding error <= 0.33)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
+ *   poles:          t33 * t32 - t31 * t31: proved free of zeros, |...| >= 2 (rounding error <= 0.32)
  *   poles:          t44 * t42 - t43 * t43: proved free of zeros, |...| >= 1
- *   rounding:       xi 3.4e-05 at points, 6.1e-06 sampled; eta 1.9e-05 at points, 3.4e-06 sampled (10000 points)
+ *   rounding:       xi <= 0.036 on the hull, 3.4e-05 at points, 6.1e-06 sampled; eta <= 0.035 on the hull, 1.9e-05 at
+ *     points, 3.4e-06 sampled (10000 points, hull of 10000)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 251 mean 1.688e-05
  *   heldout:        xi 1.779e-05 2.392e-04 3.578e-02, eta 1.746e-05 2.365e-04 2.206e-02, samples 200000
@@ -1513,8 +1515,8 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float
  *   operations:     91 mul, 3 div, 88 add, 0 sqrt, 0 compare; 56 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e3db232e8551dc8568e699c19255c22c226e24e9e799d555d947f56289a813b2
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.8e-05)
- *   poles:          t37 * t40 - t42 * t42: proved free of zeros, |...| >= 1.2 (rounding error <= 0.77)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
+ *   poles:          t37 * t40 - t42 * t42: proved free of zeros, |...| >= 1.2 (rounding error <= 0.75)
  *   poles:          t51 * t50 - t53 * t53: proved free of zeros, |...| >= 1
  *   rounding:       xi 3.5e-05 at points, 7.9e-06 sampled; eta 1.8e-05 at points, 7.4e-06 sampled (10000 points)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
@@ -1667,8 +1669,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   operations:     98 mul, 3 div, 93 add, 0 sqrt, 0 compare; 61 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  13dbaf12440f690cf461225845399b3b0513949c2164b990c2d3f56c3c196f89
- *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.8e-05)
- *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 0.8)
+ *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
+ *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 0.78)
  *   poles:          t50 * t50 - t47 * t46: proved free of zeros, |...| >= 1
  *   rounding:       xi 3.6e-05 at points, 7.9e-06 sampled; eta 2.1e-05 at points, 5.1e-06 sampled (10000 points)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
@@ -1821,7 +1823,7 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float 
  *   operations:     118 mul, 5 div, 112 add, 0 sqrt, 0 compare; 74 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e6e5806f23fe827887b379ff5e3fbee87ed24e237bde287ab62e092fbdfaa3c6
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 16 (rounding error <= 0.0001)
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 16 (rounding error <= 9.8e-05)
  *   poles:          t35 * t33 - t34 * t34: proved free of zeros, |...| >= 1.1
  *   poles:          t46 * t45 - t44 * t44: proved free of zeros, |...| >= 0.93
  *   poles:          t57 * t56 - t59 * t59: proved free of zeros, |...| >= 0.99

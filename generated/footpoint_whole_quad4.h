@@ -17,9 +17,9 @@
  *     in [-0.30,0.30], xD in [-1.00,0.99], yD in [0.00,1.00], zD = 0.00, xS in [-0.49,0.50], yS in [-1.92,2.00], zS
  *     in [-0.30,0.30]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
- * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
- * find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
+ * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
+ * samples that were not used to find it.
  */
 #ifndef FOOTPOINT_WHOLE_QUAD4_H
 #define FOOTPOINT_WHOLE_QUAD4_H
@@ -470,8 +470,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  57a024cda9a031671811021022ce98d417d95d4ff44d6cfa6a1af494c43ab2b6
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   rounding:       xi <= 1.8e-08 proved, 9.8e-13 at points, 2.5e-12 sampled; eta <= 2.2e-08 proved, 1.3e-12 at
- *     points, 3e-12 sampled (10000 points)
+ *   rounding:       xi <= 1.8e-08 proved, <= 7.5e-11 on the hull, 9.8e-13 at points, 2.5e-12 sampled; eta <= 2.2e-08
+ *     proved, <= 7.9e-11 on the hull, 1.3e-12 at points, 3e-12 sampled (10000 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 3.805e-02; eta genes 1 mean 5.470e-02
  *   heldout:        xi 3.295e-02 1.891e-01 5.819e+00, eta 4.529e-02 2.790e-01 3.494e+00, samples 857751
@@ -560,8 +560,8 @@ static const double footpoint_whole_quad4_gauss_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d9230b0e288158353ea014137d1ef8e3fa8250578531576c38b829db4ac086ce
  *   poles:          t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.0013 (rounding error <= 2.2e-13)
- *   rounding:       xi <= 3.8e-08 proved, 7.2e-14 at points, 3e-14 sampled; eta <= 2.5e-08 proved, 3.6e-13 at points,
- *     6.3e-14 sampled (10000 points)
+ *   rounding:       xi <= 3.8e-08 proved, <= 8.9e-13 on the hull, 7.2e-14 at points, 3e-14 sampled; eta <= 2.5e-08
+ *     proved, <= 2.4e-11 on the hull, 3.6e-13 at points, 6.3e-14 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 20 mean 3.930e-02
  *   heldout:        xi 2.987e-02 2.192e-01 1.063e+00, eta 4.006e-02 3.519e-01 1.656e+00, samples 857751
@@ -652,8 +652,8 @@ static const double footpoint_whole_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  bc7c0db3884d1fb7be88d5bf40c1efa785389209321b244e80b54d952af3d7e7
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   rounding:       xi 1.7e-14 at points, 4.2e-14 sampled; eta <= 0.65 proved, 2.4e-14 at points, 3.9e-13 sampled
- *     (10000 points)
+ *   rounding:       xi <= 1.7e-12 on the hull, 1.7e-14 at points, 4.2e-14 sampled; eta <= 0.65 proved, <= 1.6e-12 on
+ *     the hull, 2.4e-14 at points, 3.9e-13 sampled (10000 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.171e-02; eta genes 1 mean 1.584e-02
  *   heldout:        xi 1.248e-02 1.428e-01 1.189e+00, eta 1.627e-02 2.002e-01 1.447e+00, samples 857751
@@ -749,7 +749,8 @@ static const double footpoint_whole_quad4_taper_points[][19] = {
  *   genome_sha256:  688e9885bfb2ce4dde964bafee57b83e098997941dc48a40e811aeab34ee2022
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08
- *   rounding:       xi 5.5e-11 at points, 2.5e-11 sampled; eta 1.1e-09 at points, 2.5e-10 sampled (10000 points)
+ *   rounding:       xi <= 0.00074 on the hull, 5.5e-11 at points, 2.5e-11 sampled; eta <= 0.00077 on the hull,
+ *     1.1e-09 at points, 2.5e-10 sampled (10000 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.186e-02; eta genes 1 mean 1.587e-02
  *   heldout:        xi 5.925e-03 8.599e-02 5.221e+00, eta 6.386e-03 1.039e-01 3.872e+00, samples 857751
@@ -846,7 +847,8 @@ static const double footpoint_whole_quad4_gauss2_points[][19] = {
  *   genome_sha256:  4d74f9d5d4bfe5f4481c9104f725035a95f7d687d63e05ad26fb6bef2bd10cca
  *   poles:          t15 * t16 - 0.7875 * t18 * t18: proved free of zeros, |...| >= 0.0027 (rounding error <= 1.3e-14)
  *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.3e-06 (rounding error <= 3.1e-07)
- *   rounding:       xi 1.7e-13 at points, 6.8e-13 sampled; eta 3.5e-13 at points, 1.8e-13 sampled (10000 points)
+ *   rounding:       xi <= 1.7e-11 on the hull, 1.7e-13 at points, 6.8e-13 sampled; eta <= 2.7e-11 on the hull,
+ *     3.5e-13 at points, 1.8e-13 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 155 mean 4.496e-03
  *   heldout:        xi 3.639e-03 5.332e-02 1.959e+00, eta 4.183e-03 6.552e-02 1.409e+00, samples 857751
@@ -946,7 +948,8 @@ static const double footpoint_whole_quad4_coarse_points[][19] = {
  *   genome_sha256:  01d136801ad3cbfdeec49394a2f8039ee6c7d212bc903c3a0586b2682e9f86b1
  *   poles:          t23: proved free of zeros, |t23| >= 0.0027 (rounding error <= 1.3e-14)
  *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05
- *   rounding:       xi 1.2e-12 at points, 1.8e-12 sampled; eta 1.8e-13 at points, 2.5e-12 sampled (10000 points)
+ *   rounding:       xi <= 2.9e-11 on the hull, 1.2e-12 at points, 1.8e-12 sampled; eta <= 3.8e-11 on the hull,
+ *     1.8e-13 at points, 2.5e-12 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 197 mean 3.659e-03
  *   heldout:        xi 2.898e-03 5.283e-02 1.639e+00, eta 3.609e-03 6.414e-02 1.968e+00, samples 857751
@@ -1047,7 +1050,8 @@ static const double footpoint_whole_quad4_newton_points[][19] = {
  *   genome_sha256:  803a668d7623a80ebcdc77e3a84737ddb6965a82ac9b5544d87c89ddbe7cd51c
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 1.4e-14)
  *   poles:          t42: proved free of zeros, |t42| >= 0.00011
- *   rounding:       xi 2.1e-13 at points, 2.9e-13 sampled; eta 2.7e-13 at points, 2.7e-13 sampled (10000 points)
+ *   rounding:       xi <= 1.9e-08 on the hull, 2.1e-13 at points, 2.9e-13 sampled; eta <= 5.2e-08 on the hull,
+ *     2.7e-13 at points, 2.7e-13 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 224 mean 1.717e-03
  *   heldout:        xi 1.148e-03 1.863e-02 1.629e+00, eta 1.527e-03 2.331e-02 1.345e+00, samples 857751
@@ -1150,7 +1154,8 @@ static const double footpoint_whole_quad4_medium_points[][19] = {
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t42: proved free of zeros, |t42| >= 0.001
  *   poles:          t56: proved free of zeros, |t56| >= 0.00033
- *   rounding:       xi 7.3e-12 at points, 9.6e-13 sampled; eta 5.3e-13 at points, 6.6e-12 sampled (10000 points)
+ *   rounding:       xi <= 5.8e-07 on the hull, 7.3e-12 at points, 9.6e-13 sampled; eta <= 1.6e-06 on the hull,
+ *     5.3e-13 at points, 6.6e-12 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 275 mean 5.015e-04
  *   heldout:        xi 3.209e-04 3.566e-03 6.303e-01, eta 4.492e-04 4.519e-03 7.845e-01, samples 857751

@@ -4,7 +4,7 @@
 #include "../program/evaluate.h"
 #include "affine.h"
 
-enum { ROUNDS = 2 };
+enum { ROUNDS = 2, TOLD = 3 };
 
 /* Between its values at the ends, which C has with some error. */
 struct interval function_range(enum op_kind kind, struct interval x)
@@ -83,6 +83,11 @@ static void tell(struct forms *w, int i, struct interval x, int depth)
         tell(w, op->b, interval_subtract(a, y), depth - 1);
         break;
     case OP_MUL:
+        if (op->squared) {
+            const double most = above(sqrt(greater(0, y.hi)));
+            tell(w, op->a, (struct interval){-most, most}, depth - 1);
+            break;
+        }
         tell(w, op->a, interval_divide(y, b), depth - 1);
         tell(w, op->b, interval_divide(y, a), depth - 1);
         break;
@@ -117,6 +122,8 @@ static bool evaluate(struct forms *w, const struct interval *box, bool affine)
             w->range[i] = interval_meet(w->range[i], interval_multiply(w->range[w->twin[i]], w->ratio[i]));
             if (affine)
                 affine_adopt(w, i, (size_t)w->twin[i], w->ratio[i]);
+            if (i >= x->first)
+                tell(w, (int)i, w->range[i], TOLD);
         }
         if (w->required[i]) {
             w->inside = w->inside && w->range[i].lo > 0;

@@ -112,6 +112,16 @@ static void bound_errors(struct search *s, struct evidence *e, const struct prog
         e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
 }
 
+static void bound_on_hull(struct region *r, struct evidence *e, const struct program *p,
+                          const struct evidence_options *o)
+{
+    struct hull *h = hull_new(r, p, o->samples, o->seed);
+    e->hull = h->points;
+    for (size_t i = 0; h->points > 0 && i < p->outputs; i++)
+        e->error[i].hull = bound_error_on_hull(h, region_op(r, p->output[i]));
+    hull_free(h);
+}
+
 /* As the text has it; of a long expression, the statement that divides by it. */
 static char *denominator_name(struct printer *r, int op, const struct statement *s)
 {
@@ -246,8 +256,10 @@ static void sample_errors(struct evidence *e, struct computed *c, struct region 
         }
     }
     for (size_t i = 0; i < p->outputs; i++)
-        if (largest[i] > 0 && e->error[i].bound > largest[i])
-            e->error[i].bound = INFINITY;
+        if (largest[i] > 0) {
+            e->error[i].bound = e->error[i].bound <= largest[i] ? e->error[i].bound : INFINITY;
+            e->error[i].hull = e->error[i].hull <= largest[i] ? e->error[i].hull : INFINITY;
+        }
     for (size_t i = 0; i < p->outputs; i++)
         point_bound_free(bound[i]);
     free(bound);
@@ -275,9 +287,11 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     for (size_t i = 0; i < e->denominators; i++)
         find_pole(&s, &e->denominator[i], e->denominators + p->outputs - i);
     for (size_t i = 0; i < p->outputs; i++)
-        e->error[i] = (struct output_error){INFINITY, -1, -1};
+        e->error[i] = (struct output_error){INFINITY, INFINITY, -1, -1};
     if (can_bound(r->known))
         bound_errors(&s, e, p, !options->poles);
+    if (can_bound(r->known) && !options->poles)
+        bound_on_hull(r, e, p, options);
     struct computed c = computed_new(f, p, options->arithmetic);
     if (e->region)
         sample_errors(e, &c, r, options);

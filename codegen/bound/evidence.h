@@ -19,6 +19,7 @@ struct denominator {
 struct output_error {
     double bound;  /* proved over the region, with or without contraction to FMA; +infinity: no bound was found, or none
                      * looked for: of floats that are scaled, where the region does not begin at the origin */
+    double hull;   /* the same, proved on the hull of the values at random points (hull.h); +infinity: none */
     double points; /* the same, proved at the first 200 of the points below; -1: at none */
     double sampled; /* worst seen against MPFR at random points of the region; -1: not sampled */
 };
@@ -33,6 +34,7 @@ struct evidence {
     struct output_error *error; /* owned: by output */
     size_t outputs;
     long samples; /* points that `sampled` is from */
+    long hull;    /* points that the hulls are of; 0: there are none */
 };
 
 struct evidence_options {

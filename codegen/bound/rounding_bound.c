@@ -95,7 +95,7 @@ static double joints(const struct rounding *e)
 double bound_error(struct region *r, int op, long boxes, double *work)
 {
     struct forms *w = forms_new(r->known, op);
-    struct search s = {.region = r, .rounding = rounding_new(w, op)};
+    struct search s = {.region = r, .rounding = rounding_new(w, op, NULL)};
     const size_t n = r->known->variables;
     /* evaluations for the variables that are tried, and a way backwards from each joint */
     const double box_work = (double)w->needs * 14 * ((double)n + 16) * (1 + joints(s.rounding) / 40.0);
@@ -129,6 +129,30 @@ double bound_error(struct region *r, int op, long boxes, double *work)
     return bound;
 }
 
+double bound_error_on_hull(const struct hull *h, int op)
+{
+    struct known *x = h->region->known;
+    if (h->points == 0 || ((size_t)op >= x->first && !hull_is_joint(h, op) && x->program->op[op].kind != OP_CONSTANT))
+        return INFINITY;
+    struct interval *value = new_array(x->program->ops, sizeof *value), *box = new_array(x->variables, sizeof *box);
+    memcpy(value, x->value, x->program->ops * sizeof *value);
+    for (size_t i = 0; i < h->program->ops; i++) {
+        const int all = region_op(h->region, (int)i);
+        x->value[all] = interval_meet(x->value[all], h->value[i]);
+    }
+    struct forms *w = forms_new(x, op);
+    struct rounding *e = rounding_new(w, op, h);
+    w->affine = false;
+    region_box(h->region, box);
+    const double error = forms_evaluate(w, box) ? rounding_error(e) : INFINITY;
+    memcpy(x->value, value, x->program->ops * sizeof *value);
+    rounding_free(e);
+    forms_free(w);
+    free(value);
+    free(box);
+    return error;
+}
+
 struct point_bound {
     struct forms *forms;       /* owned */
     struct rounding *rounding; /* owned */
@@ -139,7 +163,7 @@ struct point_bound *point_bound_new(const struct region *r, int op)
 {
     struct point_bound *b = new_array(1, sizeof *b);
     b->forms = forms_new(r->known, op);
-    b->rounding = rounding_new(b->forms, op);
+    b->rounding = rounding_new(b->forms, op, NULL);
     b->box = new_array(r->known->variables, sizeof *b->box);
     return b;
 }

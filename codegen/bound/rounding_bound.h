@@ -2,12 +2,15 @@
 #ifndef FOOTPOINT_ROUNDING_BOUND_H
 #define FOOTPOINT_ROUNDING_BOUND_H
 
-#include "region.h"
+#include "hull.h"
 
 /** Above |computed - exact| of operation `op` of the region's program all over the region, with or without contraction
  *  to FMA, by branch and bound in at most `boxes` boxes, and no more than *work allows, in operations on coefficients,
  *  which are counted down.  +infinity: none was found. */
 double bound_error(struct region *r, int op, long boxes, double *work);
+
+/** The same of an output or a joint, on the hull of the program's values; +infinity: of others, or none was found. */
+double bound_error_on_hull(const struct hull *h, int op);
 
 /** The same at single points. */
 struct point_bound;

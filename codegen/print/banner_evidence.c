@@ -130,20 +130,29 @@ static void print_poles(const struct genome_file *f, const struct program *p, co
     }
 }
 
+/* A bound on the hull is worth a word where it is well below that over the region. */
+static bool has_hull(const struct output_error *e)
+{
+    return e->hull < 0.5 * e->bound;
+}
+
 /* `end` follows the last word. */
 static void add_error(struct banner_line *l, const struct output_error *e, const char *name, size_t length, double most,
                       const char *end)
 {
     char number[NUMBER];
     const bool bounded = e->bound < INFINITY && e->bound <= most, points = e->points >= 0 && e->points <= most;
+    const bool hull = has_hull(e) && e->hull <= most;
     banner_add(l, "%.*s", (int)length, name);
     if (bounded)
         banner_add(l, "<= %s proved%s", rounded(e->bound, 1, number), e->sampled >= 0 ? "," : end);
+    if (hull)
+        banner_add(l, "<= %s on the hull,", rounded(e->hull, 1, number));
     if (points)
         banner_add(l, "%s at points,", rounded(e->points, 1, number));
     if (e->sampled >= 0)
         banner_add(l, "%s sampled%s", rounded(e->sampled, 1, number), end);
-    else if (!bounded)
+    else if (!bounded && !hull)
         banner_add(l, "no bound found%s", end);
 }
 
@@ -158,6 +167,7 @@ static void add_errors(struct banner_line *l, const struct genome_file *f, const
         const size_t length = strcspn(name, "[");
         for (i++; i < e->outputs && strncmp(out[i].name, name, length + 1) == 0 && name[length]; i++) {
             worst.bound = fmax(worst.bound, e->error[i].bound);
+            worst.hull = fmax(worst.hull, e->error[i].hull);
             worst.points = fmax(worst.points, e->error[i].points);
             worst.sampled = fmax(worst.sampled, e->error[i].sampled);
         }
@@ -175,7 +185,12 @@ void banner_evidence(const struct genome_file *f, const struct function *functio
         banner_add(&l, "no bound, as no ranges are given");
     else
         add_errors(&l, f, function);
-    if (e->samples > 0)
+    bool hull = false;
+    for (size_t i = 0; i < e->outputs; i++)
+        hull = hull || has_hull(&e->error[i]);
+    if (hull)
+        banner_add(&l, "(%ld points, hull of %ld)", e->samples, e->hull);
+    else if (e->samples > 0)
         banner_add(&l, "(%ld points)", e->samples);
     banner_end(&l);
 }

@@ -2,6 +2,7 @@
  * FOOTPOINT_LONG set, at a million points each. */
 #include "../../codegen/bound/enclosure.h"
 #include "../../codegen/bound/evidence.h"
+#include "../../codegen/bound/hull.h"
 #include "../../codegen/bound/rounding.h"
 #include "../../codegen/bound/rounding_bound.h"
 #include "../../codegen/compile/compile.h"
@@ -168,9 +169,9 @@ static void point_in(struct subject *s, uint64_t *seed)
     region_inputs(s->region, s->at, s->input);
 }
 
-/* At points of the box that belong to the region, the last value's errors are below the bound, and all values are
- * within what is known of them: by the forms, or where these are NULL, by the region. */
-static bool check_points(struct subject *s, const struct forms *w, double bound, uint64_t *seed)
+/* At points of the box that belong to the region, and to the hull unless that is NULL, the last value's errors are below the
+ * bound, and all values are within what is known of them: by the forms, or where these are NULL, by the region. */
+static bool check_points(struct subject *s, const struct forms *w, struct hull *hull, double bound, uint64_t *seed)
 {
     const int last = (int)s->program->ops - 1;
     bool any = false;
@@ -182,7 +183,8 @@ static bool check_points(struct subject *s, const struct forms *w, double bound,
             point[k] = interval_point(s->at[k]);
             member = member && interval_has(s->box[k], s->input[s->region->known->input[k]]);
         }
-        if (!member || !region_holds(s->region, point) || !exact_values(s->program, last, s->input, s->exact))
+        if (!member || !region_holds(s->region, point) || (hull && !hull_holds(hull, s->at)) ||
+            !exact_values(s->program, last, s->input, s->exact))
             continue;
         any = true;
         for (int op = 0; op <= last; op++) {
@@ -210,31 +212,46 @@ static bool check_links(struct subject *s, uint64_t *seed)
         s->region->known->joint[region_op(s->region, op)] = random_next(seed) % 2;
     const double bound = bound_error(s->region, region_op(s->region, last), 8, &work);
     region_box(s->region, s->box);
-    return check_points(s, NULL, bound, seed);
+    return check_points(s, NULL, NULL, bound, seed);
+}
+
+/* The bound on the hull of the values at a few points of the region. */
+static bool check_hull(struct subject *s, uint64_t *seed)
+{
+    bool bounded = false;
+    struct hull *h = hull_new(s->region, s->program, 4 * POINTS, random_next(seed));
+    const double bound = bound_error_on_hull(h, region_op(s->region, (int)s->program->ops - 1));
+    region_box(s->region, s->box);
+    for (int i = 0; i < BOXES; i++)
+        bounded = check_points(s, NULL, h, bound, seed) || bounded;
+    hull_free(h);
+    return bounded;
 }
 
 static void check_random_programs(const char *requires)
 {
     uint64_t seed = 5;
-    long bounded = 0, linked = 0;
+    long bounded = 0, linked = 0, hulls = 0;
     char text[1000];
     snprintf(text, sizeof text, ranges, requires);
     for (int i = 0; i < PROGRAMS; i++) {
         struct subject s = subject_new(text, random_program(&seed));
         const int last = region_op(s.region, (int)s.program->ops - 1);
         struct forms *w = forms_new(s.region->known, last);
-        struct rounding *e = rounding_new(w, last);
+        struct rounding *e = rounding_new(w, last, NULL);
         for (int k = 0; k < BOXES; k++) {
             random_box(s.region->known, &seed, s.box);
             if (forms_evaluate(w, s.box))
-                bounded += check_points(&s, w, rounding_error(e), &seed);
+                bounded += check_points(&s, w, NULL, rounding_error(e), &seed);
         }
+        hulls += check_hull(&s, &seed);
         linked += check_links(&s, &seed);
         rounding_free(e);
         forms_free(w);
         subject_free(&s);
     }
-    assert_true(bounded > PROGRAMS && linked > PROGRAMS / 5); /* enough of them have a bound */
+    print_message("of %d programs, %ld have a bound, %ld on a hull\n", PROGRAMS, linked, hulls);
+    assert_true(bounded > PROGRAMS && linked > PROGRAMS / 5 && hulls > PROGRAMS / 4); /* enough of them have a bound */
 }
 
 static void test_random_programs(void **state)
@@ -386,6 +403,60 @@ static void test_steps(void **state)
     assert_true(bound[1] < 0.5 * bound[0] && bound[1] < 8 * worst[1]);
 }
 
+/* The root x of x x + p x = q by Newton's steps from q / (p + 1): on the hull of the values at points neither many steps nor
+ * a divisor that is kept from 0 by a maximum make bounds large. */
+static void test_hull(void **state)
+{
+    (void)state;
+    static const char text[] = "footpoint-genome 1\ninput p q\nrange p 0 3\nrange q 0.1 5\ngenome g\nr = 0\nend\n";
+    enum { STEPS = 6 };
+    char code[2000] = "const double t1 = in_q / (in_p + 1.0);\n";
+    for (int i = 1; i <= STEPS; i++) {
+        const size_t n = strlen(code);
+        snprintf(code + n, sizeof code - n,
+                 "const double u%d = in_p + 2.0 * t%d;\nconst double v%d = (u%d > 0.1 ? u%d : 0.1);\n"
+                 "const double %s%d = (in_q + t%d * t%d) / v%d;\n",
+                 i, i, i, i, i, i < STEPS ? "t" : "w", i + 1, i, i, i);
+    }
+    snprintf(code + strlen(code), sizeof code - strlen(code), "*out_r = w%d;\n", STEPS + 1);
+    struct genome_file *f = parse(text);
+    struct program *p = read_program(f, 0, code);
+    struct subject s = subject_new(text, p);
+    struct hull *h = hull_new(s.region, p, 2000, 1);
+    double worst, work = 1e8;
+    const int op = region_op(s.region, p->output[0]);
+    const double bound = bound_error(s.region, op, 2000, &work), on_hull = bound_error_on_hull(h, op);
+    s.hull = h;
+    worst_errors(&s, &worst);
+    print_message("hull: %g, region %g; worst error %g\n", on_hull, bound, worst);
+    assert_true(on_hull >= worst && on_hull < 30 * worst);
+    hull_free(h);
+    subject_free(&s);
+    genome_file_free(f);
+}
+
+/* In float, 1e-42 is off by more than a unit of rounding. */
+static void test_small_constant(void **state)
+{
+    (void)state;
+    static const char text[] = "footpoint-genome 1\ninput x y\nrange x 1e30 2e30\nrange y 1 2\ngenome g\nr = 0\nend\n";
+    static const char code[] = "const double t1 = 0.000000000000000000000000000000000000000001 * in_x * "
+                               "1000000000000.0;\n*out_r = in_y / t1;\n";
+    struct genome_file *f = parse(text);
+    struct program *p = read_program(f, 0, code);
+    struct subject s = subject_new(text, p);
+    s.region->known->arithmetic = arithmetic_single;
+    struct hull *h = hull_new(s.region, p, 100, 1);
+    const double bound = bound_error_on_hull(h, region_op(s.region, p->output[0]));
+    const float x = 1e30F, computed = 2 / (1e-42F * x * 1e12F);
+    const double error = fabs(computed - 2 / (1e-42 * (double)x * 1e12));
+    print_message("small constant: %g, error %g\n", bound, error);
+    assert_true(bound >= error && bound < 100 * error);
+    hull_free(h);
+    subject_free(&s);
+    genome_file_free(f);
+}
+
 /* The derivative of v1 p by v1 is the first of the operations, p. */
 static void test_step_by_first_input(void **state)
 {
@@ -469,6 +540,8 @@ int main(void)
         cmocka_unit_test(test_region),
         cmocka_unit_test(test_points),
         cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_hull),
+        cmocka_unit_test(test_small_constant),
         cmocka_unit_test(test_step_by_first_input),
         cmocka_unit_test(test_rows),
     };

@@ -1,4 +1,5 @@
-/* No bound that a generated header claims is below an error, at a million random points of its region each. */
+/* No bound that a generated header claims is below an error, at a million random points of its region each, and, of bounds on
+ * a hull of values, at those points that belong to it. */
 #include "../../codegen/compile/compile.h"
 #include "../support/genome_text.h"
 #include "../support/rounding_subject.h"
@@ -24,18 +25,49 @@ static char *read_header(const char *file)
     return text;
 }
 
-/* The bound that a header claims for an output of a genome; infinite if it claims none. */
-static double claimed_bound(const char *header, const struct genome *g, size_t output)
+/* What a banner says of a genome's rounding errors, in one line.  Caller frees. */
+static char *rounding_line(const char *header, const char *name)
 {
-    char start[200], line[200];
-    snprintf(start, sizeof start, "_%s\n *   operations:", g->name);
-    snprintf(line, sizeof line, " %s <= ", g->out[output].name);
+    static const char fold[] = "\n *     ";
+    char start[200];
+    snprintf(start, sizeof start, "_%s\n *   operations:", name);
     const char *banner = strstr(header, start);
     assert_non_null(banner);
     banner = strstr(banner, "\n *   rounding:");
     assert_non_null(banner);
-    const char *end = strstr(banner, "points)"), *claim = strstr(banner, line);
-    return claim && end && claim < end ? strtod(claim + strlen(line), NULL) : INFINITY;
+    const char *end = strstr(banner, "points");
+    while (end && end[6] != ')' && strncmp(end, "points, hull", 12) != 0)
+        end = strstr(end + 1, "points");
+    assert_non_null(end);
+    char *line = new_array((size_t)(end - banner) + 1, 1), *to = line;
+    for (; banner < end; banner++)
+        if (strncmp(banner, fold, strlen(fold)) == 0) {
+            *to++ = ' ';
+            banner += strlen(fold) - 1;
+        } else
+            *to++ = *banner;
+    return line;
+}
+
+/* The bound that a header claims for an output of a genome, all over the region (" proved") or " on the hull"; infinite if it
+ * claims none. */
+static double claimed_bound(const char *header, const struct genome *g, size_t output, const char *where)
+{
+    char name[100], *line = rounding_line(header, g->name);
+    snprintf(name, sizeof name, " %s ", g->out[output].name);
+    char *claim = strstr(line, name), *end = claim ? strpbrk(claim, ";(") : NULL;
+    double bound = INFINITY;
+    assert_non_null(claim);
+    if (end)
+        *end = '\0';
+    char *at = strstr(claim, where);
+    if (at) {
+        while (at > claim && strncmp(at, "<= ", 3) != 0)
+            at--;
+        bound = strtod(at + 3, NULL);
+    }
+    free(line);
+    return bound;
 }
 
 /* The text with all declarations that follow one another side by side, as headers have them as far as there is room. */
@@ -62,19 +94,34 @@ static bool holds(const char *header, const char *statements)
     return found;
 }
 
+/* Attacks the claims for all outputs; true if there was one. */
+static bool check_claims(struct subject *s, const struct genome *g, const char *header, const char *where)
+{
+    bool claims = false;
+    for (size_t i = 0; i < g->outs; i++)
+        claims = claims || claimed_bound(header, g, i, where) < INFINITY;
+    if (!claims)
+        return false;
+    double *worst = new_array(g->outs, sizeof *worst);
+    worst_errors(s, worst);
+    for (size_t i = 0; i < g->outs; i++) {
+        const double bound = claimed_bound(header, g, i, where);
+        print_message("%s %s%s: bound %g, worst error %g\n", g->name, g->out[i].name, where, bound, worst[i]);
+        assert_true(!(worst[i] > bound));
+    }
+    free(worst);
+    return true;
+}
+
 static void check_genome(const struct genome_file *f, size_t k, const char *header)
 {
+    enum { SAMPLES = 10000 }; /* of the default effort */
     const struct compile_options o = compile_defaults();
     const struct genome *g = &f->genome[k];
     struct compiled c;
     struct diag d = {0};
     char *text = NULL;
     size_t size = 0;
-    bool claims = false;
-    for (size_t i = 0; i < g->outs; i++)
-        claims = claims || claimed_bound(header, g, i) < INFINITY;
-    if (!claims)
-        return;
     FILE *copy = open_memstream(&text, &size);
     genome_print(f, copy);
     fclose(copy);
@@ -84,14 +131,14 @@ static void check_genome(const struct genome_file *f, size_t k, const char *head
     struct subject s = subject_new(text, read_program(f, k, c.text));
     if (single)
         subject_in_float(&s);
-    double *worst = new_array(g->outs, sizeof *worst);
-    worst_errors(&s, worst);
-    for (size_t i = 0; i < g->outs; i++) {
-        const double bound = claimed_bound(header, g, i);
-        print_message("%s %s %s: bound %g, worst error %g\n", f->path, g->name, g->out[i].name, bound, worst[i]);
-        assert_true(!(worst[i] > bound));
-    }
-    free(worst);
+    print_message("%s\n", f->path);
+    const bool region = check_claims(&s, g, header, " proved");
+    struct hull *h = hull_new(s.region, s.program, SAMPLES, o.seed);
+    s.hull = h;
+    const bool hull = check_claims(&s, g, header, " on the hull");
+    if (!region && !hull)
+        print_message("%s claims nothing\n", g->name);
+    hull_free(h);
     subject_free(&s);
     compiled_free(&c);
     free(text);

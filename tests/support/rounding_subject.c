@@ -63,6 +63,7 @@ struct subject subject_new(const char *text, struct program *p)
 
 void subject_in_float(struct subject *s)
 {
+    s->region->known->arithmetic = arithmetic_single_scaled;
     s->single = new_array(s->program->ops, sizeof *s->single);
     s->coordinate = new_array(2 * s->program->inputs, sizeof *s->coordinate);
     single_constants(s->program, s->single);
@@ -178,7 +179,7 @@ static bool in_region(struct subject *s)
 {
     for (size_t k = 0; k < s->region->known->variables; k++)
         s->box[k] = interval_point(s->at[k]);
-    return region_holds(s->region, s->box);
+    return region_holds(s->region, s->box) && (!s->hull || hull_holds(s->hull, s->at));
 }
 
 /* Values in long double, whose errors are a two-thousandth: near enough to tell which points are worth an exact look. */

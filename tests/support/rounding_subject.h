@@ -3,6 +3,7 @@
 #ifndef FOOTPOINT_ROUNDING_SUBJECT_H
 #define FOOTPOINT_ROUNDING_SUBJECT_H
 
+#include "../../codegen/bound/hull.h"
 #include "../../codegen/bound/region.h"
 #include "../../codegen/genome/random.h"
 
@@ -19,6 +20,7 @@ struct subject {
     struct genome_file *file;
     struct program *program;
     struct region *region;
+    struct hull *hull;                   /* not owned: errors count at its points alone; NULL: at all of the region */
     double *input, *at, *value;          /* owned */
     long double *near;                   /* owned: by operation */
     double *point[SIDE_BY_SIDE];         /* owned: candidates, by variable of the region */

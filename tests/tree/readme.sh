@@ -123,13 +123,20 @@ done
 sed -n '/^\/\* footpoint_quad4_fast$/,/^ \*\/$/p' generated/README.md > "$work/banner"
 sed -n "/^\/\* footpoint_quad4_fast\$/,/^ \*\/\$/p" generated/footpoint_quad4.h | cmp -s - "$work/banner"
 report $((! $?)) "the banner shown"
-# outputs HEADER...: how many have a proved bound of their rounding error, and how many there are
+# outputs HEADER...: how many have a proved bound of their rounding error, how many one there or on a hull, and how many there are
 outputs() {
-    awk '/^ \*   [a-z]/ { on = /^ \*   rounding:/ } on { sub(/^ \*/, ""); text = text " " $0 }
-        END { print gsub(/ proved[, ]/, "", text), gsub(/ sampled/, "", text) }' "$@"
+    awk '/^ \*   [a-z]/ { on = /^ \*   rounding:/ } on { sub(/^ \*/, ""); gsub(/  */, " "); text = text " " $0 }
+        END {
+            n = split(text, part, / sampled/)
+            for (i = 1; i < n; i++) {
+                region += part[i] ~ / proved/
+                either += part[i] ~ / proved| on +the +hull/
+            }
+            print region, either, n - 1
+        }' "$@"
 }
-row=$(tr '\n' ' ' < codegen/README.md |
-    sed -n 's/.*Of the \([0-9]*\) outputs of *the searches in `generated.` \([0-9]*\) have one, of the \([0-9]*\) of derivatives \([0-9]*\)\..*/\2 \1 \4 \3/p')
+row=$(tr '\n' ' ' < codegen/README.md | tr -s ' ' |
+    sed -n 's/.*Of the \([0-9]*\) outputs of the searches in `generated.` \([0-9]*\) have one, of the \([0-9]*\) of derivatives \([0-9]*\)\..* Of the searches \([0-9]*\) outputs have one here or over the region, of derivatives \([0-9]*\)[,;].*/\2 \5 \1 \4 \6 \3/p')
 [ "$row" = "$(outputs $(ls generated/*.h | grep -v _derivatives)) $(outputs generated/*_derivatives.h)" ]
 report $((! $?)) 'how many outputs have bounds'
 row=$(sed -n 's/^| `footpoint_locate` .* \([0-9.e-]*\), proved .*/\1/p' README.md)

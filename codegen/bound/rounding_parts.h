@@ -1,0 +1,76 @@
+/* What bounds of rounding errors forwards, backwards and on a hull are made of. */
+#ifndef FOOTPOINT_ROUNDING_PARTS_H
+#define FOOTPOINT_ROUNDING_PARTS_H
+
+#include "forms.h"
+#include "hull.h"
+
+/** What an error added to a value does to the result: the result's derivative, and that times the value. */
+struct sensitivity {
+    struct interval slope, weight;
+    double slope_size, weight_size; /* sums of the sizes of their parts, one for each use of the value */
+    double drift;                   /* how far the derivative is from that at the exact values, at most */
+    double pushed;                  /* on a hull: of the drift, what came by way of no joint */
+    double more;                    /* on a hull: by how much errors raise weights */
+};
+
+/** What errors do to the derivatives that a joint hands on, not by way of others. */
+struct source {
+    int joint; /* its operation */
+    double size;
+};
+
+struct rounding {
+    struct arithmetic arithmetic;
+    struct forms *forms;     /* not owned: the enclosures of the exact values */
+    const struct hull *hull; /* not owned: where the values lie; NULL: anywhere in the region */
+    int op;                  /* whose error is asked for */
+    int *needed;             /* owned: operations that it depends on, ascending */
+    size_t needs;
+    size_t *place;          /* owned: by operation, where it stands among these */
+    bool links;             /* errors of joints are found backwards: there are not too many of them */
+    double *constant;       /* owned: by operation, error of the constants */
+    double *error;          /* owned: by operation, above |computed - exact|; +infinity: no bound */
+    double *relative;       /* owned: by operation, above |computed - exact| / |exact| */
+    bool *linked;           /* owned: by operation, a joint whose error, found backwards, is less than forwards */
+    bool *nonnegative;      /* owned: by operation, the computed value is >= 0 for certain */
+    struct sensitivity *by; /* owned: by operation; 0 between searches */
+    /* on a hull */
+    double *rest; /* owned: by operation, of a joint: its error less units times the weights that it is made of */
+    struct source *source; /* owned: joints on the way backwards, and what drift begins there */
+    size_t sources;
+};
+
+/* What the program is given, exactly: its inputs, which a region block may compute of others. */
+static inline bool rounding_is_given(const struct known *x, int op)
+{
+    return (size_t)op < x->first;
+}
+
+/* Of sizes: 0 times what has no bound is 0. */
+static inline double rounding_product(double a, double b)
+{
+    return a == 0 || b == 0 ? 0 : above(a * b);
+}
+
+/* The magnitude of a value is at least that. */
+static inline double rounding_least(const struct rounding *e, int i)
+{
+    const double least = interval_least(e->forms->range[i]);
+    const int own = e->hull ? e->hull->own[i] : -1;
+    return own >= 0 && e->hull->divides[own] ? greater(least, e->hull->least[own]) : least;
+}
+
+static inline double rounding_of_last(const struct rounding *e, double most)
+{
+    return e->arithmetic.unit * most + e->arithmetic.least;
+}
+
+/* All values that an operation takes on the way from exact to computed ones. */
+static inline struct interval rounding_inflated(const struct rounding *e, int i)
+{
+    const struct interval x = e->forms->range[i];
+    return e->error[i] > 0 ? (struct interval){below(x.lo - e->error[i]), above(x.hi + e->error[i])} : x;
+}
+
+#endif
