@@ -7,6 +7,7 @@
 #include <flint/fmpq.h>
 #include <float.h>
 #include <math.h>
+#include <mpfr.h>
 #include <stdbool.h>
 
 /** lo <= hi; ends at infinity do not belong to it. */
@@ -163,6 +164,17 @@ static inline struct interval interval_maximum(struct interval x, struct interva
 }
 
 /** The interval around a rational. */
-struct interval interval_around(const fmpq *q);
+static inline struct interval interval_around(const fmpq *q)
+{
+    struct interval x;
+    mpfr_t y;
+    mpfr_init2(y, 53);
+    fmpq_get_mpfr(y, q, MPFR_RNDD);
+    x.lo = mpfr_get_d(y, MPFR_RNDD);
+    fmpq_get_mpfr(y, q, MPFR_RNDU);
+    x.hi = mpfr_get_d(y, MPFR_RNDU);
+    mpfr_clear(y);
+    return x;
+}
 
 #endif

@@ -11,8 +11,6 @@
 #include "../program/evaluate.h"
 #include "affine.h"
 #include "enclosure.h"
-#include "rounding_forwards.h"
-#include "rounding_hull.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-/* Rounding errors on a hull; see rounding_hull.h.
+/* Rounding errors on a hull; see rounding_parts.h.
  *
  * Derivatives are limited at the exact values.  How far those at values between these and the computed ones are from them: with
  * A and A' the derivatives of all operations by their operands at either, and T = 1/(1 - A) and T' those of all values by all
@@ -6,9 +6,7 @@
  *     T' - T = T' (A' - A) T.
  * What T' (A' - A) of the result is, as far as no joint is between (`pushed`), is summed up at joints, whose T is limited: so
  * it does not grow with every value on the way, as sums of sizes would. */
-#include "rounding_hull.h"
-
-#include "rounding_forwards.h"
+#include "rounding_parts.h"
 
 #define PAD 0x1p-10 /* above the rounding of sums */
 

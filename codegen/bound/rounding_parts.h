@@ -73,4 +73,36 @@ static inline struct interval rounding_inflated(const struct rounding *e, int i)
     return e->error[i] > 0 ? (struct interval){below(x.lo - e->error[i]), above(x.hi + e->error[i])} : x;
 }
 
+/* ---- forwards: rounding_forwards.c ---- */
+
+/** The errors of operation i from those of its operands. */
+void rounding_propagate(struct rounding *e, size_t i);
+
+/** What rounding the operation itself adds: up to share |value| + constant. */
+double rounding_own_share(const struct rounding *e, int i, double *constant);
+
+/** 1/n of an n-th root, 0 of what is none. */
+double rounding_power(const struct op *op);
+/** Derivative of an n-th root of a, which is that root / (n a); of other functions nothing is known. */
+struct interval rounding_function_slope(const struct op *op, struct interval a);
+
+/** A bound of the error of a value up to `most`, padded for the roundings of the bound itself; NaN, anything below 0, and what
+ *  may overflow, is none. */
+double rounding_checked(const struct rounding *e, double error, double most);
+
+/* ---- on a hull: rounding_hull.c ---- */
+
+/** How far errors move the result's derivative by operation i, on a way backwards from joint `result`, and within which limits
+ *  that leaves it. */
+void rounding_limit_by_hull(struct rounding *e, int result, int i);
+
+/** What operation i, or an input's error, adds to the error of the result beyond units times its weight. */
+double rounding_rest(struct rounding *e, int i);
+
+/** After a way backwards from a joint, of that rest or, where it is infinite, without a bound. */
+void rounding_end_on_hull(struct rounding *e, int joint, double rest);
+
+/** Errors do not change what operation i chooses. */
+bool rounding_is_decided(const struct rounding *e, int i);
+
 #endif
