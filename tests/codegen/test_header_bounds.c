@@ -113,6 +113,17 @@ static bool check_claims(struct subject *s, const struct genome *g, const char *
     return true;
 }
 
+/* Says how many points drawn anew belong to the hull. */
+static void count_held(struct subject *s)
+{
+    enum { DRAWN = 4000 };
+    uint64_t seed = 777;
+    long held = 0, drawn = 0, tries = 100 * DRAWN;
+    for (; drawn < DRAWN && region_draw(s->region, &seed, 0, true, &tries, s->at); drawn++)
+        held += hull_holds(s->hull, s->at);
+    print_message("hull of %ld points: %ld of %ld others belong to it\n", s->hull->points, held, drawn);
+}
+
 static void check_genome(const struct genome_file *f, size_t k, const char *header)
 {
     enum { SAMPLES = 10000 }; /* of the default effort */
@@ -135,6 +146,7 @@ static void check_genome(const struct genome_file *f, size_t k, const char *head
     const bool region = check_claims(&s, g, header, " proved");
     struct hull *h = hull_new(s.region, s.program, SAMPLES, o.seed);
     s.hull = h;
+    count_held(&s);
     const bool hull = check_claims(&s, g, header, " on the hull");
     if (!region && !hull)
         print_message("%s claims nothing\n", g->name);
