@@ -225,7 +225,6 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
     reconcile(&part, &weight, rounding_inflated(e, operand));
     part = affine_charge(e->forms, i, k, e->error, part);
     const double turned = rounding_product(interval_most(by->slope), slope_drift(e, i, k, slope));
-    to->drift = sum(to->drift, sum(rounding_product(by->drift, interval_most(slope)), turned));
     to->pushed = sum(to->pushed, sum(rounding_product(by->pushed, interval_most(slope)), turned));
     to->slope = interval_add(to->slope, part);
     to->weight = interval_add(to->weight, weight);
@@ -293,6 +292,7 @@ static double backward_error(struct rounding *e, int result, enum way way)
         const int i = e->needed[n];
         struct sensitivity *by = &e->by[i];
         const bool given = rounding_is_given(e->forms->known, i);
+        by->drift = by->pushed;
         if (e->hull && i != result && by->slope_size > 0)
             rounding_limit_by_hull(e, result, i);
         if (given && by->slope_size > 0 && e->error[i] > 0)

@@ -14,7 +14,6 @@ static void find_drift(struct rounding *e, int i)
 {
     const enum op_kind kind = e->forms->known->program->op[i].kind;
     struct sensitivity *by = &e->by[i];
-    by->drift = by->pushed;
     for (size_t k = 0; k < e->sources; k++) {
         const struct hull_slope *most = hull_slope(e->hull, e->source[k].joint, i);
         const double slope = !most ? INFINITY : kind == OP_MUL || kind == OP_NEG ? most->size : most->slope;
@@ -74,9 +73,7 @@ void rounding_end_on_hull(struct rounding *e, int joint, double rest)
     const struct hull *h = e->hull;
     const int own = h->own[joint];
     e->rest[joint] = rest;
-    if (!hull_is_joint(h, joint))
-        return;
-    if (!h->divides[own])
+    if (!hull_is_joint(h, joint) || !h->divides[own])
         return;
     const double share = e->arithmetic.unit * h->share[own] * (1 + PAD);
     e->relative[joint] = lesser(e->relative[joint], rounding_checked(e, share + rest / h->least[own], 0));

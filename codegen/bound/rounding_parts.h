@@ -10,7 +10,7 @@ struct sensitivity {
     struct interval slope, weight;
     double slope_size, weight_size; /* sums of the sizes of their parts, one for each use of the value */
     double drift;                   /* how far the derivative is from that at the exact values, at most */
-    double pushed;                  /* on a hull: of the drift, what came by way of no joint */
+    double pushed;                  /* of that, what does not come by way of joints on a hull */
     double more;                    /* on a hull: by how much errors raise weights */
 };
 
