@@ -789,8 +789,8 @@ static const double footpoint_bezier_smooth_points[][31] = {
  *   genome_sha256:  c88387952a13a4c581dfde5dcd161f26183f7345e94c1c8e7d0cb429272c588f
  *   poles:          t39 * t39 - t42 * t40: proved free of zeros, |...| >= 0.045 (rounding error <= 8.5e-13)
  *   poles:          t162: proved free of zeros, |t162| >= 0.0027
- *   rounding:       xi <= 5.3e-12 on the hull, 2.6e-14 at points, 4.5e-14 sampled; eta <= 2e-12 on the hull, 5.1e-14
- *     at points, 2.1e-14 sampled (6088 points, hull of 8363)
+ *   rounding:       xi <= 5.3e-12 on the hull, 2.6e-14 at points, 4.5e-14 sampled; eta <= 2.1e-12 on the hull,
+ *     5.1e-14 at points, 2.1e-14 sampled (6088 points, hull of 10000)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 140 mean 2.147e-05
  *   heldout:        xi 1.927e-05 2.245e-04 2.363e-02, eta 2.555e-05 3.712e-04 3.806e-02, samples 20000
@@ -956,8 +956,8 @@ static const double footpoint_bezier_precise_points[][31] = {
  *   poles:          t65: proved free of zeros, |t65| >= 0.5 (rounding error <= 3.3e-10)
  *   poles:          t163: proved free of zeros, |t163| >= 0.0028
  *   poles:          t238: proved free of zeros, |t238| >= 0.0024
- *   rounding:       xi <= 2.1e-12 on the hull, 1.8e-13 at points, 1.8e-14 sampled; eta <= 2.1e-12 on the hull,
- *     3.9e-14 at points, 4.6e-14 sampled (4287 points, hull of 4106)
+ *   rounding:       xi <= 2.7e-12 on the hull, 1.8e-13 at points, 1.8e-14 sampled; eta <= 2.9e-12 on the hull,
+ *     3.9e-14 at points, 4.6e-14 sampled (4287 points, hull of 8213)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 143 mean 1.623e-07
  *   heldout:        xi 2.190e-07 1.606e-06 1.238e-03, eta 3.759e-07 2.872e-06 1.920e-03, samples 20000
@@ -1162,8 +1162,8 @@ static const double footpoint_bezier_exact_points[][31] = {
  *   poles:          t205: proved free of zeros, |t205| >= 0.0024
  *   poles:          t280: proved free of zeros, |t280| >= 0.0023
  *   poles:          t355: proved free of zeros, |t355| >= 0.0023
- *   rounding:       xi <= 4.4e-12 on the hull, 1.1e-13 at points, 1.7e-14 sampled; eta <= 4.5e-12 on the hull,
- *     1.1e-13 at points, 1.6e-14 sampled (2906 points, hull of 1922)
+ *   rounding:       xi <= 5.2e-12 on the hull, 1.1e-13 at points, 1.7e-14 sampled; eta <= 6.3e-12 on the hull,
+ *     1.1e-13 at points, 1.6e-14 sampled (2906 points, hull of 3845)
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 491 mean 6.436e-10
  *   heldout:        xi 1.102e-09 1.900e-09 1.122e-05, eta 1.585e-09 3.770e-09 1.457e-05, samples 20000

@@ -466,13 +466,13 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 8.9e-05)
  *   rounding:       r <= 3.1e-15 proved, 2.4e-15 at points, 9.2e-16 sampled; r_xi <= 2.6e-15 proved, 1.1e-15 at
  *     points, 5.3e-16 sampled; r_eta <= 2.7e-15 proved, 1.2e-15 at points, 5.5e-16 sampled; normal <= 4.1e-09 proved,
- *     <= 7.1e-15 on the hull, 1.2e-15 at points, 3.4e-16 sampled; gap <= 5.6e-08 proved, <= 2.2e-14 on the hull,
+ *     <= 7.5e-15 on the hull, 1.2e-15 at points, 3.4e-16 sampled; gap <= 5.6e-08 proved, <= 2.5e-14 on the hull,
  *     3.6e-15 at points, 4.6e-16 sampled; d_xi <= 0.47 proved, <= 8.7e-13 on the hull, 9.7e-15 at points, 1.2e-14
- *     sampled; d_eta <= 0.28 proved, <= 4.5e-13 on the hull, 1.5e-14 at points, 1.2e-14 sampled; d_gap <= 1.3e-08
- *     proved, <= 7.1e-15 on the hull, 1.7e-15 at points, 3.9e-16 sampled; d_xi_n <= 3e-13 on the hull, 6.4e-15 at
+ *     sampled; d_eta <= 0.28 proved, <= 4.6e-13 on the hull, 1.5e-14 at points, 1.2e-14 sampled; d_gap <= 1.3e-08
+ *     proved, <= 7.5e-15 on the hull, 1.7e-15 at points, 3.9e-16 sampled; d_xi_n <= 3e-13 on the hull, 6.4e-15 at
  *     points, 1.2e-15 sampled; d_eta_n <= 0.28 proved, <= 1.6e-13 on the hull, 6.7e-15 at points, 5.9e-15 sampled;
- *     d_gap_n <= 7.9e-08 proved, <= 4.1e-15 on the hull, 7.5e-16 at points, 3.3e-16 sampled (2099 points, hull of
- *     1128)
+ *     d_gap_n <= 7.9e-08 proved, <= 4.2e-15 on the hull, 7.5e-16 at points, 3.3e-16 sampled (2099 points, hull of
+ *     2257)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno

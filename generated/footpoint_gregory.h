@@ -822,8 +822,8 @@ static const double footpoint_gregory_smooth_points[][31] = {
  *   genome_sha256:  75243babfc5d2ee850db85643fc80d8cb31a7619a795d81f0191b55dfc6dc1cd
  *   poles:          t39: proved free of zeros, |t39| >= 2.9e-05 (rounding error <= 2.5e-10)
  *   poles:          t164: proved free of zeros, |t164| >= 0.0029
- *   rounding:       xi <= 5.5e-11 on the hull, 5.3e-14 at points, 7.4e-14 sampled; eta <= 7.3e-11 on the hull,
- *     2.2e-14 at points, 1.2e-14 sampled (5471 points, hull of 7516)
+ *   rounding:       xi <= 2.2e-12 on the hull, 5.3e-14 at points, 7.4e-14 sampled; eta <= 6.6e-13 on the hull,
+ *     2.2e-14 at points, 1.2e-14 sampled (5471 points, hull of 10000 in 3 parts)
  *   found_both:     seed 1 generations 20 islands 2
  *   training_both:  genes 134 mean 7.800e-04
  *   heldout:        xi 5.602e-04 4.970e-03 2.275e-02, eta 1.042e-03 1.214e-02 4.167e-02, samples 20000
@@ -1002,8 +1002,8 @@ static const double footpoint_gregory_corrected_points[][31] = {
  *   poles:          t251: proved free of zeros, |t251| >= 9.9e-13
  *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13
  *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.025
- *   rounding:       xi <= 2.3e-11 on the hull, 3.3e-14 at points, 3.5e-15 sampled; eta <= 2.3e-11 on the hull,
- *     1.4e-14 at points, 3.5e-15 sampled (3259 points, hull of 2282)
+ *   rounding:       xi <= 3.9e-13 on the hull, 3.3e-14 at points, 3.5e-15 sampled; eta <= 4.5e-13 on the hull,
+ *     1.4e-14 at points, 3.5e-15 sampled (3259 points, hull of 4565 in 2 parts)
  *   found_both:     seed 1 generations 19 islands 2
  *   training_both:  genes 329 mean 6.693e-05
  *   heldout:        xi 5.465e-05 7.301e-04 9.345e-03, eta 8.745e-05 1.259e-03 1.194e-02, samples 20000
@@ -1255,8 +1255,8 @@ static const double footpoint_gregory_precise_points[][31] = {
  *   poles:          t270: proved free of zeros, |t270| >= 9.9e-13
  *   poles:          t272: proved free of zeros, |t272| >= 9.9e-13
  *   poles:          t397: proved free of zeros, |t397| >= 0.0023
- *   rounding:       xi <= 1.2e-08 on the hull, 6e-11 at points, 1.1e-13 sampled; eta <= 1.1e-07 on the hull, 8.2e-15
- *     at points, 4.1e-14 sampled (2663 points, hull of 1570)
+ *   rounding:       xi <= 3.6e-09 on the hull, 6e-11 at points, 1.1e-13 sampled; eta <= 1.4e-10 on the hull, 8.2e-15
+ *     at points, 4.1e-14 sampled (2663 points, hull of 3140 in 3 parts)
  *   found_both:     seed 1 generations 11 islands 2
  *   training_both:  genes 425 mean 4.422e-06
  *   heldout:        xi 4.048e-06 6.601e-05 1.113e-03, eta 6.358e-06 1.029e-04 4.217e-03, samples 20000
@@ -1541,7 +1541,8 @@ static const double footpoint_gregory_exact_points[][31] = {
  *   poles:          t421: proved free of zeros, |t421| >= 9.9e-13
  *   poles:          t425: proved free of zeros, |t425| >= 9.9e-13
  *   poles:          of 4 more denominators, 3 are proved free of zeros
- *   rounding:       xi 3.7e-14 at points, 7.2e-14 sampled; eta 3.1e-14 at points, 3.8e-14 sampled (1648 points)
+ *   rounding:       xi <= 3.2e-11 on the hull, 3.7e-14 at points, 7.2e-14 sampled; eta <= 1.5e-11 on the hull,
+ *     3.1e-14 at points, 3.8e-14 sampled (1648 points, hull of 1168)
  *   found_both:     seed 1 generations 11 islands 2
  *   training_both:  genes 269 mean 4.835e-09
  *   heldout:        xi 1.082e-08 2.032e-08 7.109e-05, eta 3.073e-08 3.348e-08 2.645e-04, samples 20000

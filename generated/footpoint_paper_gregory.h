@@ -579,8 +579,8 @@ static const double footpoint_paper_gregory_facet_points[][31] = {
  *   genome_sha256:  7da24519c16188dc1868c0c01e59f1d9112f6fac0e6c8957d3de0c709a865fa4
  *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.6e-15)
  *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013
- *   rounding:       xi <= 7.6e-10 on the hull, 1.1e-13 at points, 8.4e-14 sampled; eta <= 3.9e-10 on the hull,
- *     3.8e-14 at points, 9.4e-14 sampled (7936 points, hull of 10000)
+ *   rounding:       xi <= 2.9e-11 on the hull, 1.1e-13 at points, 8.4e-14 sampled; eta <= 9.4e-12 on the hull,
+ *     3.8e-14 at points, 9.4e-14 sampled (7936 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 1.446e-02
  *   heldout:        xi 1.238e-02 1.207e-01 6.445e-01, eta 1.599e-02 1.579e-01 7.815e-01, samples 27582
@@ -739,8 +739,8 @@ static const double footpoint_paper_gregory_smooth_points[][31] = {
  *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07
  *   poles:          t152: proved free of zeros, |t152| >= 0.24
  *   poles:          t214: proved free of zeros, |t214| >= 0.00027
- *   rounding:       xi <= 0.22 on the hull, 8.3e-13 at points, 1.5e-13 sampled; eta <= 0.17 on the hull, 7.6e-14 at
- *     points, 4.8e-14 sampled (4613 points, hull of 4908)
+ *   rounding:       xi <= 1.3e-09 on the hull, 8.3e-13 at points, 1.5e-13 sampled; eta <= 1.7e-10 on the hull,
+ *     7.6e-14 at points, 4.8e-14 sampled (4613 points, hull of 9816 in 2 parts)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 2.681e-03
  *   heldout:        xi 2.355e-03 2.516e-02 7.588e-01, eta 2.997e-03 3.467e-02 5.941e-01, samples 27582
@@ -944,7 +944,8 @@ static const double footpoint_paper_gregory_weighted_points[][31] = {
  *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07
  *   poles:          t245: proved free of zeros, |t245| >= 0.24
  *   poles:          t366: proved free of zeros, |t366| >= 0.00023
- *   rounding:       xi 6.6e-13 at points, 3.1e-12 sampled; eta 1.1e-11 at points, 5.1e-13 sampled (2783 points)
+ *   rounding:       xi <= 1.8e-09 on the hull, 6.6e-13 at points, 3.1e-12 sampled; eta <= 5e-09 on the hull, 1.1e-11
+ *     at points, 5.1e-13 sampled (2783 points, hull of 3315)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 326 mean 1.325e-03
  *   heldout:        xi 1.224e-03 1.803e-02 7.965e-01, eta 1.668e-03 2.684e-02 6.988e-01, samples 27582
@@ -1218,7 +1219,8 @@ static const double footpoint_paper_gregory_precise_points[][31] = {
  *   poles:          t406: proved free of zeros, |t406| >= 9.9e-07
  *   poles:          t410: proved free of zeros, |t410| >= 0.24
  *   poles:          t492: proved free of zeros, |t492| >= 0.00028
- *   rounding:       xi 5.2e-14 at points, 6.2e-15 sampled; eta 1.6e-12 at points, 8.1e-15 sampled (2162 points)
+ *   rounding:       xi <= 9.7e-12 on the hull, 5.2e-14 at points, 6.2e-15 sampled; eta <= 1.3e-11 on the hull,
+ *     1.6e-12 at points, 8.1e-15 sampled (2162 points, hull of 1020)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 137 mean 5.318e-04
  *   heldout:        xi 4.221e-04 4.746e-03 7.965e-01, eta 6.270e-04 6.819e-03 8.994e-01, samples 27582
@@ -1560,7 +1562,8 @@ static const double footpoint_paper_gregory_exact_points[][31] = {
  *   poles:          t508: proved free of zeros, |t508| >= 0.00084
  *   poles:          t555: proved free of zeros, |t555| >= 9.9e-07
  *   poles:          of 2 more denominators, 2 are proved free of zeros
- *   rounding:       xi 1.8e-13 at points, 7.5e-15 sampled; eta 6.6e-12 at points, 3.4e-14 sampled (1539 points)
+ *   rounding:       xi <= 4.1e-12 on the hull, 1.8e-13 at points, 7.5e-15 sampled; eta <= 5.3e-10 on the hull,
+ *     6.6e-12 at points, 3.4e-14 sampled (1539 points, hull of 978)
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 74 mean 3.355e-04
  *   heldout:        xi 2.489e-04 1.369e-03 9.599e-01, eta 3.621e-04 1.913e-03 9.884e-01, samples 27582

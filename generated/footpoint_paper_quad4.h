@@ -652,8 +652,8 @@ static const double footpoint_paper_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  34d9211899b4a28aa8efad76340094ff912f9ef89f148fc43106ec7d90b8e26a
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   rounding:       xi <= 0.00059 on the hull, 1.2e-14 at points, 4.1e-14 sampled; eta <= 9.7e-13 on the hull,
- *     1.1e-14 at points, 3.1e-14 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 2.3e-12 on the hull, 1.2e-14 at points, 4.1e-14 sampled; eta <= 8.8e-13 on the hull,
+ *     1.1e-14 at points, 3.1e-14 sampled (10000 points, hull of 10000 in 2 parts)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.630e-03; eta genes 1 mean 1.237e-02
  *   heldout:        xi 9.592e-03 9.288e-02 6.124e-01, eta 1.280e-02 1.332e-01 8.053e-01, samples 439697
@@ -749,8 +749,8 @@ static const double footpoint_paper_quad4_taper_points[][19] = {
  *   genome_sha256:  31486ca32b630fff7ad7c182d72516b13fa038c26f00922465c50d7467f703a4
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09
- *   rounding:       xi <= 0.0041 on the hull, 1.1e-11 at points, 2.9e-11 sampled; eta <= 0.0042 on the hull, 5.7e-12
- *     at points, 2.5e-11 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 8e-09 on the hull, 1.1e-11 at points, 2.9e-11 sampled; eta <= 1.1e-08 on the hull, 5.7e-12
+ *     at points, 2.5e-11 sampled (10000 points, hull of 10000 in 4 parts)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.637e-03; eta genes 1 mean 1.207e-02
  *   heldout:        xi 3.655e-03 5.702e-02 2.370e+00, eta 4.161e-03 7.139e-02 2.686e+00, samples 439697
@@ -848,8 +848,8 @@ static const double footpoint_paper_quad4_gauss2_points[][19] = {
  *   poles:          t17 * t18 - 0.8464976 * t16 * t16: proved free of zeros, |...| >= 0.0014 (rounding error <=
  *     7.5e-15)
  *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.1e-08)
- *   rounding:       xi <= 1.8e-09 on the hull, 4.1e-13 at points, 2.2e-13 sampled; eta <= 2.8e-09 on the hull,
- *     3.1e-13 at points, 2.5e-13 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 4.7e-12 on the hull, 4.1e-13 at points, 2.2e-13 sampled; eta <= 9.4e-12 on the hull,
+ *     3.1e-13 at points, 2.5e-13 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 146 mean 2.979e-03
  *   heldout:        xi 2.479e-03 4.082e-02 9.873e-01, eta 2.861e-03 4.698e-02 9.259e-01, samples 439697
@@ -949,7 +949,8 @@ static const double footpoint_paper_quad4_coarse_points[][19] = {
  *   genome_sha256:  09f7caf4f857f76cff4b78963935886c4cc936e0ce7d1c52eeab4e4529481121
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles:          t43: proved free of zeros, |t43| >= 0.0001
- *   rounding:       xi 2.6e-13 at points, 2.2e-13 sampled; eta 2.3e-13 at points, 2.7e-13 sampled (10000 points)
+ *   rounding:       xi <= 3e-12 on the hull, 2.6e-13 at points, 2.2e-13 sampled; eta <= 1.7e-11 on the hull, 2.3e-13
+ *     at points, 2.7e-13 sampled (10000 points, hull of 10000 in 5 parts)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 194 mean 1.695e-03
  *   heldout:        xi 7.931e-04 1.227e-02 1.000e+00, eta 9.343e-04 1.205e-02 9.988e-01, samples 439697
@@ -1051,8 +1052,8 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 7.6e-15)
  *   poles:          t30: proved free of zeros, |t30| >= 0.001
  *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05
- *   rounding:       xi <= 0.0021 on the hull, 5.4e-14 at points, 1.1e-13 sampled; eta <= 0.0013 on the hull, 1.1e-12
- *     at points, 9.3e-14 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 1.5e-11 on the hull, 5.4e-14 at points, 1.1e-13 sampled; eta <= 8.8e-12 on the hull,
+ *     1.1e-12 at points, 9.3e-14 sampled (10000 points, hull of 10000 in 3 parts)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 194 mean 6.185e-04
  *   heldout:        xi 4.831e-04 6.358e-03 3.677e-01, eta 6.606e-04 6.936e-03 3.811e-01, samples 439697
@@ -1155,7 +1156,8 @@ static const double footpoint_paper_quad4_medium_points[][19] = {
  *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles:          t44: proved free of zeros, |t44| >= 0.002
  *   poles:          t55: proved free of zeros, |t55| >= 0.00035
- *   rounding:       xi 4.1e-14 at points, 2.6e-13 sampled; eta 6.2e-14 at points, 4.1e-14 sampled (10000 points)
+ *   rounding:       xi <= 8.1e-11 on the hull, 4.1e-14 at points, 2.6e-13 sampled; eta <= 1.7e-11 on the hull,
+ *     6.2e-14 at points, 4.1e-14 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 284 mean 2.180e-04
  *   heldout:        xi 2.248e-04 2.270e-03 1.032e-01, eta 3.368e-04 2.734e-03 2.795e-01, samples 439697
@@ -1264,7 +1266,8 @@ static const double footpoint_paper_quad4_balanced_points[][19] = {
  *   poles:          t33: proved free of zeros, |t33| >= 0.0016
  *   poles:          t47: proved free of zeros, |t47| >= 0.00031
  *   poles:          t64: proved free of zeros, |t64| >= 0.00054
- *   rounding:       xi 5.8e-14 at points, 1.9e-13 sampled; eta 1.4e-14 at points, 4.4e-13 sampled (10000 points)
+ *   rounding:       xi <= 9.8e-12 on the hull, 5.8e-14 at points, 1.9e-13 sampled; eta <= 3.8e-11 on the hull,
+ *     1.4e-14 at points, 4.4e-13 sampled (10000 points, hull of 10000 in 5 parts)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 317 mean 1.024e-04
  *   heldout:        xi 1.028e-04 5.092e-05 7.341e-01, eta 1.496e-04 5.910e-05 9.362e-01, samples 439697
@@ -1374,7 +1377,8 @@ static const double footpoint_paper_quad4_fine_points[][19] = {
  *   poles:          t47: proved free of zeros, |t47| >= 0.00045
  *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05
  *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07
- *   rounding:       xi 4.9e-12 at points, 6.4e-13 sampled; eta 3.7e-14 at points, 3.3e-12 sampled (10000 points)
+ *   rounding:       xi <= 4.9e-11 on the hull, 4.9e-12 at points, 6.4e-13 sampled; eta <= 1.2e-10 on the hull,
+ *     3.7e-14 at points, 3.3e-12 sampled (10000 points, hull of 10000 in 19 parts)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 443 mean 3.208e-05
  *   heldout:        xi 2.577e-05 3.578e-08 2.752e-02, eta 3.808e-05 4.202e-08 7.031e-02, samples 439697
@@ -1492,7 +1496,8 @@ static const double footpoint_paper_quad4_precise_points[][19] = {
  *   poles:          t55: proved free of zeros, |t55| >= 0.0036
  *   poles:          t66: proved free of zeros, |t66| >= 0.00048
  *   poles:          t82: proved free of zeros, |t82| >= 0.00043
- *   rounding:       xi 1.3e-12 at points, 2e-12 sampled; eta 6.8e-14 at points, 8.7e-12 sampled (10000 points)
+ *   rounding:       xi <= 1.5e-11 on the hull, 1.3e-12 at points, 2e-12 sampled; eta <= 1.5e-11 on the hull, 6.8e-14
+ *     at points, 8.7e-12 sampled (10000 points, hull of 10000 in 6 parts)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 491 mean 1.079e-05
  *   heldout:        xi 2.306e-05 7.319e-10 4.006e-02, eta 3.473e-05 8.883e-10 3.211e-02, samples 439697
@@ -1614,7 +1619,8 @@ static const double footpoint_paper_quad4_accurate_points[][19] = {
  *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05
  *   poles:          t80: proved free of zeros, |t80| >= 0.00047
  *   poles:          t95: proved free of zeros, |t95| >= 6.6e-06
- *   rounding:       xi 6.3e-05 at points, 1.9e-12 sampled; eta 7.5e-14 at points, 4.2e-13 sampled (10000 points)
+ *   rounding:       xi <= 2.2e-10 on the hull, 6.3e-05 at points, 1.9e-12 sampled; eta <= 9.2e-12 on the hull,
+ *     7.5e-14 at points, 4.2e-13 sampled (10000 points, hull of 10000 in 16 parts)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 593 mean 2.239e-05
  *   heldout:        xi 6.184e-06 3.053e-15 1.670e-02, eta 8.634e-06 3.109e-15 1.557e-02, samples 439697
@@ -1737,7 +1743,8 @@ static const double footpoint_paper_quad4_full_points[][19] = {
  *   poles:          t44: proved free of zeros, |t44| >= 0.00014
  *   poles:          t48: proved free of zeros, |t48| >= 0.0018
  *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05
- *   rounding:       xi 3.1e-13 at points, 1.2e-13 sampled; eta 9.7e-15 at points, 3.3e-14 sampled (10000 points)
+ *   rounding:       xi <= 1.7e-10 on the hull, 3.1e-13 at points, 1.2e-13 sampled; eta <= 2.9e-12 on the hull,
+ *     9.7e-15 at points, 3.3e-14 sampled (10000 points, hull of 10000 in 6 parts)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 371 mean 6.350e-05
  *   heldout:        xi 6.067e-05 3.325e-05 7.079e-02, eta 9.194e-05 3.447e-05 9.978e-02, samples 439697
@@ -1852,7 +1859,8 @@ static const double footpoint_paper_quad4_program1_points[][19] = {
  *   poles:          t47: proved free of zeros, |t47| >= 0.0018
  *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05
  *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05
- *   rounding:       xi 1.2e-13 at points, 1.5e-13 sampled; eta 1.3e-12 at points, 3.5e-13 sampled (10000 points)
+ *   rounding:       xi <= 5.7e-11 on the hull, 1.2e-13 at points, 1.5e-13 sampled; eta <= 2.3e-11 on the hull,
+ *     1.3e-12 at points, 3.5e-13 sampled (10000 points, hull of 10000 in 12 parts)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 503 mean 3.061e-05
  *   heldout:        xi 1.491e-05 1.619e-09 3.676e-02, eta 2.252e-05 1.975e-09 3.905e-02, samples 439697
@@ -1973,7 +1981,8 @@ static const double footpoint_paper_quad4_program2_points[][19] = {
  *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05
  *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05
  *   poles:          t91: proved free of zeros, |t91| >= 0.00047
- *   rounding:       xi 2.1e-07 at points, 5.2e-13 sampled; eta 1.5e-10 at points, 7.6e-14 sampled (10000 points)
+ *   rounding:       xi <= 7.7e-11 on the hull, 2.1e-07 at points, 5.2e-13 sampled; eta <= 6.5e-12 on the hull,
+ *     1.5e-10 at points, 7.6e-14 sampled (10000 points, hull of 10000 in 16 parts)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 635 mean 2.414e-05
  *   heldout:        xi 2.735e-06 7.772e-16 4.892e-03, eta 3.968e-06 7.772e-16 1.113e-02, samples 439697

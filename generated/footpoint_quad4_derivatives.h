@@ -685,12 +685,11 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
  *   genome_sha256:  ee1f534bfb616bf23982d1e7e35713e6471aaa52c258fc385c67cf270f10342c
  *   poles:          t25: proved free of zeros, |t25| >= 0.0063 (rounding error <= 1.8e-15)
  *   poles:          t32: proved free of zeros, |t32| >= 1.5 (rounding error <= 3.4e-13)
- *   rounding:       gap <= 1.2e-13 proved, <= 4.9e-15 on the hull, 9.1e-16 at points, 2.1e-16 sampled; d_xi <=
- *     1.3e-10 proved, <= 1.3e-14 on the hull, 3.9e-15 at points, 1.1e-15 sampled; d_eta <= 1.3e-10 proved, <= 1.4e-14
- *     on the hull, 3.3e-15 at points, 7.8e-16 sampled; d_gap <= 3.3e-14 proved, <= 1.6e-15 on the hull, 9.9e-16 at
- *     points, 3.9e-16 sampled; d_normal <= 1.7e-10 proved, <= 1.3e-14 on the hull, 3.8e-15 at points, 6.7e-16
- *     sampled; hessian <= 6e-10 proved, <= 1.4e-14 on the hull, 3.8e-15 at points, 7.2e-16 sampled (4914 points, hull
- *     of 3678)
+ *   rounding:       gap <= 1.2e-13 proved, <= 5e-15 on the hull, 9.1e-16 at points, 2.1e-16 sampled; d_xi <= 1.3e-10
+ *     proved, <= 1.7e-14 on the hull, 3.9e-15 at points, 1.1e-15 sampled; d_eta <= 1.3e-10 proved, <= 1.9e-14 on the
+ *     hull, 3.3e-15 at points, 7.8e-16 sampled; d_gap <= 3.3e-14 proved, <= 1.6e-15 on the hull, 9.9e-16 at points,
+ *     3.9e-16 sampled; d_normal <= 1.7e-10 proved, <= 1.8e-14 on the hull, 3.8e-15 at points, 6.7e-16 sampled;
+ *     hessian <= 6e-10 proved, <= 1.9e-14 on the hull, 3.8e-15 at points, 7.2e-16 sampled (4914 points, hull of 7356)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[15 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

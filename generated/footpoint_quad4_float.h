@@ -1221,7 +1221,7 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *
  *   genome_sha256:  e75c79cd8e5af19e2ea7b01b72205dd01cb3258c1563684242a1a401b1b97f3a
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.5e-05)
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 1.5 (rounding error <= 0.43)
- *   rounding:       xi <= 0.00031 on the hull, 2.9e-05 at points, 6.7e-06 sampled; eta <= 0.00026 on the hull,
+ *   rounding:       xi <= 0.00031 on the hull, 2.9e-05 at points, 6.7e-06 sampled; eta <= 0.00027 on the hull,
  *     1.5e-05 at points, 4.4e-06 sampled (10000 points, hull of 10000)
  *   training_both:  genes 182 mean 1.914e-04
  *   heldout:        xi 1.919e-04 2.962e-03 9.525e-02, eta 1.913e-04 3.014e-03 6.392e-02, samples 200000
@@ -1366,8 +1366,8 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
  *   poles:          t33 * t32 - t31 * t31: proved free of zeros, |...| >= 2 (rounding error <= 0.32)
  *   poles:          t44 * t42 - t43 * t43: proved free of zeros, |...| >= 1
- *   rounding:       xi <= 0.036 on the hull, 3.4e-05 at points, 6.1e-06 sampled; eta <= 0.035 on the hull, 1.9e-05 at
- *     points, 3.4e-06 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 0.00024 on the hull, 3.4e-05 at points, 6.1e-06 sampled; eta <= 0.00024 on the hull,
+ *     1.9e-05 at points, 3.4e-06 sampled (10000 points, hull of 10000 in 20 parts)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 251 mean 1.688e-05
  *   heldout:        xi 1.779e-05 2.392e-04 3.578e-02, eta 1.746e-05 2.365e-04 2.206e-02, samples 200000
@@ -1518,7 +1518,8 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
  *   poles:          t37 * t40 - t42 * t42: proved free of zeros, |...| >= 1.2 (rounding error <= 0.75)
  *   poles:          t51 * t50 - t53 * t53: proved free of zeros, |...| >= 1
- *   rounding:       xi 3.5e-05 at points, 7.9e-06 sampled; eta 1.8e-05 at points, 7.4e-06 sampled (10000 points)
+ *   rounding:       xi <= 0.00028 on the hull, 3.5e-05 at points, 7.9e-06 sampled; eta <= 0.00027 on the hull,
+ *     1.8e-05 at points, 7.4e-06 sampled (10000 points, hull of 10000 in 30 parts)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 335 mean 3.144e-07
  *   heldout:        xi 6.111e-07 3.482e-06 8.499e-03, eta 5.262e-07 3.221e-06 4.708e-03, samples 200000
@@ -1672,7 +1673,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
  *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 0.78)
  *   poles:          t50 * t50 - t47 * t46: proved free of zeros, |...| >= 1
- *   rounding:       xi 3.6e-05 at points, 7.9e-06 sampled; eta 2.1e-05 at points, 5.1e-06 sampled (10000 points)
+ *   rounding:       xi <= 0.00028 on the hull, 3.6e-05 at points, 7.9e-06 sampled; eta <= 0.00028 on the hull,
+ *     2.1e-05 at points, 5.1e-06 sampled (10000 points, hull of 10000 in 39 parts)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 365 mean 9.970e-09
  *   heldout:        xi 1.466e-07 9.331e-07 8.849e-04, eta 1.470e-07 9.129e-07 1.404e-03, samples 200000
@@ -1828,7 +1830,8 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float 
  *   poles:          t46 * t45 - t44 * t44: proved free of zeros, |...| >= 0.93
  *   poles:          t57 * t56 - t59 * t59: proved free of zeros, |...| >= 0.99
  *   poles:          t69 * t68 - t71 * t71: proved free of zeros, |...| >= 0.99
- *   rounding:       xi 3.5e-05 at points, 5.8e-06 sampled; eta 1.7e-05 at points, 4.8e-06 sampled (10000 points)
+ *   rounding:       xi <= 0.00028 on the hull, 3.5e-05 at points, 5.8e-06 sampled; eta <= 0.00027 on the hull,
+ *     1.7e-05 at points, 4.8e-06 sampled (10000 points, hull of 9801 in 64 parts)
  *   found_both:     seed 1 generations 110 islands 2 in scene quad4
  *   training_both:  genes 503 mean 8.790e-15
  *   heldout:        xi 1.234e-07 8.715e-07 1.084e-05, eta 1.230e-07 8.566e-07 7.502e-06, samples 200000

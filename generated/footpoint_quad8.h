@@ -1817,8 +1817,8 @@ static const double footpoint_quad8_accurate_points[][31] = {
  *   poles:          t140 * t140 - t137 * t141: proved free of zeros, |...| >= 0.51
  *   poles:          t189 * t190 - t191 * t191: proved free of zeros, |...| >= 0.45
  *   poles:          t203 * t203 + t200 * t204: proved free of zeros, |...| >= 0.46
- *   rounding:       xi <= 1.6e-13 on the hull, 1.2e-14 at points, 3.1e-15 sampled; eta <= 6.7e-14 on the hull,
- *     1.4e-14 at points, 1.1e-15 sampled (5706 points, hull of 6425)
+ *   rounding:       xi <= 2e-13 on the hull, 1.2e-14 at points, 3.1e-15 sampled; eta <= 8.2e-14 on the hull, 1.4e-14
+ *     at points, 1.1e-15 sampled (5706 points, hull of 10000)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 71 mean 2.035e-12
  *   heldout:        xi 1.175e-12 5.551e-16 3.159e-08, eta 5.759e-13 6.106e-16 1.184e-08, samples 50000
@@ -2036,8 +2036,8 @@ static const double footpoint_quad8_sharp_points[][31] = {
  *   poles:          t188 * t188 - t190 * t189: proved free of zeros, |...| >= 0.54
  *   poles:          t202 * t202 - t199 * t203: proved free of zeros, |...| >= 0.47
  *   poles:          t260 * t260 - t262 * t258: proved free of zeros, |...| >= 0.46
- *   rounding:       xi <= 8.7e-14 on the hull, 1.2e-14 at points, 1.7e-15 sampled; eta <= 4.8e-14 on the hull,
- *     5.4e-15 at points, 9.8e-16 sampled (4479 points, hull of 3985)
+ *   rounding:       xi <= 1.3e-13 on the hull, 1.2e-14 at points, 1.7e-15 sampled; eta <= 6e-14 on the hull, 5.4e-15
+ *     at points, 9.8e-16 sampled (4479 points, hull of 7970)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 8.173e-17; eta genes 1 mean 7.995e-17
  *   heldout:        xi 7.987e-17 4.441e-16 1.776e-15, eta 7.883e-17 4.927e-16 1.887e-15, samples 50000

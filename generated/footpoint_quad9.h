@@ -1629,8 +1629,8 @@ static const double footpoint_quad9_fine_points[][34] = {
  *   poles:          t99 * t100 - t98 * t98: proved free of zeros, |...| >= 0.74 (rounding error <= 0.00014)
  *   poles:          t161 * t162 - t160 * t160: no zero where the region's requires hold, by no proved margin
  *   poles:          t175 * t171 - t174 * t174: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi <= 4.8e-13 on the hull, 1.1e-14 at points, 6.3e-15 sampled; eta <= 3.4e-13 on the hull,
- *     1.2e-14 at points, 3.3e-15 sampled (7092 points, hull of 9282)
+ *   rounding:       xi <= 4.9e-13 on the hull, 1.1e-14 at points, 6.3e-15 sampled; eta <= 3.4e-13 on the hull,
+ *     1.2e-14 at points, 3.3e-15 sampled (7092 points, hull of 10000)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 146 mean 2.860e-07
  *   heldout:        xi 4.524e-07 3.276e-07 5.925e-03, eta 5.905e-07 3.171e-07 7.683e-03, samples 50000
@@ -1830,8 +1830,8 @@ static const double footpoint_quad9_accurate_points[][34] = {
  *   poles:          t161 * t157 - t160 * t160: proved free of zeros, |...| >= 0.5
  *   poles:          t222 * t223 - t221 * t221: proved free of zeros, |...| >= 0.4
  *   poles:          t236 * t232 - t235 * t235: proved free of zeros, |...| >= 0.29
- *   rounding:       xi <= 2e-13 on the hull, 9.1e-15 at points, 4.2e-15 sampled; eta <= 9.6e-14 on the hull, 1.8e-14
- *     at points, 2.1e-15 sampled (5333 points, hull of 5270)
+ *   rounding:       xi <= 2.3e-13 on the hull, 9.1e-15 at points, 4.2e-15 sampled; eta <= 1.3e-13 on the hull,
+ *     1.8e-14 at points, 2.1e-15 sampled (5333 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.539e-09; eta genes 1 mean 1.258e-09
  *   heldout:        xi 4.870e-10 6.661e-16 1.758e-05, eta 8.168e-10 6.661e-16 3.106e-05, samples 50000
@@ -2055,8 +2055,8 @@ static const double footpoint_quad9_sharp_points[][34] = {
  *   poles:          t222 * t223 - t221 * t221: proved free of zeros, |...| >= 0.4
  *   poles:          t235 * t235 + t236 * t232: proved free of zeros, |...| >= 0.29
  *   poles:          2.0 * (t307 * t303 - t305 * t305): proved free of zeros, |...| >= 0.14
- *   rounding:       xi <= 1.5e-13 on the hull, 9.5e-15 at points, 2.3e-15 sampled; eta <= 8.8e-14 on the hull,
- *     3.8e-15 at points, 1.6e-15 sampled (4052 points, hull of 3117)
+ *   rounding:       xi <= 1.9e-13 on the hull, 9.5e-15 at points, 2.3e-15 sampled; eta <= 9.5e-14 on the hull,
+ *     3.8e-15 at points, 1.6e-15 sampled (4052 points, hull of 6234)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 7.800e-17; eta genes 1 mean 7.450e-17
  *   heldout:        xi 7.195e-17 4.441e-16 3.442e-14, eta 7.095e-17 4.441e-16 5.751e-14, samples 50000

@@ -749,8 +749,8 @@ static const double footpoint_whole_quad4_taper_points[][19] = {
  *   genome_sha256:  688e9885bfb2ce4dde964bafee57b83e098997941dc48a40e811aeab34ee2022
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08
- *   rounding:       xi <= 0.00074 on the hull, 5.5e-11 at points, 2.5e-11 sampled; eta <= 0.00077 on the hull,
- *     1.1e-09 at points, 2.5e-10 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 2.5e-09 on the hull, 5.5e-11 at points, 2.5e-11 sampled; eta <= 2.1e-09 on the hull,
+ *     1.1e-09 at points, 2.5e-10 sampled (10000 points, hull of 10000 in 3 parts)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.186e-02; eta genes 1 mean 1.587e-02
  *   heldout:        xi 5.925e-03 8.599e-02 5.221e+00, eta 6.386e-03 1.039e-01 3.872e+00, samples 857751
@@ -1050,8 +1050,8 @@ static const double footpoint_whole_quad4_newton_points[][19] = {
  *   genome_sha256:  803a668d7623a80ebcdc77e3a84737ddb6965a82ac9b5544d87c89ddbe7cd51c
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 1.4e-14)
  *   poles:          t42: proved free of zeros, |t42| >= 0.00011
- *   rounding:       xi <= 1.9e-08 on the hull, 2.1e-13 at points, 2.9e-13 sampled; eta <= 5.2e-08 on the hull,
- *     2.7e-13 at points, 2.7e-13 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 1.5e-11 on the hull, 2.1e-13 at points, 2.9e-13 sampled; eta <= 1.1e-11 on the hull,
+ *     2.7e-13 at points, 2.7e-13 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 224 mean 1.717e-03
  *   heldout:        xi 1.148e-03 1.863e-02 1.629e+00, eta 1.527e-03 2.331e-02 1.345e+00, samples 857751
@@ -1154,8 +1154,8 @@ static const double footpoint_whole_quad4_medium_points[][19] = {
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t42: proved free of zeros, |t42| >= 0.001
  *   poles:          t56: proved free of zeros, |t56| >= 0.00033
- *   rounding:       xi <= 5.8e-07 on the hull, 7.3e-12 at points, 9.6e-13 sampled; eta <= 1.6e-06 on the hull,
- *     5.3e-13 at points, 6.6e-12 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 2.1e-10 on the hull, 7.3e-12 at points, 9.6e-13 sampled; eta <= 1.2e-10 on the hull,
+ *     5.3e-13 at points, 6.6e-12 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 275 mean 5.015e-04
  *   heldout:        xi 3.209e-04 3.566e-03 6.303e-01, eta 4.492e-04 4.519e-03 7.845e-01, samples 857751
@@ -1266,7 +1266,8 @@ static const double footpoint_whole_quad4_balanced_points[][19] = {
  *   poles:          t30: proved free of zeros, |t30| >= 0.0014
  *   poles:          t43: proved free of zeros, |t43| >= 0.00035
  *   poles:          t58: proved free of zeros, |t58| >= 0.00031
- *   rounding:       xi 2.2e-12 at points, 4e-12 sampled; eta 1.5e-13 at points, 1.3e-12 sampled (10000 points)
+ *   rounding:       xi <= 4.4e-10 on the hull, 2.2e-12 at points, 4e-12 sampled; eta <= 1.1e-10 on the hull, 1.5e-13
+ *     at points, 1.3e-12 sampled (10000 points, hull of 10000 in 6 parts)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 323 mean 3.509e-04
  *   heldout:        xi 1.504e-04 3.972e-04 1.920e+00, eta 2.148e-04 4.331e-04 1.272e+00, samples 857751
@@ -1376,7 +1377,8 @@ static const double footpoint_whole_quad4_fine_points[][19] = {
  *   poles:          t44: proved free of zeros, |t44| >= 0.00035
  *   poles:          t59: proved free of zeros, |t59| >= 0.00037
  *   poles:          t75: proved free of zeros, |t75| >= 0.00031
- *   rounding:       xi 5.6e-10 at points, 7.2e-13 sampled; eta 9.6e-10 at points, 2.8e-11 sampled (10000 points)
+ *   rounding:       xi <= 4.1e-11 on the hull, 5.6e-10 at points, 7.2e-13 sampled; eta <= 5.8e-11 on the hull,
+ *     9.6e-10 at points, 2.8e-11 sampled (10000 points, hull of 10000 in 14 parts)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 476 mean 1.390e-04
  *   heldout:        xi 3.928e-05 3.472e-07 1.629e+00, eta 5.536e-05 4.023e-07 1.527e+00, samples 857751
@@ -1494,7 +1496,8 @@ static const double footpoint_whole_quad4_precise_points[][19] = {
  *   poles:          t51: proved free of zeros, |t51| >= 0.0036
  *   poles:          t62: proved free of zeros, |t62| >= 0.00031
  *   poles:          t78: proved free of zeros, |t78| >= 0.00031
- *   rounding:       xi 3.2e-10 at points, 2.5e-13 sampled; eta 1.6e-10 at points, 2.1e-13 sampled (10000 points)
+ *   rounding:       xi <= 2.7e-11 on the hull, 3.2e-10 at points, 2.5e-13 sampled; eta <= 1.1e-11 on the hull,
+ *     1.6e-10 at points, 2.1e-13 sampled (10000 points, hull of 10000 in 4 parts)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 503 mean 1.127e-05
  *   heldout:        xi 2.299e-05 9.075e-09 1.629e+00, eta 2.854e-05 1.456e-08 1.297e+00, samples 857751
@@ -1615,7 +1618,8 @@ static const double footpoint_whole_quad4_accurate_points[][19] = {
  *   poles:          t61: proved free of zeros, |t61| >= 0.00031
  *   poles:          t77: proved free of zeros, |t77| >= 0.00031
  *   poles:          t93: proved free of zeros, |t93| >= 0.00031
- *   rounding:       xi 0.00032 at points, 3.6e-12 sampled; eta 0.0012 at points, 8.4e-12 sampled (10000 points)
+ *   rounding:       xi <= 6.1e-10 on the hull, 0.00032 at points, 3.6e-12 sampled; eta <= 1.4e-10 on the hull, 0.0012
+ *     at points, 8.4e-12 sampled (10000 points, hull of 10000 in 21 parts)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 593 mean 1.981e-04
  *   heldout:        xi 1.439e-05 3.176e-13 1.200e+00, eta 2.614e-05 3.481e-13 1.527e+00, samples 857751
@@ -1738,7 +1742,8 @@ static const double footpoint_whole_quad4_full_points[][19] = {
  *   poles:          t43: proved free of zeros, |t43| >= 0.00034
  *   poles:          t47: proved free of zeros, |t47| >= 0.00086
  *   poles:          t59: proved free of zeros, |t59| >= 0.0003
- *   rounding:       xi 1.3e-13 at points, 5e-13 sampled; eta 2.6e-13 at points, 1.2e-12 sampled (10000 points)
+ *   rounding:       xi <= 4.6e-11 on the hull, 1.3e-13 at points, 5e-13 sampled; eta <= 1.1e-10 on the hull, 2.6e-13
+ *     at points, 1.2e-12 sampled (10000 points, hull of 10000 in 5 parts)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 371 mean 1.877e-04
  *   heldout:        xi 1.309e-04 3.236e-04 1.497e+00, eta 1.633e-04 3.460e-04 1.215e+00, samples 857751
@@ -1851,7 +1856,8 @@ static const double footpoint_whole_quad4_program1_points[][19] = {
  *   poles:          t47: proved free of zeros, |t47| >= 0.0036
  *   poles:          t59: proved free of zeros, |t59| >= 0.00033
  *   poles:          t75: proved free of zeros, |t75| >= 0.00031
- *   rounding:       xi 1.6e-13 at points, 5.8e-13 sampled; eta 3.1e-13 at points, 1.5e-13 sampled (10000 points)
+ *   rounding:       xi <= 1.4e-11 on the hull, 1.6e-13 at points, 5.8e-13 sampled; eta <= 3.4e-11 on the hull,
+ *     3.1e-13 at points, 1.5e-13 sampled (10000 points, hull of 10000 in 4 parts)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 494 mean 1.558e-05
  *   heldout:        xi 2.569e-05 1.260e-08 1.629e+00, eta 3.385e-05 2.230e-08 1.215e+00, samples 857751
@@ -1973,7 +1979,8 @@ static const double footpoint_whole_quad4_program2_points[][19] = {
  *   poles:          t59: proved free of zeros, |t59| >= 0.00037
  *   poles:          t75: proved free of zeros, |t75| >= 0.00031
  *   poles:          t90: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi 2.7e-12 at points, 1.8e-12 sampled; eta 2e-12 at points, 5.8e-13 sampled (10000 points)
+ *   rounding:       xi <= 2.2e-11 on the hull, 2.7e-12 at points, 1.8e-12 sampled; eta <= 2.1e-10 on the hull, 2e-12
+ *     at points, 5.8e-13 sampled (10000 points, hull of 10000 in 9 parts)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 614 mean 8.127e-06
  *   heldout:        xi 8.832e-06 2.071e-14 3.714e-01, eta 1.251e-05 2.398e-14 7.845e-01, samples 857751

@@ -116,9 +116,13 @@ static void bound_on_hull(struct region *r, struct evidence *e, const struct pro
                           const struct evidence_options *o)
 {
     struct hull *h = hull_new(r, p, o->samples, o->seed);
+    double *error = new_array(p->outputs, sizeof *error);
+    bound_errors_on_hull(h, error);
     e->hull = h->points;
-    for (size_t i = 0; h->points > 0 && i < p->outputs; i++)
-        e->error[i].hull = bound_error_on_hull(h, region_op(r, p->output[i]));
+    e->parts = h->parts;
+    for (size_t i = 0; i < p->outputs; i++)
+        e->error[i].hull = error[i];
+    free(error);
     hull_free(h);
 }
 

@@ -34,7 +34,8 @@ struct evidence {
     struct output_error *error; /* owned: by output */
     size_t outputs;
     long samples; /* points that `sampled` is from */
-    long hull;    /* points that the hulls are of; 0: there are none */
+    long hull;    /* points that the hull is of; 0: there is none */
+    size_t parts; /* that it has */
 };
 
 struct evidence_options {

@@ -56,17 +56,17 @@ static bool tells(const struct choice *c, int op, int depth)
 }
 
 /* Requires that build on others stand behind them. */
-static void choose_operations(struct forms *w, int target)
+static void choose_operations(struct forms *w, const int *target, size_t targets)
 {
     const struct known *x = w->known;
     const struct program *p = x->program;
     struct choice c = {.known = x};
     c.needed = new_array(p->ops, sizeof *c.needed);
     c.value = new_array(p->ops, sizeof *c.value);
-    if (target >= 0)
-        w->needs += need(&c, target);
+    for (size_t i = 0; i < targets; i++)
+        w->needs += need(&c, target[i]);
     for (size_t i = p->outputs; i-- > 0;)
-        if (target < 0 || x->length[p->output[i]] <= SHORT || tells(&c, p->output[i], FORMS_DEPTH)) {
+        if (targets == 0 || x->length[p->output[i]] <= SHORT || tells(&c, p->output[i], FORMS_DEPTH)) {
             w->required[p->output[i]] = true;
             w->needs += need(&c, p->output[i]);
         }
@@ -95,7 +95,7 @@ static void choose_twins(struct forms *w)
     free(first);
 }
 
-struct forms *forms_new(const struct known *x, int target)
+struct forms *forms_new(const struct known *x, const int *target, size_t targets)
 {
     struct forms *w = new_array(1, sizeof *w);
     const size_t rows = 2 * x->program->ops + FORMS_HANDS;
@@ -103,7 +103,7 @@ struct forms *forms_new(const struct known *x, int target)
     w->required = new_array(rows, sizeof *w->required);
     w->twin = new_array(rows, sizeof *w->twin);
     w->ratio = new_array(rows, sizeof *w->ratio);
-    choose_operations(w, target);
+    choose_operations(w, target, targets);
     choose_twins(w);
     w->affine = x->variables > 0 && rows <= MOST_SLOPES / x->variables;
     w->range = new_array(rows, sizeof *w->range);

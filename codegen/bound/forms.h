@@ -16,7 +16,7 @@ enum { FORMS_HANDS = 4 };
 
 struct forms {
     const struct known *known; /* not owned */
-    int *needed;               /* owned: operations that the target and requires of use to it depend on, ascending */
+    int *needed; /* owned: operations that the targets and requires of use to these depend on, ascending */
     size_t needs;
     int *twin;               /* owned: by operation, an earlier one of these that it is a multiple of, or -1 */
     struct interval *ratio;  /* owned: by operation, to its twin */
@@ -30,8 +30,8 @@ struct forms {
     bool inside;             /* after an evaluation: all of the box belongs to the region */
 };
 
-/** Room for enclosures of operation `target` of the program; or -1, of the requires, all of them. */
-struct forms *forms_new(const struct known *x, int target);
+/** Room for enclosures of operations of the program, the targets; of none, of the requires, all of them. */
+struct forms *forms_new(const struct known *x, const int *target, size_t targets);
 void forms_free(struct forms *w);
 
 #endif

@@ -9,8 +9,6 @@
 #define WIDER 2.0
 #define CLOSER 0x1p20 /* of what chooses: points left out are one in a million */
 #define PAD 1e-9      /* of what cancels: above the rounding of hulls */
-#define MOST_WORK 1e9 /* derivatives: some seconds */
-enum { TRIES_A_POINT = 20 };
 
 static bool chooses(const struct op *op)
 {
@@ -22,11 +20,10 @@ bool hull_is_joint(const struct hull *h, int op)
     return h->own[op] >= 0 && h->joint[h->own[op]] >= 0;
 }
 
-const struct hull_slope *hull_slope(const struct hull *h, int to, int from)
+const struct hull_slope *hull_slopes(const struct hull_part *part, int joint)
 {
-    if (!hull_is_joint(h, to) || h->own[from] < 0)
-        return NULL;
-    return &h->slope[(size_t)h->joint[h->own[to]] * h->program->ops + (size_t)h->own[from]];
+    const struct hull *h = part->hull;
+    return hull_is_joint(h, joint) ? &part->slope[(size_t)h->joint[h->own[joint]] * h->program->ops] : NULL;
 }
 
 /* Inputs that are the same operation of a region block have none. */
@@ -169,6 +166,17 @@ static double sum_weights(const struct hull *h, size_t top)
     return sum;
 }
 
+void hull_go(struct hull *h, const double *at)
+{
+    const struct program *p = h->program;
+    double *input = new_array(p->inputs, sizeof *input);
+    region_inputs(h->region, at, input);
+    point_double(p, input, NULL, h->at);
+    free(input);
+}
+
+/* ---- limits ---- */
+
 /* Whether a number is within a limit, which it may raise. */
 static bool within(double x, double *most, bool raise)
 {
@@ -177,10 +185,21 @@ static bool within(double x, double *most, bool raise)
     return x <= *most;
 }
 
-static bool slopes_within(struct hull *h, size_t joint, bool raise)
+static bool values_within(const struct hull *h, struct hull_limit *limit, bool raise)
 {
-    const size_t top = (size_t)h->op[joint];
-    struct hull_slope *most = &h->slope[joint * h->program->ops];
+    bool good = true;
+    for (size_t i = 0; i < h->program->ops && good; i++) {
+        struct interval *value = &limit[i].value;
+        const double x = h->at[i];
+        if (raise)
+            *value = (struct interval){lesser(value->lo, x), greater(value->hi, x)};
+        good = interval_has(*value, x);
+    }
+    return good;
+}
+
+static bool slopes_within(struct hull *h, struct hull_slope *most, size_t top, bool raise)
+{
     bool good = sweep(h, top);
     for (size_t i = 0; i < top && good; i++) {
         const double x = fabs(h->at[i]), slope = fabs(h->by[i]), size = h->use[i];
@@ -200,60 +219,69 @@ static bool share_within(double sum, double size, double *least, double *share, 
 }
 
 /* After the sweeps of operation i and what it chooses from. */
-static bool shares_within(struct hull *h, size_t i, bool raise)
+static bool shares_within(const struct hull *h, struct hull_limit *limit, size_t i, bool raise)
 {
     const struct op *op = &h->program->op[i];
-    bool good = !h->divides[i] || share_within(h->sum[i], fabs(h->at[i]), &h->least[i], &h->share[i], raise);
+    bool good = !h->divides[i] || share_within(h->sum[i], fabs(h->at[i]), &limit->least, &limit->share, raise);
     if (good && chooses(op)) {
         const double b = op->b >= 0 ? h->at[op->b] : 0, sum = h->sum[op->a] + (op->b >= 0 ? h->sum[op->b] : 0);
-        good = share_within(sum, fabs(h->at[op->a] - b), &h->apart[i], &h->tie[i], raise);
+        good = share_within(sum, fabs(h->at[op->a] - b), &limit->apart, &limit->tie, raise);
     }
     return good;
 }
 
-static bool visit(struct hull *h, const double *at, bool raise)
+static bool visit(struct hull *h, const struct hull_part *part, bool raise)
 {
-    const struct program *p = h->program;
-    bool good = true;
-    double *input = new_array(p->inputs, sizeof *input);
-    region_inputs(h->region, at, input);
-    point_double(p, input, NULL, h->at);
-    free(input);
-    for (size_t i = 0; i < p->ops && good; i++) {
-        struct interval *value = &h->value[i];
-        const double x = h->at[i];
-        if (raise)
-            *value = (struct interval){lesser(value->lo, x), greater(value->hi, x)};
-        good = interval_has(*value, x);
-        h->sum[i] = own_units(h, i) * fabs(x); /* of inputs and constants; of joints below */
+    bool good = values_within(h, part->limit, raise);
+    for (size_t i = 0; i < h->program->ops; i++)
+        h->sum[i] = own_units(h, i) * fabs(h->at[i]); /* of joints below */
+    for (size_t k = 0; k < h->joints && good; k++) {
+        const size_t top = (size_t)h->op[k];
+        good = slopes_within(h, &part->slope[k * h->program->ops], top, raise) &&
+               shares_within(h, &part->limit[top], top, raise);
     }
-    for (size_t k = 0; k < h->joints && good; k++)
-        good = slopes_within(h, k, raise) && shares_within(h, (size_t)h->op[k], raise);
     return good;
 }
 
-/* ---- over points ---- */
+bool hull_part_holds(struct hull *h, const struct hull_part *part)
+{
+    return visit(h, part, false);
+}
+
+bool hull_part_raise(struct hull *h, const struct hull_part *part)
+{
+    return visit(h, part, true);
+}
 
 /* Twice as wide about its middle, but what has a sign keeps it. */
-static struct interval widened(struct interval x)
+static struct interval widened(struct interval x, double pad)
 {
-    const double middle = 0.5 * x.lo + 0.5 * x.hi, half = WIDER * (0.5 * x.hi - 0.5 * x.lo) + PAD * interval_most(x);
+    const double middle = 0.5 * x.lo + 0.5 * x.hi, half = WIDER * (0.5 * x.hi - 0.5 * x.lo) + pad;
     struct interval y = {middle - half, middle + half};
-    if (x.lo > 0)
+    if (x.lo > pad)
         y.lo = greater(y.lo, x.lo / WIDER);
-    if (x.hi < 0)
+    if (x.hi < -pad)
         y.hi = lesser(y.hi, x.hi / WIDER);
     return y;
 }
 
-/* The mean of the weights of the values that a joint is made of. */
-static double mean_weight(const struct hull *h, size_t joint)
+/* Of the value of operation i, more than it is off by. */
+static double value_pad(const struct hull_part *part, size_t i)
 {
-    const struct hull_slope *x = &h->slope[joint * h->program->ops];
+    const struct op *op = &part->hull->program->op[i];
+    double size = interval_most(part->limit[i].value);
+    if (op->kind == OP_ADD || op->kind == OP_SUB)
+        size += interval_most(part->limit[op->a].value) + interval_most(part->limit[op->b].value);
+    return PAD * size;
+}
+
+/* The mean of the weights of the values that a joint is made of. */
+static double mean_weight(const struct hull_slope *slope, int ops)
+{
     double sum = 0, n = 0;
-    for (int i = 0; i < h->op[joint]; i++)
-        if (x[i].size > 0) {
-            sum += x[i].weight;
+    for (int i = 0; i < ops; i++)
+        if (slope[i].size > 0) {
+            sum += slope[i].weight;
             n++;
         }
     return n > 0 ? sum / n : 0;
@@ -266,13 +294,16 @@ static double raised(double x, double cancels, double mean)
 }
 
 /* Sizes matter of what may be contracted in some uses and not in others. */
-static void widen_slopes(struct hull *h, size_t joint)
+static void widen_slopes(struct hull_part *part, size_t joint)
 {
-    const double mean = mean_weight(h, joint);
-    for (int i = 0; i < h->op[joint]; i++) {
-        struct hull_slope *x = &h->slope[joint * h->program->ops + (size_t)i];
-        const double most = interval_most(h->value[i]);
-        const bool product = is_product(&h->program->op[i]);
+    const struct program *p = part->hull->program;
+    struct hull_slope *slope = &part->slope[joint * p->ops];
+    const int ops = part->hull->op[joint];
+    const double mean = mean_weight(slope, ops);
+    for (int i = 0; i < ops; i++) {
+        struct hull_slope *x = &slope[i];
+        const double most = interval_most(part->limit[i].value);
+        const bool product = is_product(&p->op[i]);
         x->slope = raised(x->slope, x->size, most > 0 ? mean / most : 0);
         x->weight = raised(x->weight, x->size_weight, mean);
         x->size = product ? raised(x->size, 0, x->slope) : INFINITY;
@@ -280,54 +311,60 @@ static void widen_slopes(struct hull *h, size_t joint)
     }
 }
 
-static void widen(struct hull *h)
+void hull_part_widen(struct hull_part *part)
 {
-    const struct program *p = h->program;
-    for (size_t k = 0; k < h->joints; k++)
-        widen_slopes(h, k);
-    for (size_t i = 0; i < p->ops; i++) {
-        h->value[i] = widened(h->value[i]);
-        h->least[i] /= WIDER;
-        h->share[i] *= WIDER;
-        h->apart[i] /= CLOSER;
-        h->tie[i] *= CLOSER;
+    for (size_t k = 0; k < part->hull->joints; k++)
+        widen_slopes(part, k);
+    for (size_t i = 0; i < part->hull->program->ops; i++) {
+        struct hull_limit *x = &part->limit[i];
+        x->value = widened(x->value, value_pad(part, i));
+        x->least /= WIDER;
+        x->share *= WIDER;
+        x->apart /= CLOSER;
+        x->tie *= CLOSER;
     }
 }
 
-struct hull *hull_new(struct region *r, const struct program *p, long points, unsigned long seed)
+/* ---- room ---- */
+
+struct hull_part hull_part_new(const struct hull *h)
+{
+    const size_t ops = h->program->ops;
+    struct hull_part part = {.hull = h};
+    part.limit = new_array(ops, sizeof *part.limit);
+    part.slope = new_array(h->joints * ops, sizeof *part.slope);
+    for (size_t i = 0; i < ops; i++)
+        part.limit[i] = (struct hull_limit){.value = {INFINITY, -INFINITY}, .least = INFINITY, .apart = INFINITY};
+    return part;
+}
+
+struct hull_part hull_part_copy(const struct hull_part *part)
+{
+    const struct hull *h = part->hull;
+    const size_t ops = h->program->ops;
+    struct hull_part copy = hull_part_new(h);
+    memcpy(copy.limit, part->limit, ops * sizeof *copy.limit);
+    memcpy(copy.slope, part->slope, h->joints * ops * sizeof *copy.slope);
+    return copy;
+}
+
+void hull_part_free(struct hull_part *part)
+{
+    free(part->limit);
+    free(part->slope);
+}
+
+struct hull *hull_of_program(const struct region *r, const struct program *p)
 {
     struct hull *h = new_array(1, sizeof *h);
-    uint64_t stream = seed;
-    double *at = new_array(r->known->variables, sizeof *at);
     *h = (struct hull){.region = r, .program = p};
     find_own(h);
     find_joints(h);
-    const double most = MOST_WORK / ((double)(h->joints + 1) * (double)p->ops);
-    points = (double)points < most ? points : (long)most;
-    if (points == 0) {
-        free(at);
-        return h;
-    }
-    long tries = TRIES_A_POINT * points;
-    h->slope = new_array(h->joints * p->ops, sizeof *h->slope);
-    h->value = new_array(p->ops, sizeof *h->value);
-    h->least = new_array(p->ops, sizeof *h->least);
-    h->share = new_array(p->ops, sizeof *h->share);
-    h->apart = new_array(p->ops, sizeof *h->apart);
-    h->tie = new_array(p->ops, sizeof *h->tie);
     h->at = new_array(p->ops, sizeof *h->at);
     h->by = new_array(p->ops, sizeof *h->by);
     h->use = new_array(p->ops, sizeof *h->use);
     h->sum = new_array(p->ops, sizeof *h->sum);
     point_constants(p, h->at);
-    for (size_t i = 0; i < p->ops; i++) {
-        h->value[i] = (struct interval){INFINITY, -INFINITY};
-        h->least[i] = h->apart[i] = INFINITY;
-    }
-    for (; h->points < points && region_draw(r, &stream, 0, true, &tries, at); h->points++)
-        visit(h, at, true);
-    widen(h);
-    free(at);
     return h;
 }
 
@@ -335,24 +372,16 @@ void hull_free(struct hull *h)
 {
     if (!h)
         return;
+    for (size_t k = 0; k < h->parts; k++)
+        hull_part_free(&h->part[k]);
+    free(h->part);
     free(h->own);
     free(h->joint);
     free(h->op);
-    free(h->slope);
-    free(h->value);
     free(h->divides);
-    free(h->least);
-    free(h->share);
-    free(h->apart);
-    free(h->tie);
     free(h->at);
     free(h->by);
     free(h->use);
     free(h->sum);
     free(h);
-}
-
-bool hull_holds(struct hull *h, const double *at)
-{
-    return visit(h, at, false);
 }

@@ -319,7 +319,7 @@ struct pole pole_find(struct region *r, int op, long boxes)
 {
     struct search s = {.region = r, .op = op, .nearest = INFINITY, .boxes.variables = r->known->variables};
     s.pole = (struct pole){.verdict = POLE_UNDECIDED, .values = interval_whole()};
-    s.forms = forms_new(r->known, op);
+    s.forms = forms_new(r->known, &op, 1);
     s.box = new_array(r->known->variables, sizeof *s.box);
     s.part = new_array(r->known->variables, sizeof *s.part);
     s.thin = new_array(r->known->variables, sizeof *s.thin);

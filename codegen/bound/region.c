@@ -28,7 +28,7 @@ struct region *region_new(const struct genome_file *f, const struct program *p, 
         if (range[i].given)
             r->doubles[i] = (struct interval){double_nearest(&x->lo[i]), double_nearest(&x->hi[i])};
     }
-    r->required = forms_new(x, -1);
+    r->required = forms_new(x, NULL, 0);
     r->step = last_values(x->steps.program);
     r->place = last_values(x->place);
     return r;

@@ -33,13 +33,14 @@ static double constant_error(const struct rounding *e, const struct program *p, 
     return error + rounding_of_last(e, fabs(x) * (1 + 0x1p-20));
 }
 
-struct rounding *rounding_new(struct forms *w, int op, const struct hull *hull)
+static struct rounding *new_of(struct forms *w, const struct hull *hull, const int *op, size_t ops)
 {
     struct rounding *e = new_array(1, sizeof *e);
     const struct program *p = w->known->program;
     bool *marked = new_array(p->ops, sizeof *marked);
     size_t joints = 0;
-    *e = (struct rounding){.arithmetic = w->known->arithmetic, .forms = w, .hull = hull, .op = op};
+    *e = (struct rounding){
+        .arithmetic = w->known->arithmetic, .forms = w, .hull = hull, .op = hull ? -1 : op[0], .links = true};
     e->needed = new_array(w->needs, sizeof *e->needed);
     e->place = new_array(p->ops, sizeof *e->place);
     e->constant = new_array(p->ops, sizeof *e->constant);
@@ -48,14 +49,13 @@ struct rounding *rounding_new(struct forms *w, int op, const struct hull *hull)
     e->linked = new_array(p->ops, sizeof *e->linked);
     e->nonnegative = new_array(p->ops, sizeof *e->nonnegative);
     e->by = new_array(p->ops, sizeof *e->by);
-    if (hull) {
-        e->rest = new_array(p->ops, sizeof *e->rest);
-        e->source = new_array(hull->joints, sizeof *e->source);
-    }
-    marked[op] = true;
-    for (int i = op; i >= 0; i--) {
+    if (hull)
+        rounding_begin_on_hull(e);
+    for (size_t i = 0; i < ops; i++)
+        marked[op[i]] = true;
+    for (size_t i = p->ops; i-- > 0;) {
         const struct op *o = &p->op[i];
-        if (!marked[i] || rounding_is_given(w->known, i))
+        if (!marked[i] || rounding_is_given(w->known, (int)i))
             continue;
         if (o->a >= 0)
             marked[o->a] = true;
@@ -64,15 +64,31 @@ struct rounding *rounding_new(struct forms *w, int op, const struct hull *hull)
         if (o->kind == OP_CONSTANT)
             e->constant[i] = constant_error(e, p, o);
     }
-    for (int i = 0; i <= op; i++)
+    for (size_t i = 0; i < p->ops; i++)
         if (marked[i]) {
             e->place[i] = e->needs;
-            e->needed[e->needs++] = i;
+            e->needed[e->needs++] = (int)i;
         }
     free(marked);
     for (size_t n = 0; n < e->needs; n++)
         joints += is_joint(e, e->needed[n]);
     e->links = joints == 0 || e->needs <= MOST_LINKED / joints;
+    return e;
+}
+
+struct rounding *rounding_new(struct forms *w, int op)
+{
+    return new_of(w, NULL, &op, 1);
+}
+
+struct rounding *rounding_on_hull(struct forms *w, const struct hull *hull)
+{
+    const size_t n = hull->program->outputs;
+    int *op = new_array(n, sizeof *op);
+    for (size_t i = 0; i < n; i++)
+        op[i] = region_op(hull->region, hull->program->output[i]);
+    struct rounding *e = new_of(w, hull, op, n);
+    free(op);
     return e;
 }
 
@@ -88,6 +104,7 @@ void rounding_free(struct rounding *e)
     free(e->nonnegative);
     free(e->by);
     free(e->rest);
+    free(e->reach);
     free(e->source);
     free(e->place);
     free(e);
@@ -346,10 +363,8 @@ static void bound_joint(struct rounding *e, int i)
     e->linked[i] = true;
 }
 
-double rounding_error(struct rounding *e)
+static void find_errors(struct rounding *e)
 {
-    if (e->hull && !e->links)
-        return INFINITY;
     for (size_t n = 0; n < e->needs; n++) {
         const int i = e->needed[n];
         rounding_propagate(e, (size_t)i);
@@ -357,6 +372,22 @@ double rounding_error(struct rounding *e)
         if (e->error[i] > 0 && (i == e->op || (e->links && is_joint(e, i))))
             bound_joint(e, i);
     }
+}
+
+double rounding_error(struct rounding *e)
+{
+    find_errors(e);
     const double error = e->error[e->op];
-    return e->hull || error == INFINITY ? error : lesser(error, backward_error(e, e->op, BY_NONE));
+    return error == INFINITY ? error : lesser(error, backward_error(e, e->op, BY_NONE));
+}
+
+void rounding_errors_on_part(struct rounding *e, const struct hull_part *part, double *error)
+{
+    const struct hull *h = e->hull;
+    if (e->links) {
+        rounding_enter(e, part);
+        find_errors(e);
+    }
+    for (size_t i = 0; i < h->program->outputs; i++)
+        error[i] = e->links ? e->error[region_op(h->region, h->program->output[i])] : INFINITY;
 }

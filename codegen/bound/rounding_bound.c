@@ -94,8 +94,8 @@ static double joints(const struct rounding *e)
 
 double bound_error(struct region *r, int op, long boxes, double *work)
 {
-    struct forms *w = forms_new(r->known, op);
-    struct search s = {.region = r, .rounding = rounding_new(w, op, NULL)};
+    struct forms *w = forms_new(r->known, &op, 1);
+    struct search s = {.region = r, .rounding = rounding_new(w, op)};
     const size_t n = r->known->variables;
     /* evaluations for the variables that are tried, and a way backwards from each joint */
     const double box_work = (double)w->needs * 14 * ((double)n + 16) * (1 + joints(s.rounding) / 40.0);
@@ -129,28 +129,76 @@ double bound_error(struct region *r, int op, long boxes, double *work)
     return bound;
 }
 
-double bound_error_on_hull(const struct hull *h, int op)
+struct part_bound {
+    const struct hull *hull;   /* not owned */
+    struct forms *forms;       /* owned */
+    struct rounding *rounding; /* owned */
+    struct interval *value;    /* owned: what is known of the region's values */
+    struct interval *box;      /* owned */
+};
+
+struct part_bound *part_bound_new(const struct hull *h)
 {
+    struct part_bound *b = new_array(1, sizeof *b);
+    const struct known *x = h->region->known;
+    const size_t n = h->program->outputs;
+    int *op = new_array(n, sizeof *op);
+    for (size_t i = 0; i < n; i++)
+        op[i] = region_op(h->region, h->program->output[i]);
+    b->hull = h;
+    b->forms = forms_new(x, op, n);
+    b->forms->affine = false;
+    b->rounding = rounding_on_hull(b->forms, h);
+    b->value = new_array(x->program->ops, sizeof *b->value);
+    b->box = new_array(x->variables, sizeof *b->box);
+    free(op);
+    return b;
+}
+
+void part_bound_at(struct part_bound *b, const struct hull_part *part, double *error)
+{
+    const struct hull *h = b->hull;
     struct known *x = h->region->known;
-    if (h->points == 0 || ((size_t)op >= x->first && !hull_is_joint(h, op) && x->program->op[op].kind != OP_CONSTANT))
-        return INFINITY;
-    struct interval *value = new_array(x->program->ops, sizeof *value), *box = new_array(x->variables, sizeof *box);
-    memcpy(value, x->value, x->program->ops * sizeof *value);
+    const size_t size = x->program->ops * sizeof *x->value;
+    memcpy(b->value, x->value, size);
     for (size_t i = 0; i < h->program->ops; i++) {
         const int all = region_op(h->region, (int)i);
-        x->value[all] = interval_meet(x->value[all], h->value[i]);
+        const struct interval value = interval_meet(x->value[all], part->limit[i].value);
+        if (value.lo <= value.hi) /* or the limit, of rounded values, is off */
+            x->value[all] = value;
     }
-    struct forms *w = forms_new(x, op);
-    struct rounding *e = rounding_new(w, op, h);
-    w->affine = false;
-    region_box(h->region, box);
-    const double error = forms_evaluate(w, box) ? rounding_error(e) : INFINITY;
-    memcpy(x->value, value, x->program->ops * sizeof *value);
-    rounding_free(e);
-    forms_free(w);
-    free(value);
-    free(box);
-    return error;
+    region_box(h->region, b->box);
+    if (forms_evaluate(b->forms, b->box))
+        rounding_errors_on_part(b->rounding, part, error);
+    else
+        for (size_t i = 0; i < h->program->outputs; i++)
+            error[i] = INFINITY;
+    memcpy(x->value, b->value, size);
+}
+
+void part_bound_free(struct part_bound *b)
+{
+    rounding_free(b->rounding);
+    forms_free(b->forms);
+    free(b->value);
+    free(b->box);
+    free(b);
+}
+
+void bound_errors_on_hull(const struct hull *h, double *error)
+{
+    const size_t n = h->program->outputs;
+    struct part_bound *b = part_bound_new(h);
+    double *part = new_array(n, sizeof *part);
+    for (size_t i = 0; i < n; i++)
+        error[i] = h->parts > 0 ? 0 : INFINITY;
+    for (size_t k = 0; k < h->parts; k++) {
+        part_bound_at(b, &h->part[k], part);
+        for (size_t i = 0; i < n; i++)
+            error[i] = greater(error[i], part[i]);
+    }
+    free(part);
+    part_bound_free(b);
 }
 
 struct point_bound {
@@ -162,8 +210,8 @@ struct point_bound {
 struct point_bound *point_bound_new(const struct region *r, int op)
 {
     struct point_bound *b = new_array(1, sizeof *b);
-    b->forms = forms_new(r->known, op);
-    b->rounding = rounding_new(b->forms, op, NULL);
+    b->forms = forms_new(r->known, &op, 1);
+    b->rounding = rounding_new(b->forms, op);
     b->box = new_array(r->known->variables, sizeof *b->box);
     return b;
 }

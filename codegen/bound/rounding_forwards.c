@@ -1,4 +1,4 @@
-/* Bounds of rounding errors, forwards; see rounding_parts.h.
+/* Bounds of rounding errors, forwards; see rounding.h.
  *
  * Forwards (running error analysis): with x the exact and x' the computed value of an operation, |x' - x| <= e and |x'
  * - x| <= r |x|: what the operands' errors make of the exact result, and one rounding, at most u |result| + h with u the
@@ -6,7 +6,7 @@
  * contracted into a sum is not rounded; the sum's rounding, u |sum| or h, is at most what is counted for both.  So the
  * bounds hold with and without contraction.  Absolute and relative bound narrow each other: relative ones do not care
  * by what factor a quotient's divisor varies over the box, absolute ones do not mind zeros. */
-#include "rounding_parts.h"
+#include "rounding.h"
 
 #include "enclosure.h"
 

@@ -1,4 +1,4 @@
-/* Rounding errors on a hull; see rounding_parts.h.
+/* Rounding errors on a hull; see rounding.h.
  *
  * Derivatives are limited at the exact values.  How far those at values between these and the computed ones are from them: with
  * A and A' the derivatives of all operations by their operands at either, and T = 1/(1 - A) and T' those of all values by all
@@ -6,34 +6,89 @@
  *     T' - T = T' (A' - A) T.
  * What T' (A' - A) of the result is, as far as no joint is between (`pushed`), is summed up at joints, whose T is limited: so
  * it does not grow with every value on the way, as sums of sizes would. */
-#include "rounding_parts.h"
+#include "rounding.h"
 
 #define PAD 0x1p-10 /* above the rounding of sums */
 
-static void find_drift(struct rounding *e, int i)
+void rounding_begin_on_hull(struct rounding *e)
 {
-    const enum op_kind kind = e->forms->known->program->op[i].kind;
-    struct sensitivity *by = &e->by[i];
-    for (size_t k = 0; k < e->sources; k++) {
-        const struct hull_slope *most = hull_slope(e->hull, e->source[k].joint, i);
-        const double slope = !most ? INFINITY : kind == OP_MUL || kind == OP_NEG ? most->size : most->slope;
-        by->drift = above(by->drift + rounding_product(e->source[k].size, slope));
+    e->rest = new_array(e->forms->known->program->ops, sizeof *e->rest);
+    e->source = new_array(e->hull->joints, sizeof *e->source);
+    e->reach = new_array(e->hull->program->ops * e->hull->joints, sizeof *e->reach);
+}
+
+void rounding_enter(struct rounding *e, const struct hull_part *part)
+{
+    const struct program *p = e->hull->program;
+    const size_t joints = e->hull->joints;
+    e->part = part;
+    for (size_t i = 0; i < p->ops; i++) {
+        const bool product = p->op[i].kind == OP_MUL || p->op[i].kind == OP_NEG;
+        for (size_t k = 0; k < joints; k++) {
+            const struct hull_slope *x = &part->slope[k * p->ops + i];
+            e->reach[i * joints + k] = product ? x->size : x->slope;
+        }
     }
-    if (hull_is_joint(e->hull, i) && by->pushed > 0) {
-        e->source[e->sources++] = (struct source){i, by->pushed};
+}
+
+/* Above the sum of products of numbers >= 0. */
+static double sum_of_products(const double *a, const double *b, size_t n)
+{
+    double part[4] = {0}, all = 0;
+    size_t k = 0;
+    for (; k + 4 <= n; k += 4)
+        for (size_t l = 0; l < 4; l++)
+            part[l] += a[k + l] * b[k + l];
+    for (; k < n; k++)
+        part[0] += a[k] * b[k];
+    const double sum = (part[0] + part[1] + (part[2] + part[3])) * (1 + PAD) + DBL_MIN;
+    if (sum == sum)
+        return sum;
+    for (k = 0; k < n; k++)
+        all = above(all + rounding_product(a[k], b[k]));
+    return all;
+}
+
+/* Joints are passed from the last to the first. */
+static void begin_drift(struct rounding *e, size_t joint, double size)
+{
+    if (e->sources == 0)
+        e->first_source = joint + 1;
+    while (e->first_source > joint) {
+        e->source[--e->first_source] = 0;
+        e->sources++;
+    }
+    e->source[joint] = size;
+}
+
+static void find_drift(struct rounding *e, int i, int own)
+{
+    const struct hull *h = e->hull;
+    struct sensitivity *by = &e->by[i];
+    if (e->sources > 0) {
+        const size_t first = e->first_source;
+        const double drift =
+            own < 0 ? INFINITY
+                    : sum_of_products(e->source + first, e->reach + (size_t)own * h->joints + first, e->sources);
+        by->drift = above(by->drift + drift);
+    }
+    if (hull_is_joint(h, i) && by->pushed > 0) {
+        begin_drift(e, (size_t)h->joint[own], by->pushed);
         by->pushed = 0;
     }
 }
 
 void rounding_limit_by_hull(struct rounding *e, int result, int i)
 {
-    const struct hull_slope *most = hull_slope(e->hull, result, i);
+    const int own = e->hull->own[i];
+    const struct hull_slope *most = hull_slopes(e->part, result);
     struct sensitivity *by = &e->by[i];
-    find_drift(e, i);
-    if (!most) {
+    find_drift(e, i, own);
+    if (!most || own < 0) {
         by->more = INFINITY;
         return;
     }
+    most += own;
     const double value = above(interval_most(e->forms->range[i]) + e->error[i]);
     const double slope = above(most->slope + by->drift), size = above(most->size + by->drift);
     /* (slope + drift) (value + error) */
@@ -75,8 +130,8 @@ void rounding_end_on_hull(struct rounding *e, int joint, double rest)
     e->rest[joint] = rest;
     if (!hull_is_joint(h, joint) || !h->divides[own])
         return;
-    const double share = e->arithmetic.unit * h->share[own] * (1 + PAD);
-    e->relative[joint] = lesser(e->relative[joint], rounding_checked(e, share + rest / h->least[own], 0));
+    const double share = e->arithmetic.unit * e->part->limit[own].share * (1 + PAD);
+    e->relative[joint] = lesser(e->relative[joint], rounding_checked(e, share + rest / e->part->limit[own].least, 0));
 }
 
 static double rest_of(const struct rounding *e, int op)
@@ -94,6 +149,6 @@ bool rounding_is_decided(const struct rounding *e, int i)
     const int own = e->hull ? e->hull->own[i] : -1;
     if (own < 0 || (op->kind != OP_MIN && op->kind != OP_MAX && op->kind != OP_ABS))
         return false;
-    const double share = e->arithmetic.unit * e->hull->tie[own] * (1 + PAD);
-    return share + (rest_of(e, op->a) + rest_of(e, op->b)) / e->hull->apart[own] < 0.5;
+    const double share = e->arithmetic.unit * e->part->limit[own].tie * (1 + PAD);
+    return share + (rest_of(e, op->a) + rest_of(e, op->b)) / e->part->limit[own].apart < 0.5;
 }

@@ -188,7 +188,9 @@ void banner_evidence(const struct genome_file *f, const struct function *functio
     bool hull = false;
     for (size_t i = 0; i < e->outputs; i++)
         hull = hull || has_hull(&e->error[i]);
-    if (hull)
+    if (hull && e->parts > 1)
+        banner_add(&l, "(%ld points, hull of %ld in %zu parts)", e->samples, e->hull, e->parts);
+    else if (hull)
         banner_add(&l, "(%ld points, hull of %ld)", e->samples, e->hull);
     else if (e->samples > 0)
         banner_add(&l, "(%ld points)", e->samples);

@@ -35,9 +35,7 @@ static char *rounding_line(const char *header, const char *name)
     assert_non_null(banner);
     banner = strstr(banner, "\n *   rounding:");
     assert_non_null(banner);
-    const char *end = strstr(banner, "points");
-    while (end && end[6] != ')' && strncmp(end, "points, hull", 12) != 0)
-        end = strstr(end + 1, "points");
+    const char *end = strchr(banner, '('); /* how many points */
     assert_non_null(end);
     char *line = new_array((size_t)(end - banner) + 1, 1), *to = line;
     for (; banner < end; banner++)
