@@ -248,7 +248,7 @@ bool hull_part_holds(struct hull *h, const struct hull_part *part)
     return visit(h, part, false);
 }
 
-bool hull_part_raise(struct hull *h, const struct hull_part *part)
+bool hull_part_raise(struct hull *h, struct hull_part *part)
 {
     return visit(h, part, true);
 }

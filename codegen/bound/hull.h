@@ -41,8 +41,7 @@ struct hull {
     int *op;               /* owned: by joint, its operation of the program */
     bool *divides;         /* owned: by operation of the program, others divide by it */
     double *at, *by, *use; /* owned: values at one point, derivatives and their sizes */
-    double
-        *sum; /* owned: by input, constant and joint, the sum of the weights that it is made of, in units of rounding */
+    double *sum; /* owned: by input, constant and joint, of the weights that it is made of, in units of rounding */
     long points; /* that its parts were made of */
     size_t parts;
     struct hull_part *part; /* owned */
@@ -70,7 +69,7 @@ void hull_go(struct hull *h, const double *at);
 /** Whether the part holds the point where the hull is. */
 bool hull_part_holds(struct hull *h, const struct hull_part *part);
 /** Makes it hold the point, and finds the sums of weights there; false: some derivatives are none, and limits half raised. */
-bool hull_part_raise(struct hull *h, const struct hull_part *part);
+bool hull_part_raise(struct hull *h, struct hull_part *part);
 
 struct hull_part hull_part_new(const struct hull *h);
 struct hull_part hull_part_copy(const struct hull_part *part);

@@ -12,14 +12,12 @@
 
 #define GROW (1 + 0x1p-45) /* above the roundings of the terms of a bound, all positive */
 
-/* 1/n of an n-th root, 0 of what is none. */
 double rounding_power(const struct op *op)
 {
     const int root = op_unary(op->kind)->root;
     return root ? 1.0 / root : 0;
 }
 
-/* Derivative of an n-th root of a, which is that root / (n a); of other functions nothing is known. */
 struct interval rounding_function_slope(const struct op *op, struct interval a)
 {
     const struct interval power = interval_point(rounding_power(op));
@@ -196,7 +194,6 @@ void rounding_propagate(struct rounding *e, size_t i)
     e->relative[i] = e->error[i] > 0 ? lesser(relative, rounding_checked(e, e->error[i] / least, 0)) : 0;
 }
 
-/* What rounding the operation itself adds: up to share |value| + constant. */
 double rounding_own_share(const struct rounding *e, int i, double *constant)
 {
     const struct op *op = &e->forms->known->program->op[i];
