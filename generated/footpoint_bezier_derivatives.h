@@ -251,11 +251,11 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   operations:     183 mul, 1 div, 147 add, 1 sqrt, 0 compare; 98 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  5b9934ed475cc1c21efbad2b2fb3e24254291305cbc9e4a43b593ea4ee491b6e
- *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 1.6e-13)
- *   rounding:       r <= 3.1e-15 proved, 2.3e-15 at points, 1.2e-15 sampled; r_xi <= 2.2e-15 proved, 1.1e-15 at
- *     points, 5.7e-16 sampled; r_eta <= 2.3e-15 proved, 7.6e-16 at points, 4.4e-16 sampled; normal <= 7.4e-11 proved,
- *     <= 8.3e-15 on the hull, 1.1e-15 at points, 3e-16 sampled; gap <= 5.1e-10 proved, <= 2.9e-14 on the hull,
- *     2.7e-15 at points, 5.5e-16 sampled (10000 points, hull of 10000)
+ *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 1.7e-13)
+ *   rounding:       r <= 3.1e-15 proved, 2.2e-15 at points, 1.2e-15 sampled; r_xi <= 2.2e-15 proved, 9.3e-16 at
+ *     points, 5.7e-16 sampled; r_eta <= 2.3e-15 proved, 6.8e-16 at points, 4.4e-16 sampled; normal <= 7.9e-11 proved,
+ *     <= 2.7e-15 on the hull, 1.1e-15 at points, 3e-16 sampled; gap <= 5e-10 proved, <= 8.3e-15 on the hull, 2.2e-15
+ *     at points, 5.5e-16 sampled (10000 points, hull of 10000)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -462,16 +462,16 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   operations:     1005 mul, 2 div, 607 add, 1 sqrt, 2 compare; 369 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-157
  *   genome_sha256:  e7bb50664973fbd551f38ad8dbfefa3edd0132ab354f0ebbe599a0862225b4a0
- *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 2.7e-06)
- *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 8.9e-05)
- *   rounding:       r <= 3.1e-15 proved, 2.4e-15 at points, 9.2e-16 sampled; r_xi <= 2.6e-15 proved, 1.1e-15 at
- *     points, 5.3e-16 sampled; r_eta <= 2.7e-15 proved, 1.2e-15 at points, 5.5e-16 sampled; normal <= 4.1e-09 proved,
- *     <= 7.5e-15 on the hull, 1.2e-15 at points, 3.4e-16 sampled; gap <= 5.6e-08 proved, <= 2.5e-14 on the hull,
- *     3.6e-15 at points, 4.6e-16 sampled; d_xi <= 0.47 proved, <= 8.7e-13 on the hull, 9.7e-15 at points, 1.2e-14
- *     sampled; d_eta <= 0.28 proved, <= 4.6e-13 on the hull, 1.5e-14 at points, 1.2e-14 sampled; d_gap <= 1.3e-08
- *     proved, <= 7.5e-15 on the hull, 1.7e-15 at points, 3.9e-16 sampled; d_xi_n <= 3e-13 on the hull, 6.4e-15 at
- *     points, 1.2e-15 sampled; d_eta_n <= 0.28 proved, <= 1.6e-13 on the hull, 6.7e-15 at points, 5.9e-15 sampled;
- *     d_gap_n <= 7.9e-08 proved, <= 4.2e-15 on the hull, 7.5e-16 at points, 3.3e-16 sampled (2099 points, hull of
+ *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 2.8e-06)
+ *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 9.1e-05)
+ *   rounding:       r <= 3.1e-15 proved, 2.3e-15 at points, 9.2e-16 sampled; r_xi <= 2.6e-15 proved, 9.8e-16 at
+ *     points, 5.3e-16 sampled; r_eta <= 2.7e-15 proved, 1.1e-15 at points, 5.5e-16 sampled; normal <= 4.2e-09 proved,
+ *     <= 2.2e-15 on the hull, 1.2e-15 at points, 3.4e-16 sampled; gap <= 5.8e-08 proved, <= 6.9e-15 on the hull,
+ *     2.9e-15 at points, 4.6e-16 sampled; d_xi <= 0.47 proved, <= 6.4e-13 on the hull, 9.1e-15 at points, 1.2e-14
+ *     sampled; d_eta <= 0.28 proved, <= 3.3e-13 on the hull, 1.4e-14 at points, 1.2e-14 sampled; d_gap <= 1.3e-08
+ *     proved, <= 2.8e-15 on the hull, 1.4e-15 at points, 3.9e-16 sampled; d_xi_n <= 2.3e-13 on the hull, 5.6e-15 at
+ *     points, 1.2e-15 sampled; d_eta_n <= 0.28 proved, <= 1.2e-13 on the hull, 6e-15 at points, 5.9e-15 sampled;
+ *     d_gap_n <= 8.3e-08 proved, <= 1.8e-15 on the hull, 7.4e-16 at points, 3.3e-16 sampled (2099 points, hull of
  *     2257)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit

@@ -264,10 +264,10 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   poles:          t34 - t26 * t26: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
  *   poles:          t34 - t21 * t21: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
  *   poles:          of 1 more denominators, 1 are proved free of zeros
- *   rounding:       r <= 3.7e-13 proved, <= 9.6e-15 on the hull, 3e-15 at points, 1.1e-15 sampled; r_xi <= 1.2e-13
- *     proved, <= 7.4e-15 on the hull, 1.8e-15 at points, 5.9e-16 sampled; r_eta <= 1.2e-13 proved, <= 7.5e-15 on the
- *     hull, 1.8e-15 at points, 5.3e-16 sampled; normal <= 1e-14 on the hull, 9.9e-16 at points, 4.4e-16 sampled; gap
- *     <= 3.1e-14 on the hull, 2.5e-15 at points, 3.8e-16 sampled (3686 points, hull of 7144)
+ *   rounding:       r <= 3.8e-13 proved, <= 6.4e-15 on the hull, 2.9e-15 at points, 1.1e-15 sampled; r_xi <= 1.2e-13
+ *     proved, <= 3.7e-15 on the hull, 1.7e-15 at points, 5.9e-16 sampled; r_eta <= 1.2e-13 proved, <= 3.7e-15 on the
+ *     hull, 1.7e-15 at points, 5.3e-16 sampled; normal <= 2.8e-15 on the hull, 8.9e-16 at points, 4.4e-16 sampled;
+ *     gap <= 7.9e-15 on the hull, 2.4e-15 at points, 3.8e-16 sampled (3686 points, hull of 7144)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -567,13 +567,13 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   poles:          t31 - t28 * t28: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
  *   poles:          t32 - t30 * t30: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
  *   poles:          of 2 more denominators, 2 are proved free of zeros
- *   rounding:       r <= 1.4e-13 proved, <= 6.3e-15 on the hull, 2.2e-15 at points, 7.6e-16 sampled; r_xi <= 3e-12
- *     proved, <= 5.3e-15 on the hull, 1.4e-15 at points, 4e-16 sampled; r_eta <= 3e-12 proved, <= 5.6e-15 on the
- *     hull, 1.6e-15 at points, 4.6e-16 sampled; normal <= 7.3e-15 on the hull, 1.1e-15 at points, 3.1e-16 sampled;
- *     gap <= 1.8e-14 on the hull, 2.3e-15 at points, 2.4e-16 sampled; d_xi <= 7.5e-14 on the hull, 2.8e-14 at points,
- *     2.1e-15 sampled; d_eta <= 1.2e-13 on the hull, 2.9e-14 at points, 2.7e-15 sampled; d_gap <= 7.3e-15 on the
- *     hull, 1.6e-15 at points, 4.4e-16 sampled; d_xi_n <= 1.7e-14 on the hull, 5.6e-15 at points, 4.3e-16 sampled;
- *     d_eta_n <= 2.1e-14 on the hull, 4.7e-15 at points, 7e-16 sampled; d_gap_n <= 4.2e-15 on the hull, 1.1e-15 at
+ *   rounding:       r <= 1.4e-13 proved, <= 4.6e-15 on the hull, 2e-15 at points, 7.6e-16 sampled; r_xi <= 3e-12
+ *     proved, <= 2.8e-15 on the hull, 1.3e-15 at points, 4e-16 sampled; r_eta <= 3e-12 proved, <= 3.2e-15 on the
+ *     hull, 1.5e-15 at points, 4.6e-16 sampled; normal <= 2.1e-15 on the hull, 1e-15 at points, 3.1e-16 sampled; gap
+ *     <= 5.2e-15 on the hull, 2.1e-15 at points, 2.4e-16 sampled; d_xi <= 2.8e-14 on the hull, 2.8e-14 at points,
+ *     2.1e-15 sampled; d_eta <= 5.8e-14 on the hull, 2.8e-14 at points, 2.7e-15 sampled; d_gap <= 3.2e-15 on the
+ *     hull, 1.5e-15 at points, 4.4e-16 sampled; d_xi_n <= 9.1e-15 on the hull, 5.1e-15 at points, 4.3e-16 sampled;
+ *     d_eta_n <= 9.8e-15 on the hull, 4.4e-15 at points, 7e-16 sampled; d_gap_n <= 2.1e-15 on the hull, 9.7e-16 at
  *     points, 2e-16 sampled (698 points, hull of 308)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit

@@ -939,8 +939,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *co
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  41894fdb374e6df39f613a106c47b53c471a4cb73106f6367343d7239d031360
  *   poles:          t29: proved free of zeros, |t29| >= 1.1e+03 (rounding error <= 0.31)
- *   rounding:       xi <= 0.00057 proved, <= 8.3e-05 on the hull, 8.8e-06 at points, 2.2e-06 sampled; eta <= 0.00045
- *     proved, <= 5.4e-05 on the hull, 6.6e-06 at points, 1.1e-06 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 0.00057 proved, <= 6e-05 on the hull, 8.8e-06 at points, 2.2e-06 sampled; eta <= 0.00045
+ *     proved, <= 3.4e-05 on the hull, 6.5e-06 at points, 1.1e-06 sampled (10000 points, hull of 10000 in 5 parts)
  *   training_both:  genes 98 mean 4.821e-03
  *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, samples 200000
  *   heldout_random: xi 4.847e-03 3.710e-02 1.822e-01, eta 4.846e-03 3.716e-02 1.537e-01, samples 200000
@@ -1078,8 +1078,8 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *
  *   genome_sha256:  b837c245f02968599a6b90020bee905f946ca4ef2d23d77baaeedcd055ee3fe3
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.5e-05)
  *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 2.3 (rounding error <= 0.17)
- *   rounding:       xi <= 0.31 proved, <= 0.00031 on the hull, 3.4e-05 at points, 5.8e-06 sampled; eta <= 0.19
- *     proved, <= 0.00027 on the hull, 1.5e-05 at points, 3.4e-06 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 0.31 proved, <= 0.00021 on the hull, 3.2e-05 at points, 5.8e-06 sampled; eta <= 0.19
+ *     proved, <= 0.00018 on the hull, 1.4e-05 at points, 3.4e-06 sampled (10000 points, hull of 10000 in 2 parts)
  *   training_both:  genes 143 mean 1.266e-03
  *   heldout:        xi 1.257e-03 1.604e-02 1.483e-01, eta 1.254e-03 1.613e-02 1.093e-01, samples 200000
  *   heldout_random: xi 1.261e-03 1.604e-02 1.218e-01, eta 1.266e-03 1.613e-02 1.140e-01, samples 200000
@@ -1221,8 +1221,8 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *
  *   genome_sha256:  e75c79cd8e5af19e2ea7b01b72205dd01cb3258c1563684242a1a401b1b97f3a
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.5e-05)
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 1.5 (rounding error <= 0.43)
- *   rounding:       xi <= 0.00031 on the hull, 2.9e-05 at points, 6.7e-06 sampled; eta <= 0.00027 on the hull,
- *     1.5e-05 at points, 4.4e-06 sampled (10000 points, hull of 10000)
+ *   rounding:       xi <= 0.0002 on the hull, 2.9e-05 at points, 6.7e-06 sampled; eta <= 0.00017 on the hull, 1.5e-05
+ *     at points, 4.4e-06 sampled (10000 points, hull of 10000 in 3 parts)
  *   training_both:  genes 182 mean 1.914e-04
  *   heldout:        xi 1.919e-04 2.962e-03 9.525e-02, eta 1.913e-04 3.014e-03 6.392e-02, samples 200000
  *   heldout_random: xi 1.938e-04 3.022e-03 7.520e-02, eta 1.946e-04 3.060e-03 6.525e-02, samples 200000
@@ -1366,8 +1366,8 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
  *   poles:          t33 * t32 - t31 * t31: proved free of zeros, |...| >= 2 (rounding error <= 0.32)
  *   poles:          t44 * t42 - t43 * t43: proved free of zeros, |...| >= 1
- *   rounding:       xi <= 0.00024 on the hull, 3.4e-05 at points, 6.1e-06 sampled; eta <= 0.00024 on the hull,
- *     1.9e-05 at points, 3.4e-06 sampled (10000 points, hull of 10000 in 20 parts)
+ *   rounding:       xi <= 0.0002 on the hull, 2.9e-05 at points, 6.1e-06 sampled; eta <= 0.00021 on the hull, 1.6e-05
+ *     at points, 3.4e-06 sampled (10000 points, hull of 10000 in 19 parts)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 251 mean 1.688e-05
  *   heldout:        xi 1.779e-05 2.392e-04 3.578e-02, eta 1.746e-05 2.365e-04 2.206e-02, samples 200000
@@ -1518,8 +1518,8 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
  *   poles:          t37 * t40 - t42 * t42: proved free of zeros, |...| >= 1.2 (rounding error <= 0.75)
  *   poles:          t51 * t50 - t53 * t53: proved free of zeros, |...| >= 1
- *   rounding:       xi <= 0.00028 on the hull, 3.5e-05 at points, 7.9e-06 sampled; eta <= 0.00027 on the hull,
- *     1.8e-05 at points, 7.4e-06 sampled (10000 points, hull of 10000 in 30 parts)
+ *   rounding:       xi <= 0.00021 on the hull, 3.1e-05 at points, 7.9e-06 sampled; eta <= 0.00021 on the hull,
+ *     1.5e-05 at points, 7.4e-06 sampled (10000 points, hull of 10000 in 27 parts)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 335 mean 3.144e-07
  *   heldout:        xi 6.111e-07 3.482e-06 8.499e-03, eta 5.262e-07 3.221e-06 4.708e-03, samples 200000
@@ -1673,8 +1673,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.7e-05)
  *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 0.78)
  *   poles:          t50 * t50 - t47 * t46: proved free of zeros, |...| >= 1
- *   rounding:       xi <= 0.00028 on the hull, 3.6e-05 at points, 7.9e-06 sampled; eta <= 0.00028 on the hull,
- *     2.1e-05 at points, 5.1e-06 sampled (10000 points, hull of 10000 in 39 parts)
+ *   rounding:       xi <= 0.00022 on the hull, 3.2e-05 at points, 7.9e-06 sampled; eta <= 0.00022 on the hull,
+ *     1.8e-05 at points, 5.1e-06 sampled (10000 points, hull of 10000 in 38 parts)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 365 mean 9.970e-09
  *   heldout:        xi 1.466e-07 9.331e-07 8.849e-04, eta 1.470e-07 9.129e-07 1.404e-03, samples 200000
@@ -1830,8 +1830,8 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float 
  *   poles:          t46 * t45 - t44 * t44: proved free of zeros, |...| >= 0.93
  *   poles:          t57 * t56 - t59 * t59: proved free of zeros, |...| >= 0.99
  *   poles:          t69 * t68 - t71 * t71: proved free of zeros, |...| >= 0.99
- *   rounding:       xi <= 0.00028 on the hull, 3.5e-05 at points, 5.8e-06 sampled; eta <= 0.00027 on the hull,
- *     1.7e-05 at points, 4.8e-06 sampled (10000 points, hull of 9801 in 64 parts)
+ *   rounding:       xi <= 0.0002 on the hull, 3.1e-05 at points, 5.8e-06 sampled; eta <= 0.0002 on the hull, 1.4e-05
+ *     at points, 4.8e-06 sampled (10000 points, hull of 9873 in 64 parts)
  *   found_both:     seed 1 generations 110 islands 2 in scene quad4
  *   training_both:  genes 503 mean 8.790e-15
  *   heldout:        xi 1.234e-07 8.715e-07 1.084e-05, eta 1.230e-07 8.566e-07 7.502e-06, samples 200000

@@ -251,11 +251,11 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   operations:     142 mul, 1 div, 125 add, 1 sqrt, 0 compare; 67 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  fae6e7af9b3bafc9a402bd96d933e5d06f86b21bbe64c76c284a6d0daffabdd6
- *   poles:          t62: proved free of zeros, |t62| >= 0.099 (rounding error <= 5.3e-13)
- *   rounding:       phi <= 7.5e-16 proved, 5.1e-16 at points, 3.5e-16 sampled; r_xi <= 8.7e-15 proved, 5.3e-15 at
- *     points, 1.8e-15 sampled; r_eta <= 8.7e-15 proved, 6e-15 at points, 2.2e-15 sampled; normal <= 2.9e-10 proved,
- *     <= 2.1e-14 on the hull, 2.3e-15 at points, 5.7e-16 sampled; gap <= 7.3e-10 proved, <= 6e-14 on the hull,
- *     4.8e-15 at points, 1.1e-15 sampled (10000 points, hull of 10000)
+ *   poles:          t62: proved free of zeros, |t62| >= 0.099 (rounding error <= 5.1e-13)
+ *   rounding:       phi <= 7.5e-16 proved, 4.9e-16 at points, 3.5e-16 sampled; r_xi <= 7.5e-15 proved, 4.2e-15 at
+ *     points, 1.8e-15 sampled; r_eta <= 7.5e-15 proved, 4.5e-15 at points, 2.2e-15 sampled; normal <= 2.7e-10 proved,
+ *     <= 8.7e-15 on the hull, 1.8e-15 at points, 5.7e-16 sampled; gap <= 9.4e-10 proved, <= 2e-14 on the hull,
+ *     3.9e-15 at points, 1.1e-15 sampled (10000 points, hull of 10000)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -471,12 +471,12 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
  *   genome_sha256:  d69c7bc521c8ffdbf4263ae2ad0f218e7eb12bf908b32af58b8ac7761de2c77f
  *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 6.2e-10)
  *   poles:          t97: proved free of zeros, |t97| >= 0.099 (rounding error <= 2.8e-11)
- *   rounding:       phi <= 7.5e-16 proved, 6.6e-16 at points, 3.4e-16 sampled; r_xi <= 9e-15 proved, 6.5e-15 at
- *     points, 1.8e-15 sampled; r_eta <= 8.1e-15 proved, 5.9e-15 at points, 2e-15 sampled; normal <= 3.3e-07 proved,
- *     <= 2.1e-14 on the hull, 2.3e-15 at points, 4.3e-16 sampled; gap <= 3.2e-06 proved, <= 6.2e-14 on the hull,
- *     4.6e-15 at points, 5.8e-16 sampled; d_xi <= 3.4 proved, <= 2.8e-11 on the hull, 2.2e-12 at points, 4.2e-13
- *     sampled; d_eta <= 3.5 proved, <= 2.9e-11 on the hull, 1.8e-12 at points, 4.9e-13 sampled; d_gap <= 6.5e-07
- *     proved, <= 2.1e-14 on the hull, 2.3e-15 at points, 5.2e-16 sampled (5089 points, hull of 10000)
+ *   rounding:       phi <= 7.5e-16 proved, 6.3e-16 at points, 3.4e-16 sampled; r_xi <= 7.9e-15 proved, 5.5e-15 at
+ *     points, 1.8e-15 sampled; r_eta <= 7e-15 proved, 4.4e-15 at points, 2e-15 sampled; normal <= 3.2e-07 proved, <=
+ *     8.3e-15 on the hull, 1.9e-15 at points, 4.3e-16 sampled; gap <= 3e-06 proved, <= 2e-14 on the hull, 3.8e-15 at
+ *     points, 5.8e-16 sampled; d_xi <= 3.4 proved, <= 1.5e-11 on the hull, 1.7e-12 at points, 4.2e-13 sampled; d_eta
+ *     <= 3.5 proved, <= 1.7e-11 on the hull, 1.4e-12 at points, 4.9e-13 sampled; d_gap <= 6.2e-07 proved, <= 9.3e-15
+ *     on the hull, 1.9e-15 at points, 5.2e-16 sampled (5089 points, hull of 10000)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -826,10 +826,10 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
  *   genome_sha256:  6739760367d67701ff36c5edc81936170d736b2b2ab7a92f64b85139eaaf310f
  *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 5.4e-08)
  *   poles:          t110: proved free of zeros, |t110| >= 25 (rounding error <= 5.6e-07)
- *   rounding:       gap <= 0.0043 proved, <= 3.4e-14 on the hull, 3.8e-15 at points, 5.4e-16 sampled; d_xi <= 3.1e-12
- *     on the hull, 6.8e-13 at points, 4.1e-13 sampled; d_eta <= 2.3e-12 on the hull, 4.7e-13 at points, 2.9e-13
- *     sampled; d_gap <= 0.00096 proved, <= 1.2e-14 on the hull, 2.4e-15 at points, 4.9e-16 sampled; d_normal <=
- *     3.9e-12 on the hull, 1.3e-12 at points, 6.2e-13 sampled; hessian <= 3.9e-12 on the hull, 1.3e-12 at points,
+ *   rounding:       gap <= 0.0043 proved, <= 9.4e-15 on the hull, 3.4e-15 at points, 5.4e-16 sampled; d_xi <= 1.7e-12
+ *     on the hull, 6.4e-13 at points, 4.1e-13 sampled; d_eta <= 1.2e-12 on the hull, 4.4e-13 at points, 2.9e-13
+ *     sampled; d_gap <= 0.00096 proved, <= 5.6e-15 on the hull, 2.1e-15 at points, 4.9e-16 sampled; d_normal <=
+ *     2.5e-12 on the hull, 1.2e-12 at points, 6.2e-13 sampled; hessian <= 2.5e-12 on the hull, 1.2e-12 at points,
  *     6.2e-13 sampled (899 points, hull of 392)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[30 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]

@@ -18,6 +18,20 @@ struct interval function_range(enum op_kind kind, struct interval x)
     return (struct interval){f->root > 0 && x.lo >= 0 ? greater(0, y.lo) : y.lo, y.hi};
 }
 
+/* Of two numbers, the number that their sum or product is, if it is one. */
+static struct interval sum_of(struct interval a, struct interval b)
+{
+    const double x = a.lo + b.lo;
+    return a.lo == a.hi && b.lo == b.hi && sum_is_exact(a.lo, b.lo, x) ? interval_point(x) : interval_add(a, b);
+}
+
+static struct interval product_of(struct interval a, struct interval b)
+{
+    const double x = a.lo * b.lo;
+    return a.lo == a.hi && b.lo == b.hi && product_is_exact(a.lo, b.lo, x) ? interval_point(x)
+                                                                           : interval_multiply(a, b);
+}
+
 static struct interval range_of(const struct forms *w, const struct op *op, const struct interval *box)
 {
     const struct interval none = {0, 0}, *a = op->a >= 0 ? &w->range[op->a] : &none;
@@ -32,11 +46,11 @@ static struct interval range_of(const struct forms *w, const struct op *op, cons
     case OP_NEG:
         return interval_negative(*a);
     case OP_ADD:
-        return interval_add(*a, *b);
+        return sum_of(*a, *b);
     case OP_SUB:
-        return interval_subtract(*a, *b);
+        return sum_of(*a, interval_negative(*b));
     case OP_MUL:
-        return op->squared ? interval_square(*a) : interval_multiply(*a, *b);
+        return op->squared && a->lo < a->hi ? interval_square(*a) : product_of(*a, *b);
     case OP_DIV:
     case OP_PDIV:
         return interval_divide(*a, *b);

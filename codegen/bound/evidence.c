@@ -121,7 +121,7 @@ static void bound_on_hull(struct region *r, struct evidence *e, const struct pro
     e->hull = h->points;
     e->parts = h->parts;
     for (size_t i = 0; i < p->outputs; i++)
-        e->error[i].hull = error[i];
+        e->error[i].hull = fmin(error[i], e->error[i].bound);
     free(error);
     hull_free(h);
 }
@@ -233,20 +233,22 @@ static void sample_errors(struct evidence *e, struct computed *c, struct region 
     uint64_t seed = o->seed;
     double *input = new_array(p->inputs, sizeof *input), *at = new_array(r->known->variables, sizeof *at);
     double *largest = new_array(p->outputs, sizeof *largest);
-    struct point_bound **bound = new_array(p->outputs, sizeof *bound);
+    double *bounds = new_array(p->outputs, sizeof *bounds);
+    struct point_bound *bound = point_bound_new(r, p);
     arb_ptr exact = _arb_vec_init((slong)p->outputs);
     arb_t error;
     arb_init(error);
-    for (size_t i = 0; i < p->outputs; i++)
-        bound[i] = point_bound_new(r, region_op(r, p->output[i]));
     while (e->samples < most && region_draw(r, &seed, 0, true, &tries, at)) {
         region_inputs(r, at, input);
         round_inputs(c, input);
         if (!point_exact(p, input, exact))
             continue;
         e->samples++;
-        for (size_t i = 0; i < p->outputs && e->samples <= POINTS_BOUNDED && can_bound(r->known); i++)
-            e->error[i].points = fmax(e->error[i].points, point_bound_at(bound[i], at));
+        if (e->samples <= POINTS_BOUNDED && can_bound(r->known)) {
+            point_bound_at(bound, at, bounds);
+            for (size_t i = 0; i < p->outputs; i++)
+                e->error[i].points = fmax(e->error[i].points, bounds[i]);
+        }
         for (int contract = 0; contract < 2; contract++) {
             compute(c, input, contract ? &seed : NULL);
             for (size_t i = 0; i < p->outputs; i++) {
@@ -264,9 +266,8 @@ static void sample_errors(struct evidence *e, struct computed *c, struct region 
             e->error[i].bound = e->error[i].bound <= largest[i] ? e->error[i].bound : INFINITY;
             e->error[i].hull = e->error[i].hull <= largest[i] ? e->error[i].hull : INFINITY;
         }
-    for (size_t i = 0; i < p->outputs; i++)
-        point_bound_free(bound[i]);
-    free(bound);
+    point_bound_free(bound);
+    free(bounds);
     arb_clear(error);
     _arb_vec_clear(exact, (slong)p->outputs);
     free(input);
@@ -337,15 +338,16 @@ static bool print_point(const struct program *p, struct region *r, const double 
     for (size_t k = 0; k < r->known->variables; k++)
         at[k] = input[r->known->input[k]];
     double *row = new_array(2 * p->outputs, sizeof *row);
+    struct point_bound *bound = point_bound_new(r, p);
+    point_bound_at(bound, at, row + p->outputs);
     bool good = point_exact(p, input, exact);
     for (size_t i = 0; good && i < p->outputs; i++) {
+        double *error = &row[p->outputs + i];
         good = ball_nearest(exact + i, &row[i]);
-        /* with the rounding of the exact result */
-        struct point_bound *bound = point_bound_new(r, region_op(r, p->output[i]));
-        row[p->outputs + i] = above(point_bound_at(bound, at) + above(fabs(row[i]) * 0x1p-53));
-        point_bound_free(bound);
-        good = good && row[p->outputs + i] < INFINITY;
+        *error = above(*error + above(fabs(row[i]) * 0x1p-53)); /* with the rounding of the exact result */
+        good = good && *error < INFINITY;
     }
+    point_bound_free(bound);
     if (good) {
         fputs("    {", out);
         for (size_t i = 0; i < p->inputs; i++)

@@ -7,8 +7,9 @@
 #include <string.h>
 
 #define WIDER 2.0
-#define CLOSER 0x1p20 /* of what chooses: points left out are one in a million */
-#define PAD 1e-9      /* of what cancels: above the rounding of hulls */
+#define CLOSER 0x1p8 /* of what chooses: points left out are one in a million */
+#define DECIDED 0.25 /* but errors are less than that of the distance, if they are at the points */
+#define PAD 1e-9     /* of what cancels: above the rounding of hulls */
 
 static bool chooses(const struct op *op)
 {
@@ -115,18 +116,37 @@ static bool slopes_at(const struct program *p, const double *v, size_t i, double
     }
 }
 
-/* Backwards from operation `top` at the point whose values are h->at: derivatives h->by, sizes h->use. */
+/* Derivatives by the uses of an operand of operation i, where those of i are by[i] and in span[i].  A product is contracted by sums
+ * alone, in any of them; so it is through a sign. */
+static struct interval span_of_use(const struct hull *h, size_t i, double part)
+{
+    const enum op_kind kind = h->program->op[i].kind;
+    if (kind == OP_NEG)
+        return interval_negative(h->span[i]);
+    if (kind == OP_ADD || kind == OP_SUB)
+        return (struct interval){lesser(part, 0), greater(part, 0)};
+    return interval_point(part);
+}
+
+/* What has no error at the point moves nothing. */
+static bool moves(const struct hull *h, size_t i)
+{
+    return !h->exact[i] && !interval_is_zero(h->span[i]);
+}
+
+/* Backwards from operation `top` at the point whose values are h->at. */
 static bool sweep(struct hull *h, size_t top)
 {
     const struct program *p = h->program;
     bool good = true;
     memset(h->by, 0, (top + 1) * sizeof *h->by);
-    memset(h->use, 0, (top + 1) * sizeof *h->use);
-    h->by[top] = h->use[top] = 1;
+    memset(h->span, 0, (top + 1) * sizeof *h->span);
+    h->by[top] = 1;
+    h->span[top] = interval_point(1);
     for (size_t i = top + 1; i-- > 0;) {
         const struct op *op = &p->op[i];
         double slope[2];
-        if (h->use[i] == 0)
+        if (!moves(h, i))
             continue;
         good = good && slopes_at(p, h->at, i, slope);
         for (int k = 0; k < 2; k++) {
@@ -134,8 +154,10 @@ static bool sweep(struct hull *h, size_t top)
             if (operand < 0)
                 continue;
             const double part = slope[k] * h->by[i];
+            const struct interval span = span_of_use(h, i, part);
             h->by[operand] += part;
-            h->use[operand] += fabs(op->kind == OP_NEG ? h->use[i] : part);
+            h->span[operand].lo += span.lo;
+            h->span[operand].hi += span.hi;
         }
     }
     return good;
@@ -146,24 +168,84 @@ static bool is_product(const struct op *op)
     return op->kind == OP_MUL || op->kind == OP_NEG;
 }
 
-/* In units of rounding, what operation i adds at most, its value being 1, or what an input is off. */
-static double own_units(const struct hull *h, size_t i)
+static bool is_power_of_two(double x)
 {
-    const struct arithmetic *a = &h->region->known->arithmetic;
-    const enum op_kind kind = h->program->op[i].kind;
-    return kind == OP_INPUT                                ? a->given / a->unit
-           : kind >= OP_UNARY && kind < OP_UNARY + UNARIES ? op_unary(kind)->error
-                                                           : 1;
+    int exponent;
+    return fabs(frexp(x, &exponent)) == 0.5;
+}
+
+/* What operation i adds at the point, in units of rounding, its value being 1. */
+static double units_at(const struct hull *h, size_t i)
+{
+    const struct op *op = &h->program->op[i];
+    const bool twice = op->kind == OP_MUL && ((h->exact[op->a] && is_power_of_two(h->at[op->a])) ||
+                                              (h->exact[op->b] && is_power_of_two(h->at[op->b])));
+    return h->exact[i] || twice ? 0 : h->units[i];
+}
+
+/* Derivative of operation `top` by a constant i, and, where it is the first one, by all that are the same and are off by the
+ * same, which are passed before it. */
+static double pool(struct hull *h, size_t i)
+{
+    const size_t first = (size_t)h->same[i];
+    const double by = h->by[i] + h->pooled[i];
+    if (first == i) {
+        h->pooled[i] = 0;
+        return by;
+    }
+    h->pooled[first] += h->at[first] == h->at[i] ? h->by[i] : -h->by[i];
+    return 0;
 }
 
 /* The sum of the weights that operation `top` is made of, after its sweep. */
-static double sum_weights(const struct hull *h, size_t top)
+static double sum_weights(struct hull *h, size_t top)
 {
     double sum = 0;
-    for (size_t i = 0; i <= top; i++)
-        if (h->use[i] > 0)
-            sum += own_units(h, i) * fabs(h->at[i]) * (is_product(&h->program->op[i]) ? h->use[i] : fabs(h->by[i]));
+    for (size_t i = top + 1; i-- > 0;) {
+        const struct op *op = &h->program->op[i];
+        if (op->kind == OP_CONSTANT && h->units[i] > 0)
+            sum += h->units[i] * fabs(h->at[i] * pool(h, i));
+        else if (moves(h, i))
+            sum += units_at(h, i) * fabs(h->at[i]) * (is_product(op) ? interval_most(h->span[i]) : fabs(h->by[i]));
+    }
     return sum;
+}
+
+/* A sum or product of exact numbers is one, as far as the arithmetic has it. */
+static bool is_exact_result(const struct hull *h, size_t i)
+{
+    const struct op *op = &h->program->op[i];
+    const double x = h->at[i], a = h->at[op->a], b = op->kind == OP_SUB ? -h->at[op->b] : h->at[op->b];
+    const bool single = h->region->known->arithmetic.unit > arithmetic_double.unit;
+    return (op->kind == OP_MUL ? product_is_exact(a, b, x) : sum_is_exact(a, b, x)) &&
+           (!single || (double)(float)x == x);
+}
+
+/* Constants, and what is made of them where they are chosen. */
+static bool is_exact(const struct hull *h, size_t i)
+{
+    const struct op *op = &h->program->op[i];
+    const bool *x = h->exact;
+    const double *v = h->at;
+    switch (op->kind) {
+    case OP_CONSTANT:
+        return h->units[i] == 0;
+    case OP_NEG:
+    case OP_ABS:
+        return x[op->a];
+    case OP_MIN:
+        return v[op->a] < v[op->b] ? x[op->a] : x[op->b];
+    case OP_MAX:
+        return v[op->a] > v[op->b] ? x[op->a] : x[op->b];
+    case OP_ADD:
+    case OP_SUB:
+        return x[op->a] && x[op->b] && is_exact_result(h, i);
+    case OP_MUL:
+        return (x[op->a] && v[op->a] == 0) || (x[op->b] && v[op->b] == 0) ||
+               (x[op->a] && x[op->b] && is_exact_result(h, i));
+    default:
+        return false;
+    }
 }
 
 void hull_go(struct hull *h, const double *at)
@@ -172,6 +254,8 @@ void hull_go(struct hull *h, const double *at)
     double *input = new_array(p->inputs, sizeof *input);
     region_inputs(h->region, at, input);
     point_double(p, input, NULL, h->at);
+    for (size_t i = 0; i < p->ops; i++)
+        h->exact[i] = is_exact(h, i);
     free(input);
 }
 
@@ -198,14 +282,24 @@ static bool values_within(const struct hull *h, struct hull_limit *limit, bool r
     return good;
 }
 
+static struct hull_slope slope_at(const struct hull *h, size_t i)
+{
+    const double x = fabs(h->at[i]), slope = fabs(h->by[i]), size = interval_most(h->span[i]);
+    return (struct hull_slope){slope, slope * x, size, size * x};
+}
+
 static bool slopes_within(struct hull *h, struct hull_slope *most, size_t top, bool raise)
 {
     bool good = sweep(h, top);
     for (size_t i = 0; i < top && good; i++) {
-        const double x = fabs(h->at[i]), slope = fabs(h->by[i]), size = h->use[i];
-        good =
-            size == 0 || (within(slope, &most[i].slope, raise) && within(size, &most[i].size, raise) &&
-                          within(slope * x, &most[i].weight, raise) && within(size * x, &most[i].size_weight, raise));
+        if (!moves(h, i))
+            continue;
+        const struct hull_slope x = slope_at(h, i);
+        if (raise)
+            most[i] = (struct hull_slope){greater(x.slope, most[i].slope), greater(x.weight, most[i].weight),
+                                          greater(x.size, most[i].size), greater(x.size_weight, most[i].size_weight)};
+        good = x.slope <= most[i].slope && x.weight <= most[i].weight && x.size <= most[i].size &&
+               x.size_weight <= most[i].size_weight;
     }
     h->sum[top] = good ? sum_weights(h, top) : INFINITY;
     return good;
@@ -234,11 +328,11 @@ static bool visit(struct hull *h, const struct hull_part *part, bool raise)
 {
     bool good = values_within(h, part->limit, raise);
     for (size_t i = 0; i < h->program->ops; i++)
-        h->sum[i] = own_units(h, i) * fabs(h->at[i]); /* of joints below */
+        h->sum[i] = units_at(h, i) * fabs(h->at[i]); /* of joints below */
     for (size_t k = 0; k < h->joints && good; k++) {
         const size_t top = (size_t)h->op[k];
         good = slopes_within(h, &part->slope[k * h->program->ops], top, raise) &&
-               shares_within(h, &part->limit[top], top, raise);
+               within(h->sum[top], &part->limit[top].sum, raise) && shares_within(h, &part->limit[top], top, raise);
     }
     return good;
 }
@@ -313,6 +407,7 @@ static void widen_slopes(struct hull_part *part, size_t joint)
 
 void hull_part_widen(struct hull_part *part)
 {
+    const double unit = part->hull->region->known->arithmetic.unit;
     for (size_t k = 0; k < part->hull->joints; k++)
         widen_slopes(part, k);
     for (size_t i = 0; i < part->hull->program->ops; i++) {
@@ -320,8 +415,9 @@ void hull_part_widen(struct hull_part *part)
         x->value = widened(x->value, value_pad(part, i));
         x->least /= WIDER;
         x->share *= WIDER;
+        x->sum *= WIDER;
         x->apart /= CLOSER;
-        x->tie *= CLOSER;
+        x->tie = greater(WIDER * x->tie, lesser(CLOSER * x->tie, DECIDED / unit));
     }
 }
 
@@ -354,6 +450,46 @@ void hull_part_free(struct hull_part *part)
     free(part->slope);
 }
 
+/* In units of rounding, what an operation adds at most, its value being 1, or what an input or constant is off. */
+static double own_units(const struct hull *h, const struct op *op)
+{
+    const struct arithmetic *a = &h->region->known->arithmetic;
+    switch (op->kind) {
+    case OP_CONSTANT: {
+        const double error = constant_error(a, h->program, op);
+        return error > 0 ? error / (a->unit * fabs(fmpq_get_d(h->program->constant + op->input))) : 0;
+    }
+    case OP_INPUT:
+        return a->given / a->unit;
+    case OP_NEG:
+    case OP_MIN:
+    case OP_MAX:
+        return 0;
+    default:
+        return op->kind >= OP_UNARY ? op_unary(op->kind)->error : 1;
+    }
+}
+
+static bool is_same(const struct program *p, const struct op *a, const struct op *b)
+{
+    const fmpq *x = p->constant + a->input, *y = p->constant + b->input;
+    return b->kind == OP_CONSTANT && a->quotient == b->quotient && fmpz_cmpabs(fmpq_numref(x), fmpq_numref(y)) == 0 &&
+           fmpz_equal(fmpq_denref(x), fmpq_denref(y));
+}
+
+static void find_same(struct hull *h)
+{
+    const struct program *p = h->program;
+    h->same = new_array(p->ops, sizeof *h->same);
+    h->pooled = new_array(p->ops, sizeof *h->pooled);
+    for (size_t i = 0; i < p->ops; i++) {
+        size_t k = p->op[i].kind == OP_CONSTANT ? 0 : i;
+        while (k < i && !is_same(p, &p->op[i], &p->op[k]))
+            k++;
+        h->same[i] = (int)k;
+    }
+}
+
 struct hull *hull_of_program(const struct region *r, const struct program *p)
 {
     struct hull *h = new_array(1, sizeof *h);
@@ -362,8 +498,13 @@ struct hull *hull_of_program(const struct region *r, const struct program *p)
     find_joints(h);
     h->at = new_array(p->ops, sizeof *h->at);
     h->by = new_array(p->ops, sizeof *h->by);
-    h->use = new_array(p->ops, sizeof *h->use);
     h->sum = new_array(p->ops, sizeof *h->sum);
+    h->span = new_array(p->ops, sizeof *h->span);
+    h->exact = new_array(p->ops, sizeof *h->exact);
+    h->units = new_array(p->ops, sizeof *h->units);
+    for (size_t i = 0; i < p->ops; i++)
+        h->units[i] = own_units(h, &p->op[i]);
+    find_same(h);
     point_constants(p, h->at);
     return h;
 }
@@ -381,7 +522,11 @@ void hull_free(struct hull *h)
     free(h->divides);
     free(h->at);
     free(h->by);
-    free(h->use);
     free(h->sum);
+    free(h->span);
+    free(h->exact);
+    free(h->units);
+    free(h->same);
+    free(h->pooled);
     free(h);
 }

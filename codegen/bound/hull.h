@@ -4,7 +4,8 @@
  * the region where values cancel as they do nowhere else.  It has parts, each the hull of some of the points, as what is large
  * at some of them need not be so at others.
  *
- * Derivatives are along what minima and maxima choose; they are not where two values to choose from are nearly the same. */
+ * Derivatives are along what minima and maxima choose; they are not where two values to choose from are nearly the same.  Where
+ * a number is chosen, and what is made of such numbers alone is one, that has no error: what it would move is not limited. */
 #ifndef FOOTPOINT_HULL_H
 #define FOOTPOINT_HULL_H
 
@@ -14,7 +15,7 @@
 struct hull_slope {
     double slope;  /* |derivative| */
     double weight; /* |derivative * value| */
-    double size; /* of products: the sum of the sizes of the derivative's parts, one for each use; infinite of others */
+    double size;   /* of products: of the derivative by those uses in which it is rounded; infinite of others */
     double size_weight;
 };
 
@@ -24,6 +25,7 @@ struct hull_limit {
     /* of what divides: its magnitude is at least, and over that the sum of the weights that it is made of, in units of rounding,
      * at most; of what chooses, the same of the distance of its operands */
     double least, share, apart, tie;
+    double sum; /* of a joint: of the weights that it is made of, in units of rounding, at most */
 };
 
 struct hull_part {
@@ -36,11 +38,16 @@ struct hull {
     const struct region *region;   /* not owned */
     const struct program *program; /* not owned */
     size_t joints;
-    int *own;              /* owned: by operation of the region's program, that of the program; -1: none */
-    int *joint;            /* owned: by operation of the program, which joint it is; -1: none */
-    int *op;               /* owned: by joint, its operation of the program */
-    bool *divides;         /* owned: by operation of the program, others divide by it */
-    double *at, *by, *use; /* owned: values at one point, derivatives and their sizes */
+    int *own;        /* owned: by operation of the region's program, that of the program; -1: none */
+    int *joint;      /* owned: by operation of the program, which joint it is; -1: none */
+    int *op;         /* owned: by joint, its operation of the program */
+    bool *divides;   /* owned: by operation of the program, others divide by it */
+    double *units;   /* owned: by operation of the program, what it adds at most, its value being 1 */
+    int *same;       /* owned: by operation of the program, of constants, the first that is the same but for its sign */
+    double *pooled;  /* owned: by operation, of such a first constant, derivatives by the others; 0 between sweeps */
+    double *at, *by; /* owned: values at one point, derivatives */
+    struct interval *span; /* owned: of the derivatives by some uses, those by others being contracted */
+    bool *exact; /* owned: the value at the point is a number that what is chosen says, computed without an error */
     double *sum; /* owned: by input, constant and joint, of the weights that it is made of, in units of rounding */
     long points; /* that its parts were made of */
     size_t parts;

@@ -8,11 +8,10 @@
 
 #include <stdlib.h>
 
-/* Bounds over first-order errors.  More than twice, as a hull is twice as wide as its points. */
-#define NEAR 16.0
+/* Bounds over the largest first-order errors.  More than twice, as a hull is twice as wide as its points. */
 #define CLOSE 4.0
-#define MOST_WORK 3e10 /* nanoseconds, about: half a minute */
-#define FIRST 0.2      /* of that, for a first look at all points */
+#define MOST_WORK 2e10 /* about half a minute */
+#define FIRST 0.3      /* of that, for a first look at all points */
 enum { TRIES_A_POINT = 20, MOST_PARTS = 64, PATIENCE = 24 /* points refused in a row */ };
 
 struct point {
@@ -123,7 +122,7 @@ static long grow(struct cover *c, struct growing *g, struct point *point, long p
             *g = with;
             c->hull->points += end - k;
             k = end;
-            many += 1 + many / 4;
+            many *= 2;
             refused = 0;
             empty = false;
             continue;
@@ -197,7 +196,7 @@ static void cover(struct cover *c, struct point *point, long points)
     h->part = new_array(MOST_PARTS, sizeof *h->part);
     points = look(c, point, points, &all);
     hull_part_widen(&all);
-    if (!is_within(c, NEAR, &all))
+    if (!is_within(c, CLOSE, &all))
         make_parts(c, point, points);
     if (points > 0 && h->parts == 0) {
         h->part[h->parts++] = hull_part_copy(&all);

@@ -38,6 +38,19 @@ static inline double above(double x)
     return -below(-x);
 }
 
+/** Whether x, the rounded sum of two numbers, is their sum. */
+static inline bool sum_is_exact(double a, double b, double x)
+{
+    const double other = x - a;
+    return fabs(x) <= DBL_MAX && (a - (x - other)) + (b - other) == 0;
+}
+
+/** The same of a product, or not, where it is small. */
+static inline bool product_is_exact(double a, double b, double x)
+{
+    return fabs(x) <= DBL_MAX && fabs(x) > 0x1p-900 && fma(a, b, -x) == 0;
+}
+
 static inline struct interval interval_whole(void)
 {
     return (struct interval){-INFINITY, INFINITY};

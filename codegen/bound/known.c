@@ -15,6 +15,15 @@ const struct arithmetic arithmetic_single = {0x1p-24, 0x1p-149, FLT_MAX, 0};
 const struct arithmetic arithmetic_single_scaled = {0x1p-24, 0x1p-149, FLT_MAX,
                                                     0x1.001p-23}; /* a difference, a product */
 
+double constant_error(const struct arithmetic *a, const struct program *p, const struct op *o)
+{
+    double error;
+    const double x = point_constant(p, o, &error);
+    if (a->unit == arithmetic_double.unit || (error == 0 && (double)(float)x == x))
+        return error;
+    return error + a->unit * (fabs(x) * (1 + 0x1p-20)) + a->least;
+}
+
 /* ---- requires as a program ---- */
 
 /* first[i]: the first require that needs let i, or f->requires. */

@@ -19,6 +19,9 @@ extern const struct arithmetic arithmetic_double, arithmetic_single;
 /** Nodes less the first one, times a factor (single_inputs in evaluate_float.h), are what the program is given. */
 extern const struct arithmetic arithmetic_single_scaled;
 
+/** How far a constant is off. */
+double constant_error(const struct arithmetic *a, const struct program *p, const struct op *o);
+
 struct known {
     struct arithmetic arithmetic; /* double at first */
     size_t inputs;                /* what varies: of the file, or of its region block */

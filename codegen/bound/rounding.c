@@ -23,24 +23,16 @@ static bool is_joint(const struct rounding *e, int i)
     return (e->hull ? hull_is_joint(e->hull, i) : x->joint[i] || x->pinned[i]) && !rounding_is_given(x, i);
 }
 
-/* How far a constant is off. */
-static double constant_error(const struct rounding *e, const struct program *p, const struct op *o)
-{
-    double error;
-    const double x = point_constant(p, o, &error);
-    if (e->arithmetic.unit == arithmetic_double.unit || (error == 0 && (double)(float)x == x))
-        return error;
-    return error + rounding_of_last(e, fabs(x) * (1 + 0x1p-20));
-}
-
-static struct rounding *new_of(struct forms *w, const struct hull *hull, const int *op, size_t ops)
+struct rounding *rounding_new(struct forms *w, const struct hull *hull, const int *target, size_t targets)
 {
     struct rounding *e = new_array(1, sizeof *e);
     const struct program *p = w->known->program;
     bool *marked = new_array(p->ops, sizeof *marked);
     size_t joints = 0;
     *e = (struct rounding){
-        .arithmetic = w->known->arithmetic, .forms = w, .hull = hull, .op = hull ? -1 : op[0], .links = true};
+        .arithmetic = w->known->arithmetic, .forms = w, .hull = hull, .targets = targets, .links = true};
+    e->target = new_array(targets, sizeof *e->target);
+    e->asked = new_array(p->ops, sizeof *e->asked);
     e->needed = new_array(w->needs, sizeof *e->needed);
     e->place = new_array(p->ops, sizeof *e->place);
     e->constant = new_array(p->ops, sizeof *e->constant);
@@ -51,8 +43,10 @@ static struct rounding *new_of(struct forms *w, const struct hull *hull, const i
     e->by = new_array(p->ops, sizeof *e->by);
     if (hull)
         rounding_begin_on_hull(e);
-    for (size_t i = 0; i < ops; i++)
-        marked[op[i]] = true;
+    for (size_t i = 0; i < targets; i++) {
+        e->target[i] = target[i];
+        e->asked[target[i]] = marked[target[i]] = true;
+    }
     for (size_t i = p->ops; i-- > 0;) {
         const struct op *o = &p->op[i];
         if (!marked[i] || rounding_is_given(w->known, (int)i))
@@ -62,7 +56,7 @@ static struct rounding *new_of(struct forms *w, const struct hull *hull, const i
         if (o->b >= 0)
             marked[o->b] = true;
         if (o->kind == OP_CONSTANT)
-            e->constant[i] = constant_error(e, p, o);
+            e->constant[i] = constant_error(&e->arithmetic, p, o);
     }
     for (size_t i = 0; i < p->ops; i++)
         if (marked[i]) {
@@ -76,26 +70,12 @@ static struct rounding *new_of(struct forms *w, const struct hull *hull, const i
     return e;
 }
 
-struct rounding *rounding_new(struct forms *w, int op)
-{
-    return new_of(w, NULL, &op, 1);
-}
-
-struct rounding *rounding_on_hull(struct forms *w, const struct hull *hull)
-{
-    const size_t n = hull->program->outputs;
-    int *op = new_array(n, sizeof *op);
-    for (size_t i = 0; i < n; i++)
-        op[i] = region_op(hull->region, hull->program->output[i]);
-    struct rounding *e = new_of(w, hull, op, n);
-    free(op);
-    return e;
-}
-
 void rounding_free(struct rounding *e)
 {
     if (!e)
         return;
+    free(e->target);
+    free(e->asked);
     free(e->needed);
     free(e->constant);
     free(e->error);
@@ -227,6 +207,24 @@ static double sum(double a, double b)
     return a == 0 ? b : b == 0 ? a : above(a + b);
 }
 
+/* A sum with 0 is exact, unless it is a product contracted: then the product's rounding is that sum's. */
+static bool is_rounded_sum(struct rounding *e, int i)
+{
+    double constant;
+    return rounding_own_share(e, i, &constant) > 0;
+}
+
+/* What a use is to a product that may be contracted: only sums do that, each of them by itself. */
+static struct interval span_of_use(struct rounding *e, int i, struct interval part)
+{
+    const enum op_kind kind = e->forms->known->program->op[i].kind;
+    const double most = interval_most(part);
+    if (kind != OP_ADD && kind != OP_SUB)
+        return part;
+    return is_rounded_sum(e, i) ? (struct interval){lesser(part.lo, 0), greater(part.hi, 0)}
+                                : (struct interval){-most, most};
+}
+
 /* What the result owes to operand k of operation i.  `blur`: the operation's own error times its slope. */
 static void charge(struct rounding *e, int i, int k, struct interval slope, double blur)
 {
@@ -245,8 +243,10 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
     to->pushed = sum(to->pushed, sum(rounding_product(by->pushed, interval_most(slope)), turned));
     to->slope = interval_add(to->slope, part);
     to->weight = interval_add(to->weight, weight);
-    to->slope_size += op->kind == OP_NEG ? by->slope_size : interval_most(part);
-    to->weight_size += op->kind == OP_NEG ? by->weight_size : interval_most(weight);
+    const bool negates = op->kind == OP_NEG;
+    to->slope_span =
+        interval_add(to->slope_span, negates ? interval_negative(by->slope_span) : span_of_use(e, i, part));
+    to->weight_span = interval_add(to->weight_span, negates ? by->weight_span : span_of_use(e, i, weight));
 }
 
 /* Where a way backwards ends: at all joints whose errors were found backwards to be less than forwards; at local coordinates
@@ -273,7 +273,7 @@ static double link_error(const struct rounding *e, int i)
     const struct sensitivity *by = &e->by[i];
     const double rounding = rounding_of_last(e, interval_most(e->forms->range[i]) + e->error[i]);
     return e->error[i] * interval_most(by->slope) +
-           (kind == OP_MUL || kind == OP_NEG ? 2 * rounding * by->slope_size : 0);
+           (kind == OP_MUL || kind == OP_NEG ? 2 * rounding * above(by->slope_span.hi - by->slope_span.lo) : 0);
 }
 
 /* The part of operation i: what it adds by itself, or, of a link, its error.  Infinite: there is no bound. */
@@ -287,21 +287,21 @@ static double part_error(struct rounding *e, int i, bool link)
         return link_error(e, i);
     const double share = rounding_own_share(e, i, &constant);
     /* the rounded value and the one that the weight is of are both within the error from the exact one */
-    const double size = product ? by->slope_size : interval_most(by->slope);
-    const double weight = product ? by->weight_size : interval_most(by->weight);
+    const double size = interval_most(product ? by->slope_span : by->slope);
+    const double weight = interval_most(product ? by->weight_span : by->weight);
     return (share > 0 ? share * (weight + 2 * e->error[i] * size) : 0) + (constant > 0 ? constant * size : 0);
 }
 
 /* By the mean value theorem, the error of the result is the sum over all operations of what each adds, times the
- * derivative of the result by that at some point between exact and computed values.  A product may be contracted in one
- * of its uses and rounded in another, so that its error is charged for each of them by itself; so through a sign.
+ * derivative of the result by that at some point between exact and computed values.  A product may be contracted in some of
+ * its uses and rounded in the others, so that its error is charged for the worst of these; so through a sign.
  * Joints, as far as the way goes by them, count by their errors in this box. */
 static double backward_error(struct rounding *e, int result, enum way way)
 {
     static const struct sensitivity none;
     double error = 0, rest = 0;
     const struct interval value = rounding_inflated(e, result);
-    e->by[result] = (struct sensitivity){{1, 1}, value, 1, interval_most(value), 0, 0, 0};
+    e->by[result] = (struct sensitivity){{1, 1}, value, {1, 1}, value, 0, 0, 0};
     e->sources = 0;
     affine_result(e->forms, result);
     size_t n = e->place[result];
@@ -309,14 +309,15 @@ static double backward_error(struct rounding *e, int result, enum way way)
         const int i = e->needed[n];
         struct sensitivity *by = &e->by[i];
         const bool given = rounding_is_given(e->forms->known, i);
+        const bool used = !interval_is_zero(by->slope_span) || by->pushed > 0;
         by->drift = by->pushed;
-        if (e->hull && i != result && by->slope_size > 0)
+        if (e->hull && i != result && used)
             rounding_limit_by_hull(e, result, i);
-        if (given && by->slope_size > 0 && e->error[i] > 0)
+        if (given && used && e->error[i] > 0)
             error += e->error[i] * interval_most(interval_meet(by->slope, affine_slope(e->forms, i)));
-        if (e->hull && by->slope_size > 0)
+        if (e->hull && used)
             rest += rounding_rest(e, i);
-        if (by->slope_size == 0 || given || error == INFINITY) {
+        if (!used || given || error == INFINITY) {
             *by = none;
             affine_discharge(e->forms, i);
             continue;
@@ -341,16 +342,16 @@ static double backward_error(struct rounding *e, int result, enum way way)
         *by = none;
         affine_discharge(e->forms, i);
     }
-    if (e->hull)
-        rounding_end_on_hull(e, result, error < INFINITY ? rounding_checked(e, rest * (1 + 0x1p-30), 0) : INFINITY);
-    return rounding_checked(e, error * (1 + 0x1p-30), 0); /* its terms are many */
+    error = rounding_checked(e, error * (1 + 0x1p-30), 0); /* its terms are many */
+    rest = error < INFINITY ? rounding_checked(e, rest * (1 + 0x1p-30), 0) : INFINITY;
+    return e->hull ? lesser(error, rounding_end_on_hull(e, result, rest)) : error;
 }
 
 /* A joint's error, found backwards from those before it. */
 static void bound_joint(struct rounding *e, int i)
 {
     const double most = interval_most(e->forms->range[i]), least = rounding_least(e, i);
-    const bool pinned = !e->hull && (e->forms->known->pinned[i] || i == e->op);
+    const bool pinned = !e->hull && (e->forms->known->pinned[i] || e->asked[i]);
     double by_joints = backward_error(e, i, e->hull ? BY_NONE : BY_JOINTS);
     if (e->hull)
         by_joints = lesser(by_joints, rounding_checked(e, e->relative[i] * most, 0));
@@ -369,25 +370,30 @@ static void find_errors(struct rounding *e)
         const int i = e->needed[n];
         rounding_propagate(e, (size_t)i);
         e->linked[i] = false;
-        if (e->error[i] > 0 && (i == e->op || (e->links && is_joint(e, i))))
+        if (e->hull && !rounding_is_limited(e, i))
+            continue;
+        if (e->error[i] > 0 && (e->asked[i] || (e->links && is_joint(e, i))))
             bound_joint(e, i);
     }
 }
 
-double rounding_error(struct rounding *e)
+void rounding_errors(struct rounding *e, double *error)
 {
     find_errors(e);
-    const double error = e->error[e->op];
-    return error == INFINITY ? error : lesser(error, backward_error(e, e->op, BY_NONE));
+    for (size_t i = 0; i < e->targets; i++) {
+        const int op = e->target[i];
+        error[i] = e->error[op];
+        if (error[i] > 0 && error[i] < INFINITY)
+            error[i] = lesser(error[i], backward_error(e, op, BY_NONE));
+    }
 }
 
 void rounding_errors_on_part(struct rounding *e, const struct hull_part *part, double *error)
 {
-    const struct hull *h = e->hull;
     if (e->links) {
         rounding_enter(e, part);
         find_errors(e);
     }
-    for (size_t i = 0; i < h->program->outputs; i++)
-        error[i] = e->links ? e->error[region_op(h->region, h->program->output[i])] : INFINITY;
+    for (size_t i = 0; i < e->targets; i++)
+        error[i] = e->links ? e->error[e->target[i]] : INFINITY;
 }

@@ -8,10 +8,10 @@
 /** What an error added to a value does to the result: the result's derivative, and that times the value. */
 struct sensitivity {
     struct interval slope, weight;
-    double slope_size, weight_size; /* sums of the sizes of their parts, one for each use of the value */
-    double drift;                   /* how far the derivative is from that at the exact values, at most */
-    double pushed;                  /* of that, what does not come by way of joints on a hull */
-    double more;                    /* on a hull: by how much errors raise weights */
+    struct interval slope_span, weight_span; /* of some of its uses, those in which a product is rounded */
+    double drift;                            /* how far the derivative is from that at the exact values, at most */
+    double pushed;                           /* of that, what does not come by way of joints on a hull */
+    double more;                             /* on a hull: by how much errors raise weights */
 };
 
 struct rounding {
@@ -19,8 +19,10 @@ struct rounding {
     struct forms *forms;          /* not owned: the enclosures of the exact values */
     const struct hull *hull;      /* not owned: where the values lie; NULL: anywhere in the region */
     const struct hull_part *part; /* not owned: and in which part */
-    int op;                       /* whose error is asked for; on a hull -1: the joints' */
-    int *needed;                  /* owned: operations that it depends on, ascending */
+    int *target;                  /* owned: operations whose errors are asked for */
+    size_t targets;
+    bool *asked; /* owned: by operation, it is one of these */
+    int *needed; /* owned: operations that it depends on, ascending */
     size_t needs;
     size_t *place;          /* owned: by operation, where it stands among these */
     bool links;             /* errors of joints are found backwards: there are not too many of them */
@@ -33,22 +35,22 @@ struct rounding {
     /* on a hull */
     double *rest;  /* owned: by operation, of a joint: its error less units times the weights that it is made of */
     double *reach; /* owned: by operation of the program and joint, what an error added to it does to that, at most */
+    bool limited;  /* errors do not change what operations so far choose */
     /* owned: by joint, on a way backwards, what errors do to the derivatives that it hands on, not by way of others; as far as
      * that way came */
     double *source;
     size_t first_source, sources;
 };
 
-/** For the error of operation `op`, which the forms are of. */
-struct rounding *rounding_new(struct forms *w, int op);
-/** For those of the outputs of the hull's program, which the forms are of. */
-struct rounding *rounding_on_hull(struct forms *w, const struct hull *hull);
+/** For the errors of operations of the program, which the forms are of; `hull` where these are the outputs of its program, or
+ *  NULL. */
+struct rounding *rounding_new(struct forms *w, const struct hull *hull, const int *target, size_t targets);
 void rounding_free(struct rounding *e);
 
 /** Above |computed - exact| over the box that the forms were evaluated on last, whichever products are contracted to
- *  FMA. */
-double rounding_error(struct rounding *e);
-/** The same of the outputs of a hull's program, by output, on a part of it. */
+ *  FMA, by target. */
+void rounding_errors(struct rounding *e, double *error);
+/** The same on a part of the hull. */
 void rounding_errors_on_part(struct rounding *e, const struct hull_part *part, double *error);
 
 /* ---- what they are made of ---- */
@@ -116,9 +118,12 @@ void rounding_limit_by_hull(struct rounding *e, int result, int i);
 /** What operation i, or an input's error, adds to the error of the result beyond units times its weight. */
 double rounding_rest(struct rounding *e, int i);
 
-/** After a way backwards from a joint, of that rest or, where it is infinite, without a bound. */
-void rounding_end_on_hull(struct rounding *e, int joint, double rest);
+/** After a way backwards from a joint, of that rest or, where it is infinite, without a bound: its error by the sum of the
+ *  weights, as far as the part limits that. */
+double rounding_end_on_hull(struct rounding *e, int joint, double rest);
 
+/** The part limits derivatives of operation i: errors do not change what it and those before it choose.  Asked in their order. */
+bool rounding_is_limited(struct rounding *e, int i);
 /** Errors do not change what operation i chooses. */
 bool rounding_is_decided(const struct rounding *e, int i);
 

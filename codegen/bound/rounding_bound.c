@@ -20,18 +20,25 @@ struct search {
     double *share;               /* owned: by variable */
 };
 
+static double error_of(struct rounding *e)
+{
+    double error;
+    rounding_errors(e, &error);
+    return error;
+}
+
 static void offer(struct search *s, struct interval *box)
 {
     if (!forms_evaluate_narrowed(s->rounding->forms, box))
         return;
-    boxes_push(&s->boxes, rounding_error(s->rounding), box);
+    boxes_push(&s->boxes, error_of(s->rounding), box);
 }
 
 static void visit_middle(struct search *s)
 {
     for (size_t k = 0; k < s->region->known->variables; k++)
         s->part[k] = interval_point(interval_middle(s->box[k]));
-    const double error = forms_evaluate(s->rounding->forms, s->part) ? rounding_error(s->rounding) : 0;
+    const double error = forms_evaluate(s->rounding->forms, s->part) ? error_of(s->rounding) : 0;
     if (error > s->reached && region_holds(s->region, s->part))
         s->reached = error;
 }
@@ -74,7 +81,7 @@ static size_t choose_variable(struct search *s)
             break;
         s->share[k] = -1;
         s->part[k] = interval_point(interval_middle(s->box[k]));
-        const double error = forms_evaluate(s->rounding->forms, s->part) ? rounding_error(s->rounding) : 0;
+        const double error = forms_evaluate(s->rounding->forms, s->part) ? error_of(s->rounding) : 0;
         s->part[k] = s->box[k];
         if (best == n || error < least) {
             best = k;
@@ -95,7 +102,7 @@ static double joints(const struct rounding *e)
 double bound_error(struct region *r, int op, long boxes, double *work)
 {
     struct forms *w = forms_new(r->known, &op, 1);
-    struct search s = {.region = r, .rounding = rounding_new(w, op)};
+    struct search s = {.region = r, .rounding = rounding_new(w, NULL, &op, 1)};
     const size_t n = r->known->variables;
     /* evaluations for the variables that are tried, and a way backwards from each joint */
     const double box_work = (double)w->needs * 14 * ((double)n + 16) * (1 + joints(s.rounding) / 40.0);
@@ -129,6 +136,15 @@ double bound_error(struct region *r, int op, long boxes, double *work)
     return bound;
 }
 
+/* Outputs of the program, as operations of the region's.  Caller frees. */
+static int *outputs_of(const struct region *r, const struct program *p)
+{
+    int *op = new_array(p->outputs, sizeof *op);
+    for (size_t i = 0; i < p->outputs; i++)
+        op[i] = region_op(r, p->output[i]);
+    return op;
+}
+
 struct part_bound {
     const struct hull *hull;   /* not owned */
     struct forms *forms;       /* owned */
@@ -141,14 +157,11 @@ struct part_bound *part_bound_new(const struct hull *h)
 {
     struct part_bound *b = new_array(1, sizeof *b);
     const struct known *x = h->region->known;
-    const size_t n = h->program->outputs;
-    int *op = new_array(n, sizeof *op);
-    for (size_t i = 0; i < n; i++)
-        op[i] = region_op(h->region, h->program->output[i]);
+    int *op = outputs_of(h->region, h->program);
     b->hull = h;
-    b->forms = forms_new(x, op, n);
+    b->forms = forms_new(x, op, h->program->outputs);
     b->forms->affine = false;
-    b->rounding = rounding_on_hull(b->forms, h);
+    b->rounding = rounding_new(b->forms, h, op, h->program->outputs);
     b->value = new_array(x->program->ops, sizeof *b->value);
     b->box = new_array(x->variables, sizeof *b->box);
     free(op);
@@ -207,20 +220,26 @@ struct point_bound {
     struct interval *box;      /* owned */
 };
 
-struct point_bound *point_bound_new(const struct region *r, int op)
+struct point_bound *point_bound_new(const struct region *r, const struct program *p)
 {
     struct point_bound *b = new_array(1, sizeof *b);
-    b->forms = forms_new(r->known, &op, 1);
-    b->rounding = rounding_new(b->forms, op);
+    int *op = outputs_of(r, p);
+    b->forms = forms_new(r->known, op, p->outputs);
+    b->rounding = rounding_new(b->forms, NULL, op, p->outputs);
     b->box = new_array(r->known->variables, sizeof *b->box);
+    free(op);
     return b;
 }
 
-double point_bound_at(struct point_bound *b, const double *at)
+void point_bound_at(struct point_bound *b, const double *at, double *error)
 {
     for (size_t k = 0; k < b->forms->known->variables; k++)
         b->box[k] = interval_point(at[k]);
-    return forms_evaluate(b->forms, b->box) ? rounding_error(b->rounding) : INFINITY;
+    if (forms_evaluate(b->forms, b->box))
+        rounding_errors(b->rounding, error);
+    else
+        for (size_t i = 0; i < b->rounding->targets; i++)
+            error[i] = INFINITY;
 }
 
 void point_bound_free(struct point_bound *b)

@@ -19,11 +19,11 @@ struct part_bound *part_bound_new(const struct hull *h);
 void part_bound_at(struct part_bound *b, const struct hull_part *part, double *error);
 void part_bound_free(struct part_bound *b);
 
-/** The same at single points. */
+/** The same of all outputs of a program at single points. */
 struct point_bound;
-struct point_bound *point_bound_new(const struct region *r, int op);
+struct point_bound *point_bound_new(const struct region *r, const struct program *p);
 /** @param[in] at  by variable */
-double point_bound_at(struct point_bound *b, const double *at);
+void point_bound_at(struct point_bound *b, const double *at, double *error);
 void point_bound_free(struct point_bound *b);
 
 #endif

@@ -30,12 +30,28 @@ static bool is_exact_zero(const struct rounding *e, int op)
     return x.lo == 0 && x.hi == 0 && e->error[op] == 0;
 }
 
-/* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
-static bool is_exact_sum(const struct rounding *e, const struct op *op)
+/* Operands without an error have one exact result, which is a number: as where constants are chosen. */
+static bool is_exact_result(const struct rounding *e, size_t i)
 {
+    const struct op *op = &e->forms->known->program->op[i];
+    const struct interval x = e->forms->range[i];
+    return x.lo == x.hi && e->error[op->a] == 0 && e->error[op->b] == 0 &&
+           (e->arithmetic.unit == arithmetic_double.unit || (double)(float)x.lo == x.lo);
+}
+
+/* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
+static bool is_exact_sum(const struct rounding *e, size_t i)
+{
+    const struct op *op = &e->forms->known->program->op[i];
     const enum op_kind kind = e->forms->known->program->op[op->a].kind;
-    return is_exact_zero(e, op->a) || is_exact_zero(e, op->b) ||
+    return is_exact_zero(e, op->a) || is_exact_zero(e, op->b) || is_exact_result(e, i) ||
            (op->kind == OP_ADD && op->a == op->b && kind != OP_MUL && kind != OP_NEG);
+}
+
+static bool is_exact_product(const struct rounding *e, size_t i)
+{
+    const struct op *op = &e->forms->known->program->op[i];
+    return is_exact_zero(e, op->a) || is_exact_zero(e, op->b) || is_exact_result(e, i);
 }
 
 static bool is_power_of_two(const struct rounding *e, int op)
@@ -45,13 +61,14 @@ static bool is_power_of_two(const struct rounding *e, int op)
     return e->error[op] == 0 && x.lo == x.hi && fabs(frexp(x.lo, &exponent)) == 0.5;
 }
 
-static double product_error(const struct rounding *e, const struct op *op, double most)
+static double product_error(const struct rounding *e, size_t i, double most)
 {
+    const struct op *op = &e->forms->known->program->op[i];
     const struct interval *x = e->forms->range;
     const double ea = e->error[op->a], eb = e->error[op->b];
     const double error =
         (ea > 0 ? ea * (interval_most(x[op->b]) + eb) : 0) + (eb > 0 ? eb * interval_most(x[op->a]) : 0);
-    if (is_exact_zero(e, op->a) || is_exact_zero(e, op->b))
+    if (is_exact_product(e, i))
         return 0;
     return error + (is_power_of_two(e, op->a) || is_power_of_two(e, op->b) ? e->arithmetic.least
                                                                            : rounding_of_last(e, most + error));
@@ -108,10 +125,10 @@ static double error_of(const struct rounding *e, size_t i)
     case OP_ADD:
     case OP_SUB: {
         const double error = e->error[op->a] + e->error[op->b];
-        return is_exact_sum(e, op) ? error : error + e->arithmetic.unit * (most + error);
+        return is_exact_sum(e, i) ? error : error + e->arithmetic.unit * (most + error);
     }
     case OP_MUL:
-        return product_error(e, op, most);
+        return product_error(e, i, most);
     case OP_DIV:
     case OP_PDIV:
         return quotient_error(e, op, most);
@@ -205,9 +222,9 @@ double rounding_own_share(const struct rounding *e, int i, double *constant)
         return 0;
     case OP_ADD:
     case OP_SUB:
-        return is_exact_sum(e, op) ? 0 : e->arithmetic.unit;
+        return is_exact_sum(e, (size_t)i) ? 0 : e->arithmetic.unit;
     case OP_MUL:
-        if (is_exact_zero(e, op->a) || is_exact_zero(e, op->b))
+        if (is_exact_product(e, (size_t)i))
             return 0;
         exact = is_power_of_two(e, op->a) || is_power_of_two(e, op->b);
         break;

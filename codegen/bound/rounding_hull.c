@@ -22,6 +22,7 @@ void rounding_enter(struct rounding *e, const struct hull_part *part)
     const struct program *p = e->hull->program;
     const size_t joints = e->hull->joints;
     e->part = part;
+    e->limited = true;
     for (size_t i = 0; i < p->ops; i++) {
         const bool product = p->op[i].kind == OP_MUL || p->op[i].kind == OP_NEG;
         for (size_t k = 0; k < joints; k++) {
@@ -97,41 +98,40 @@ void rounding_limit_by_hull(struct rounding *e, int result, int i)
     const double weight = above(most->weight + by->more);
     by->slope = interval_meet(by->slope, (struct interval){-slope, slope});
     by->weight = interval_meet(by->weight, (struct interval){-weight, weight});
-    by->slope_size = lesser(by->slope_size, size);
-    by->weight_size = lesser(by->weight_size, above(most->size_weight + by->more));
-}
-
-/* How much more than a unit of its value a constant is off. */
-static double excess(const struct rounding *e, int i)
-{
-    return greater(0, above(e->constant[i] - below(e->arithmetic.unit * interval_least(e->forms->range[i]))));
+    by->slope_span = interval_meet(by->slope_span, (struct interval){-size, size});
+    const double size_weight = above(most->size_weight + by->more);
+    by->weight_span = interval_meet(by->weight_span, (struct interval){-size_weight, size_weight});
 }
 
 double rounding_rest(struct rounding *e, int i)
 {
     const enum op_kind kind = e->forms->known->program->op[i].kind;
     const struct sensitivity *by = &e->by[i];
-    const double size = kind == OP_MUL ? by->slope_size : interval_most(by->slope);
+    const double size = interval_most(kind == OP_MUL ? by->slope_span : by->slope);
     double constant;
     if (rounding_is_given(e->forms->known, i))
         return rounding_product(e->arithmetic.given, by->more);
+    if (kind == OP_CONSTANT)
+        return rounding_product(e->constant[i], above(by->more / interval_least(e->forms->range[i])));
     const double unit = rounding_own_share(e, i, &constant);
-    if (kind == OP_CONSTANT) /* mostly, but not always, off by less than a unit */
-        return rounding_product(e->arithmetic.unit, by->more) + rounding_product(excess(e, i), size);
     return rounding_product(unit, above(by->more + 2 * rounding_product(e->error[i], size))) +
            rounding_product(constant, size);
 }
 
 /* The share is of the exact weights. */
-void rounding_end_on_hull(struct rounding *e, int joint, double rest)
+double rounding_end_on_hull(struct rounding *e, int joint, double rest)
 {
     const struct hull *h = e->hull;
     const int own = h->own[joint];
     e->rest[joint] = rest;
-    if (!hull_is_joint(h, joint) || !h->divides[own])
-        return;
+    if (!hull_is_joint(h, joint))
+        return INFINITY;
+    const double sum = e->arithmetic.unit * e->part->limit[own].sum * (1 + PAD);
+    if (!h->divides[own])
+        return rounding_checked(e, sum + rest, 0);
     const double share = e->arithmetic.unit * e->part->limit[own].share * (1 + PAD);
     e->relative[joint] = lesser(e->relative[joint], rounding_checked(e, share + rest / e->part->limit[own].least, 0));
+    return rounding_checked(e, sum + rest, 0);
 }
 
 static double rest_of(const struct rounding *e, int op)
@@ -139,16 +139,28 @@ static double rest_of(const struct rounding *e, int op)
     if (op < 0 || e->error[op] == 0 || rounding_is_given(e->forms->known, op))
         return 0;
     if (e->forms->known->program->op[op].kind == OP_CONSTANT)
-        return excess(e, op);
+        return 0;
     return hull_is_joint(e->hull, op) ? e->rest[op] : INFINITY;
+}
+
+static bool is_choice(const struct rounding *e, int i)
+{
+    const enum op_kind kind = e->forms->known->program->op[i].kind;
+    return e->hull && e->hull->own[i] >= 0 && (kind == OP_MIN || kind == OP_MAX || kind == OP_ABS);
 }
 
 bool rounding_is_decided(const struct rounding *e, int i)
 {
     const struct op *op = &e->forms->known->program->op[i];
-    const int own = e->hull ? e->hull->own[i] : -1;
-    if (own < 0 || (op->kind != OP_MIN && op->kind != OP_MAX && op->kind != OP_ABS))
+    if (!is_choice(e, i))
         return false;
+    const int own = e->hull->own[i];
     const double share = e->arithmetic.unit * e->part->limit[own].tie * (1 + PAD);
     return share + (rest_of(e, op->a) + rest_of(e, op->b)) / e->part->limit[own].apart < 0.5;
+}
+
+bool rounding_is_limited(struct rounding *e, int i)
+{
+    e->limited = e->limited && (!is_choice(e, i) || rounding_is_decided(e, i));
+    return e->limited;
 }

@@ -6,12 +6,17 @@
 
 #include <dirent.h>
 #include <math.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static const char searches[] = "evolve/genomes";
 
 /* The header that is made from a file of genomes. */
-static char *read_header(const char *file)
+static char *read_header(const char *file, const char *suffix)
 {
     char path[600], *text;
-    snprintf(path, sizeof path, "generated/footpoint_%.*s.h", (int)(strlen(file) - strlen(".gen")), file);
+    snprintf(path, sizeof path, "generated/footpoint_%.*s%s.h", (int)(strlen(file) - strlen(".gen")), file, suffix);
     for (char *c = path; *c; c++)
         *c = *c == '-' ? '_' : *c;
     FILE *f = fopen(path, "r");
@@ -47,12 +52,12 @@ static char *rounding_line(const char *header, const char *name)
     return line;
 }
 
-/* The bound that a header claims for an output of a genome, all over the region (" proved") or " on the hull"; infinite if it
- * claims none. */
-static double claimed_bound(const char *header, const struct genome *g, size_t output, const char *where)
+/* The bound that a header claims for outputs of a genome of that name, all over the region (" proved") or " on the hull"; infinite
+ * if it claims none. */
+static double claimed_bound(const char *header, const struct genome *g, const char *output, const char *where)
 {
     char name[100], *line = rounding_line(header, g->name);
-    snprintf(name, sizeof name, " %s ", g->out[output].name);
+    snprintf(name, sizeof name, " %s ", output);
     char *claim = strstr(line, name), *end = claim ? strpbrk(claim, ";(") : NULL;
     double bound = INFINITY;
     assert_non_null(claim);
@@ -92,41 +97,89 @@ static bool holds(const char *header, const char *statements)
     return found;
 }
 
-/* Attacks the claims for all outputs; true if there was one. */
-static bool check_claims(struct subject *s, const struct genome *g, const char *header, const char *where)
+enum { OUTPUTS = 16, ROWS = 1000, FUNCTIONS = 1000 };
+
+/* A function, and what its bounds are over the worst errors that were found, by output: the one on the hull if there is one;
+ * 0: none. */
+struct claimant {
+    const char *path;
+    const struct genome *genome;
+    const char *header;
+    double *ratio;
+};
+
+/* The outputs' names, several of which may be rows of one, and which one each row is; SIZE_MAX: what a function tests. */
+struct claims {
+    size_t outputs, row[ROWS];
+    char name[OUTPUTS][60];
+    double bound[OUTPUTS], worst[OUTPUTS], rows[ROWS];
+};
+
+static struct claims find_claims(const struct claimant *c, const char *where)
 {
-    bool claims = false;
-    for (size_t i = 0; i < g->outs; i++)
-        claims = claims || claimed_bound(header, g, i, where) < INFINITY;
-    if (!claims)
-        return false;
-    double *worst = new_array(g->outs, sizeof *worst);
-    worst_errors(s, worst);
+    const struct genome *g = c->genome;
+    struct claims all = {0};
+    assert_true(g->outs <= ROWS);
     for (size_t i = 0; i < g->outs; i++) {
-        const double bound = claimed_bound(header, g, i, where);
-        print_message("%s %s%s: bound %g, worst error %g\n", g->name, g->out[i].name, where, bound, worst[i]);
-        assert_true(!(worst[i] > bound));
+        char name[60];
+        size_t k = 0;
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(g->out[i].name, "["), g->out[i].name);
+        if (strncmp(g->out[i].name, "require[", strlen("require[")) == 0) {
+            all.row[i] = SIZE_MAX;
+            continue;
+        }
+        while (k < all.outputs && strcmp(all.name[k], name) != 0)
+            k++;
+        if (k == all.outputs) {
+            assert_true(all.outputs < OUTPUTS);
+            memcpy(all.name[k], name, sizeof name);
+            all.bound[all.outputs++] = claimed_bound(c->header, g, name, where);
+        }
+        all.row[i] = k;
     }
-    free(worst);
-    return true;
+    return all;
+}
+
+/* Attacks the claims for all outputs. */
+static void check_claims(struct subject *s, const struct claimant *c, const char *where)
+{
+    struct claims all = find_claims(c, where);
+    double least = INFINITY;
+    for (size_t k = 0; k < all.outputs; k++)
+        least = fmin(least, all.bound[k]);
+    if (least == INFINITY)
+        return;
+    worst_errors(s, all.rows);
+    for (size_t i = 0; i < c->genome->outs; i++)
+        if (all.row[i] < SIZE_MAX)
+            all.worst[all.row[i]] = fmax(all.worst[all.row[i]], all.rows[i]);
+    for (size_t k = 0; k < all.outputs; k++) {
+        print_message("%s: %s %s%s: bound %g, worst error %g\n", c->path, c->genome->name, all.name[k], where,
+                      all.bound[k], all.worst[k]);
+        assert_true(!(all.worst[k] > all.bound[k]));
+        if (all.bound[k] < INFINITY && all.worst[k] > 0)
+            c->ratio[k] = all.bound[k] / all.worst[k];
+    }
 }
 
 /* Says how many points drawn anew belong to the hull. */
-static void count_held(struct subject *s)
+static void count_held(struct subject *s, const struct claimant *c)
 {
     enum { DRAWN = 4000 };
     uint64_t seed = 777;
     long held = 0, drawn = 0, tries = 100 * DRAWN;
     for (; drawn < DRAWN && region_draw(s->region, &seed, 0, true, &tries, s->at); drawn++)
         held += hull_holds(s->hull, s->at);
-    print_message("hull of %ld points: %ld of %ld others belong to it\n", s->hull->points, held, drawn);
+    print_message("%s: %s: hull of %ld points: %ld of %ld others belong to it\n", c->path, c->genome->name,
+                  s->hull->points, held, drawn);
 }
 
-static void check_genome(const struct genome_file *f, size_t k, const char *header)
+static void check_genome(const struct genome_file *f, size_t k, const char *header, double *ratio)
 {
     enum { SAMPLES = 10000 }; /* of the default effort */
     const struct compile_options o = compile_defaults();
     const struct genome *g = &f->genome[k];
+    const struct claimant claimant = {f->path, g, header, ratio};
     struct compiled c;
     struct diag d = {0};
     char *text = NULL;
@@ -136,34 +189,29 @@ static void check_genome(const struct genome_file *f, size_t k, const char *head
     fclose(copy);
     assert_true(compile_genome(f, g, &o, &c, &d));
     const bool single = strstr(header, "precision: float");
-    assert_true(single || holds(header, c.text));
+    assert_true(single || strstr(f->path, searches) != f->path || holds(header, c.text));
     struct subject s = subject_new(text, read_program(f, k, c.text));
     if (single)
         subject_in_float(&s);
-    print_message("%s\n", f->path);
-    const bool region = check_claims(&s, g, header, " proved");
+    check_claims(&s, &claimant, " proved");
     struct hull *h = hull_new(s.region, s.program, SAMPLES, o.seed);
     s.hull = h;
-    count_held(&s);
-    const bool hull = check_claims(&s, g, header, " on the hull");
-    if (!region && !hull)
-        print_message("%s claims nothing\n", g->name);
+    count_held(&s, &claimant);
+    check_claims(&s, &claimant, " on the hull");
     hull_free(h);
     subject_free(&s);
     compiled_free(&c);
     free(text);
 }
 
-/* No bound that a header claims is below an error. */
-static void test_headers(void **state)
+struct share {
+    long job, jobs, number; /* every `jobs`-th function, from number `job` on; how many there were so far */
+    double *ratio;
+};
+
+static void check_folder(struct share *s, const char *folder, const char *suffix)
 {
-    (void)state;
-    static const char folder[] = "evolve/genomes";
     struct dirent **entry;
-    if (!getenv("FOOTPOINT_LONG")) {
-        puts("# SKIP header bounds, which compile every function anew: make check-long");
-        return;
-    }
     const int n = scandir(folder, &entry, NULL, alphasort);
     assert_true(n > 0);
     for (int i = 0; i < n; i++) {
@@ -171,14 +219,71 @@ static void test_headers(void **state)
         struct diag d = {0};
         snprintf(path, sizeof path, "%s/%s", folder, entry[i]->d_name);
         struct genome_file *f = strstr(path, ".gen") ? genome_read(path, &d) : NULL;
-        char *header = f ? read_header(entry[i]->d_name) : NULL;
-        for (size_t k = 0; f && k < f->genomes; k++)
-            check_genome(f, k, header);
+        char *header = f ? read_header(entry[i]->d_name, suffix) : NULL;
+        for (size_t k = 0; f && k < f->genomes; k++, s->number++)
+            if (s->number % s->jobs == s->job) {
+                assert_true(s->number < FUNCTIONS);
+                check_genome(f, k, header, s->ratio + OUTPUTS * s->number);
+            }
         free(header);
         genome_file_free(f);
         free(entry[i]);
     }
     free(entry);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* How near the bounds are to the errors, all of them. */
+static void check_ratios(double *ratio)
+{
+    const size_t most = (size_t)OUTPUTS * FUNCTIONS;
+    size_t none = 0, near = 0, far = 0;
+    qsort(ratio, most, sizeof *ratio, compare);
+    while (none < most && ratio[none] == 0)
+        none++;
+    for (size_t i = none; i < most; i++) {
+        near += ratio[i] <= 100;
+        far += ratio[i] > 1e4;
+    }
+    assert_true(none < most);
+    print_message("%zu bounds over the worst error: median %.3g, %zu within 100, %zu above 10,000, largest %.3g\n",
+                  most - none, ratio[(most + none) / 2], near, far, ratio[most - 1]);
+    assert_true(ratio[(most + none) / 2] <= 30 && far == 0);
+}
+
+/* No bound that a header claims is below an error; by JOBS processes. */
+static void test_headers(void **state)
+{
+    (void)state;
+    const size_t size = OUTPUTS * FUNCTIONS * sizeof(double);
+    const char *text = getenv("JOBS");
+    const long asked = text ? strtol(text, NULL, 10) : 1, jobs = asked > 0 ? asked : 1;
+    int status = 0, failed = 0;
+    if (!getenv("FOOTPOINT_LONG")) {
+        puts("# SKIP header bounds, which compile every function anew: make check-long");
+        return;
+    }
+    double *ratio = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    assert_true(ratio != MAP_FAILED);
+    fflush(stdout);
+    for (long job = 0; job < jobs; job++)
+        if (fork() == 0) {
+            struct share share = {job, jobs, 0, ratio};
+            check_folder(&share, searches, "");
+            check_folder(&share, "codegen/derivatives", "_derivatives");
+            fflush(stdout); /* unless a check failed, and main returns */
+            _exit(0);
+        }
+    while (wait(&status) > 0)
+        failed += status != 0;
+    assert_int_equal(failed, 0);
+    check_ratios(ratio);
+    munmap(ratio, size);
 }
 
 int main(void)

@@ -51,7 +51,7 @@ void subject_free(struct subject *s);
 double error_of(double x, const arb_t exact);
 
 /** The worst error of each output, exactly where it may be the worst: at sample_count() random points of the region, and on
- *  the way uphill from a thousandth as many. */
+ *  the way uphill from a thousandth as many, for each output, or, of many, for one after the other. */
 void worst_errors(struct subject *s, double *worst);
 
 #endif
