@@ -366,7 +366,7 @@ static double value_pad(const struct hull_part *part, size_t i)
     double size = interval_most(part->limit[i].value);
     if (op->kind == OP_ADD || op->kind == OP_SUB)
         size += interval_most(part->limit[op->a].value) + interval_most(part->limit[op->b].value);
-    return PAD * size;
+    return PAD * size + part->hull->region->known->arithmetic.least;
 }
 
 /* The mean of the weights of the values that a joint is made of. */

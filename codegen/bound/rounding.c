@@ -207,7 +207,7 @@ static double sum(double a, double b)
     return a == 0 ? b : b == 0 ? a : above(a + b);
 }
 
-/* A sum with 0 is exact, unless it is a product contracted: then the product's rounding is that sum's. */
+/* A sum with 0 is exact, and of a product contracted what the product's rounding was. */
 static bool is_rounded_sum(struct rounding *e, int i)
 {
     double constant;
@@ -311,6 +311,8 @@ static double backward_error(struct rounding *e, int result, enum way way)
         const bool given = rounding_is_given(e->forms->known, i);
         const bool used = !interval_is_zero(by->slope_span) || by->pushed > 0;
         by->drift = by->pushed;
+        if (used && i != result && e->error[i] == INFINITY) /* it may overflow */
+            error = INFINITY;
         if (e->hull && i != result && used)
             rounding_limit_by_hull(e, result, i);
         if (given && used && e->error[i] > 0)

@@ -30,13 +30,23 @@ static bool is_exact_zero(const struct rounding *e, int op)
     return x.lo == 0 && x.hi == 0 && e->error[op] == 0;
 }
 
-/* Operands without an error have one exact result, which is a number: as where constants are chosen. */
+/* A number without an error, as a constant or what a clamp has chosen; not what an enclosure happens to say of a result. */
+static bool is_number(const struct rounding *e, int op)
+{
+    return e->error[op] == 0 && e->forms->range[op].lo == e->forms->range[op].hi;
+}
+
+/* The sum or product of two numbers is one. */
 static bool is_exact_result(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
-    const struct interval x = e->forms->range[i];
-    return x.lo == x.hi && e->error[op->a] == 0 && e->error[op->b] == 0 &&
-           (e->arithmetic.unit == arithmetic_double.unit || (double)(float)x.lo == x.lo);
+    if (!is_number(e, op->a) || !is_number(e, op->b))
+        return false;
+    const double sign = op->kind == OP_SUB ? -1 : 1, a = e->forms->range[op->a].lo,
+                 b = sign * e->forms->range[op->b].lo;
+    const double x = op->kind == OP_MUL ? a * b : a + b;
+    return (op->kind == OP_MUL ? product_is_exact(a, b, x) : sum_is_exact(a, b, x)) &&
+           (e->arithmetic.unit == arithmetic_double.unit || (double)(float)x == x);
 }
 
 /* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
@@ -48,10 +58,12 @@ static bool is_exact_sum(const struct rounding *e, size_t i)
            (op->kind == OP_ADD && op->a == op->b && kind != OP_MUL && kind != OP_NEG);
 }
 
+/* 0 times what may overflow is not 0. */
 static bool is_exact_product(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
-    return is_exact_zero(e, op->a) || is_exact_zero(e, op->b) || is_exact_result(e, i);
+    return (is_exact_zero(e, op->a) && e->error[op->b] < INFINITY) ||
+           (is_exact_zero(e, op->b) && e->error[op->a] < INFINITY) || is_exact_result(e, i);
 }
 
 static bool is_power_of_two(const struct rounding *e, int op)

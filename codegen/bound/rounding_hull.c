@@ -107,7 +107,7 @@ double rounding_rest(struct rounding *e, int i)
 {
     const enum op_kind kind = e->forms->known->program->op[i].kind;
     const struct sensitivity *by = &e->by[i];
-    const double size = interval_most(kind == OP_MUL ? by->slope_span : by->slope);
+    const double size = greater(0, interval_most(kind == OP_MUL ? by->slope_span : by->slope));
     double constant;
     if (rounding_is_given(e->forms->known, i))
         return rounding_product(e->arithmetic.given, by->more);
@@ -130,7 +130,10 @@ double rounding_end_on_hull(struct rounding *e, int joint, double rest)
     if (!h->divides[own])
         return rounding_checked(e, sum + rest, 0);
     const double share = e->arithmetic.unit * e->part->limit[own].share * (1 + PAD);
-    e->relative[joint] = lesser(e->relative[joint], rounding_checked(e, share + rest / e->part->limit[own].least, 0));
+    const double relative = rounding_checked(e, share + rest / e->part->limit[own].least, 0);
+    const double most = interval_most(e->forms->range[joint]);
+    if (rounding_checked(e, relative * most, most) < INFINITY) /* or it may overflow */
+        e->relative[joint] = lesser(e->relative[joint], relative);
     return rounding_checked(e, sum + rest, 0);
 }
 

@@ -144,12 +144,31 @@ static void test_chosen_numbers(void **state)
     tested_free(&same);
 }
 
+/* Products that underflow at all points, or may overflow: bounds are of what is exact. */
+static void test_ends_of_range(void **state)
+{
+    (void)state;
+    struct tested under = tested_new("input x y c\nrange x 1e-200 2e-200\nrange y 1e-200 2e-200\nrange c 1e300 2e300\n",
+                                     "const double t1 = in_x * in_y;\n*out_r = t1 * in_c;\n", &arithmetic_double, 200);
+    struct tested subnormal =
+        tested_new("input x y c\nrange x 1e-162 1.1e-162\nrange y 3e-161 3.1e-161\nrange c 1e300 2e300\n",
+                   "const double t1 = in_x * in_y;\n*out_r = t1 * in_c;\n", &arithmetic_double, 200);
+    struct tested over =
+        tested_new("input x y\nrange x 1.3e21 3e21\nrange y 1e21 4e21\n",
+                   "const double t1 = in_x * 288230376151711744.0;\n*out_r = in_y / t1;\n", &arithmetic_single, 200);
+    assert_true(under.bound < 1e-20 && subnormal.bound < 1e-20 && over.bound > 7e-18);
+    assert_true(worst_on_hull(&under) > 0 && worst_on_hull(&subnormal) > 0);
+    tested_free(&under);
+    tested_free(&subnormal);
+    tested_free(&over);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_steps),          cmocka_unit_test(test_parts),
         cmocka_unit_test(test_small_constant), cmocka_unit_test(test_contracted_in_one),
-        cmocka_unit_test(test_chosen_numbers),
+        cmocka_unit_test(test_chosen_numbers), cmocka_unit_test(test_ends_of_range),
     };
     return cmocka_run_group_tests_name("hulls", tests, NULL, NULL);
 }
