@@ -225,6 +225,7 @@ struct point_bound *point_bound_new(const struct region *r, const struct program
     struct point_bound *b = new_array(1, sizeof *b);
     int *op = outputs_of(r, p);
     b->forms = forms_new(r->known, op, p->outputs);
+    b->forms->affine = false; /* nothing varies that could cancel */
     b->rounding = rounding_new(b->forms, NULL, op, p->outputs);
     b->box = new_array(r->known->variables, sizeof *b->box);
     free(op);
