@@ -211,20 +211,11 @@ static double sum_weights(struct hull *h, size_t top)
     return sum;
 }
 
-/* A sum or product of exact numbers is one, as far as the arithmetic has it. */
-static bool is_exact_result(const struct hull *h, size_t i)
-{
-    const struct op *op = &h->program->op[i];
-    const double x = h->at[i], a = h->at[op->a], b = op->kind == OP_SUB ? -h->at[op->b] : h->at[op->b];
-    const bool single = h->region->known->arithmetic.unit > arithmetic_double.unit;
-    return (op->kind == OP_MUL ? product_is_exact(a, b, x) : sum_is_exact(a, b, x)) &&
-           (!single || (double)(float)x == x);
-}
-
 /* Constants, and what is made of them where they are chosen. */
 static bool is_exact(const struct hull *h, size_t i)
 {
     const struct op *op = &h->program->op[i];
+    const struct arithmetic *a = &h->region->known->arithmetic;
     const bool *x = h->exact;
     const double *v = h->at;
     switch (op->kind) {
@@ -239,10 +230,10 @@ static bool is_exact(const struct hull *h, size_t i)
         return v[op->a] > v[op->b] ? x[op->a] : x[op->b];
     case OP_ADD:
     case OP_SUB:
-        return x[op->a] && x[op->b] && is_exact_result(h, i);
+        return x[op->a] && x[op->b] && result_is_exact(a, op->kind, v[op->a], v[op->b]);
     case OP_MUL:
         return (x[op->a] && v[op->a] == 0) || (x[op->b] && v[op->b] == 0) ||
-               (x[op->a] && x[op->b] && is_exact_result(h, i));
+               (x[op->a] && x[op->b] && result_is_exact(a, op->kind, v[op->a], v[op->b]));
     default:
         return false;
     }

@@ -64,16 +64,16 @@ static void growing_free(struct growing *g)
     hull_part_free(&g->part);
 }
 
-/* Whether all of a part's bounds are within that many times the first-order errors; where these are 0, all are. */
-static bool is_within(struct cover *c, double times, const struct hull_part *part)
+/* Whether all of a part's bounds are close to the first-order errors; where these are 0, all are. */
+static bool is_close(struct cover *c, const struct hull_part *part)
 {
     const struct hull *h = c->hull;
-    bool within = true;
+    bool close = true;
     part_bound_at(c->bound, part, c->error);
     c->work -= part_work(h);
     for (size_t i = 0; i < h->program->outputs; i++)
-        within = within && (c->first[i] == 0 || c->error[i] <= times * c->first[i]);
-    return within;
+        close = close && (c->first[i] == 0 || c->error[i] <= CLOSE * c->first[i]);
+    return close;
 }
 
 /* The part with so many, or as many as there are, of the next points that it does not hold; where these end. */
@@ -117,7 +117,7 @@ static long grow(struct cover *c, struct growing *g, struct point *point, long p
     for (int refused = 0; k < points && refused < PATIENCE && c->work > 0;) {
         struct growing with;
         const long end = k + offer(c, g, point + k, points - k, &many, &with);
-        if (many == 0 || is_within(c, CLOSE, &with.part)) {
+        if (many == 0 || is_close(c, &with.part)) {
             growing_free(g);
             *g = with;
             c->hull->points += end - k;
@@ -196,7 +196,7 @@ static void cover(struct cover *c, struct point *point, long points)
     h->part = new_array(MOST_PARTS, sizeof *h->part);
     points = look(c, point, points, &all);
     hull_part_widen(&all);
-    if (!is_within(c, CLOSE, &all))
+    if (!is_close(c, &all))
         make_parts(c, point, points);
     if (points > 0 && h->parts == 0) {
         h->part[h->parts++] = hull_part_copy(&all);

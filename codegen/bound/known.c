@@ -24,6 +24,13 @@ double constant_error(const struct arithmetic *a, const struct program *p, const
     return error + a->unit * (fabs(x) * (1 + 0x1p-20)) + a->least;
 }
 
+bool result_is_exact(const struct arithmetic *a, enum op_kind kind, double x, double y)
+{
+    const double other = kind == OP_SUB ? -y : y, z = kind == OP_MUL ? x * y : x + other;
+    return (kind == OP_MUL ? product_is_exact(x, y, z) : sum_is_exact(x, other, z)) &&
+           (a->unit == arithmetic_double.unit || (double)(float)z == z);
+}
+
 /* ---- requires as a program ---- */
 
 /* first[i]: the first require that needs let i, or f->requires. */

@@ -21,6 +21,8 @@ extern const struct arithmetic arithmetic_single_scaled;
 
 /** How far a constant is off. */
 double constant_error(const struct arithmetic *a, const struct program *p, const struct op *o);
+/** Whether the sum, difference or product of two numbers is one that the arithmetic has. */
+bool result_is_exact(const struct arithmetic *a, enum op_kind kind, double x, double y);
 
 struct known {
     struct arithmetic arithmetic; /* double at first */

@@ -40,13 +40,8 @@ static bool is_number(const struct rounding *e, int op)
 static bool is_exact_result(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
-    if (!is_number(e, op->a) || !is_number(e, op->b))
-        return false;
-    const double sign = op->kind == OP_SUB ? -1 : 1, a = e->forms->range[op->a].lo,
-                 b = sign * e->forms->range[op->b].lo;
-    const double x = op->kind == OP_MUL ? a * b : a + b;
-    return (op->kind == OP_MUL ? product_is_exact(a, b, x) : sum_is_exact(a, b, x)) &&
-           (e->arithmetic.unit == arithmetic_double.unit || (double)(float)x == x);
+    return is_number(e, op->a) && is_number(e, op->b) &&
+           result_is_exact(&e->arithmetic, op->kind, e->forms->range[op->a].lo, e->forms->range[op->b].lo);
 }
 
 /* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
