@@ -15,9 +15,9 @@ struct errors {
 /** value[i] = |value[i] - reference[i]|, INFINITY where that is not a number. */
 void errors_absolute(double *value, const double *reference, size_t n);
 double errors_max(const double *absolute, size_t n);
-/** The ceil(0.99 n)-th smallest; reorders absolute[]. */
+/** The ceil(0.99 n)-th smallest; overwrites absolute[]. */
 double errors_p99(double *absolute, size_t n);
-/** The same, or `least` where it is no more than that; overwrites absolute[]. */
+/** The same, or `least` where it is no more than that. */
 double errors_p99_above(double *absolute, size_t n, double least);
 /** Whether it is no more than `most`. */
 bool errors_p99_within(const double *absolute, size_t n, double most);

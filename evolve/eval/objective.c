@@ -113,14 +113,18 @@ bool objective_no_worse(struct objective *o, const struct tree *t, size_t target
     return true;
 }
 
-/* An error, charged for how far the 99 % and the largest of o->scratch exceed what they may be. */
-static double charged(struct objective *o, double error, const struct tails *tails)
+/* An error, charged for how far the 99 % and the largest of o->scratch exceed what they may be; INFINITY beyond the
+ * bound, which counting shows where the 99 % would have to be selected. */
+static double charged(struct objective *o, double error, const struct tails *tails, double bound)
 {
     const size_t n = 2 * o->table->n;
     if (!(tails->max > 0))
         return error;
-    const double max = errors_max(o->scratch, n), p99 = errors_p99_above(o->scratch, n, tails->p99);
-    return error * fmax(1, p99 / tails->p99) * fmax(1, max / tails->max);
+    error *= fmax(1, errors_max(o->scratch, n) / tails->max);
+    const double room = bound / error;
+    if (room < INFINITY && (room < 1 || !errors_p99_within(o->scratch, n, room * tails->p99)))
+        return INFINITY;
+    return error * fmax(1, errors_p99_above(o->scratch, n, tails->p99) / tails->p99);
 }
 
 double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
@@ -129,7 +133,7 @@ double objective_error_in_tails(struct objective *o, const struct tree *t, size_
     const double error = objective_error(o, t, target, bound);
     if (!(error < INFINITY))
         return error;
-    return lines_keep_signs(o->lines) ? charged(o, error, tails) : INFINITY;
+    return lines_keep_signs(o->lines) ? charged(o, error, tails, bound) : INFINITY;
 }
 
 double objective_error(struct objective *o, const struct tree *t, size_t target, double bound)

@@ -39,8 +39,8 @@ int objective_last(const struct objective *o, size_t target);
  *  seems to, by its first samples). */
 double objective_error(struct objective *o, const struct tree *t, size_t target, double bound);
 
-/** The same of a program, multiplied by how far its 99 % and largest errors exceed what they may be; INFINITY where a
- *  divisor changes its sign among the samples. */
+/** The same of a program, multiplied by how far its 99 % and largest errors exceed what they may be; INFINITY where that
+ *  exceeds `bound`, or a divisor changes its sign among the samples. */
 double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
                                 double bound);
 /** 99 % and largest error of a program. */

@@ -3,6 +3,7 @@
 #include "../../evolve/archive/archive.h"
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/eval/errors.h"
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/fit/compose.h"
 #include "../../evolve/fit/fit_lines.h"
@@ -399,7 +400,44 @@ static void test_tails(void **state)
     assert_true(objective_error_in_tails(f->objective, &t, f->target, &any, INFINITY) == error);
     assert_true(objective_error_in_tails(f->objective, &t, f->target, &more, INFINITY) == error);
     assert_true(fabs(objective_error_in_tails(f->objective, &t, f->target, &less, INFINITY) / error - 6) < 1e-9);
+    assert_true(objective_error_in_tails(f->objective, &t, f->target, &less, 6.1 * error) < INFINITY);
+    assert_true(objective_error_in_tails(f->objective, &t, f->target, &less, 5.9 * error) == INFINITY);
+    assert_true(objective_error_in_tails(f->objective, &t, f->target, &less, 2.9 * error) == INFINITY);
     free(t.gene);
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+/* The 99 % of errors of all sizes, few and many, equal and infinite ones among them, is what sorting finds. */
+static void test_p99(void **state)
+{
+    enum { MOST = 20000 };
+    (void)state;
+    double *error = new_array(MOST, sizeof *error), *sorted = new_array(MOST, sizeof *sorted);
+    gsl_rng *rng = stream_new();
+    for (uint64_t k = 0; k < 400; k++) {
+        stream_key(rng, 9, k, 0, 0);
+        const size_t n = 1 + gsl_rng_uniform_int(rng, k % 2 ? 300 : MOST);
+        const double power = (double)(k % 5) * 10, kept = k % 3 ? 1 : 0.985;
+        for (size_t i = 0; i < n; i++) {
+            const double x = gsl_rng_uniform(rng);
+            error[i] = x > kept ? INFINITY : k % 7 ? pow(x, power) : (double)(i % 70 == 0);
+        }
+        memcpy(sorted, error, n * sizeof *error);
+        qsort(sorted, n, sizeof *sorted, ascending);
+        const double p99 = sorted[(99 * n + 99) / 100 - 1], least = k % 4 ? 0.9 * p99 : 1.1 * p99;
+        assert_true(errors_p99_within(error, n, p99) && (p99 == 0 || !errors_p99_within(error, n, nextafter(p99, 0))));
+        memcpy(sorted, error, n * sizeof *error);
+        assert_true(errors_p99(sorted, n) == p99);
+        assert_true(errors_p99_above(error, n, least) == fmax(p99, least));
+    }
+    gsl_rng_free(rng);
+    free(error);
+    free(sorted);
 }
 
 /* The best numbers are found again, in each norm; those that stand for a structure stay. */
@@ -451,7 +489,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_changes), cmocka_unit_test(test_equal),       cmocka_unit_test(test_last),
         cmocka_unit_test(test_valid),   cmocka_unit_test(test_derivatives), cmocka_unit_test(test_costs),
-        cmocka_unit_test(test_seeds),   cmocka_unit_test(test_tails),       cmocka_unit_test(test_fit),
-        cmocka_unit_test(test_clamps),  cmocka_unit_test(test_evolution)};
+        cmocka_unit_test(test_seeds),   cmocka_unit_test(test_tails),       cmocka_unit_test(test_p99),
+        cmocka_unit_test(test_fit),     cmocka_unit_test(test_clamps),      cmocka_unit_test(test_evolution)};
     return cmocka_run_group_tests(tests, setup, teardown);
 }
