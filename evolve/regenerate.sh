@@ -61,6 +61,6 @@ export STARTED SCENES
 printf '%s\n' "$@" | xargs -P "$at_once" -I{} sh "$0" --one {} $((RANKS / at_once))
 status=$?
 # What got better: rows of the runs' tables.
-grep -H 'times less error' "$BIN/regenerate/"*.log | sed "s|^$BIN/regenerate/\(.*\)\.log:|\1 |" |
+grep -H 'times less error\|right to rounding' "$BIN/regenerate/"*.log | sed "s|^$BIN/regenerate/\(.*\)\.log:|\1 |" |
     awk 'BEGIN { n = 0 } { n++; print } END { if (n == 0) print "nothing got better by one in a hundred" }'
 exit $status

@@ -13,7 +13,8 @@
 
 static const double worth = 0.99;       /* what is not better by one in a hundred changes no header, */
 static const double worth_judged = 0.9; /* nor a program that is not by one in ten: its worst error on other samples is
-                                           uncertain by more than a small gain in the mean */
+                                           uncertain by more than a small gain in the mean; nor one that is right to
+                                           rounding, unless it costs less by one in ten */
 
 const char *const origin_name[ORIGINS] = {"start file", "seed", "seeded island", "random island"};
 
@@ -375,10 +376,14 @@ static void replace_champion(struct archive *a, struct objective *o, size_t tier
     c->seed = m->origin == ORIGIN_SEED;
 }
 
-/* What the choice among a tier's expressions minimises; INFINITY: out of the question. */
-static double merit(const struct plan *plan, double budget, double error, double cost)
+/* What the choice among a tier's expressions minimises; INFINITY: out of the question.  Of what is within the budget and
+ * right to rounding, the cheapest is the best. */
+static double merit(const struct archive *a, const struct plan *plan, size_t tier, double error, double cost)
 {
-    return budget > 0 ? cost <= budget ? error : INFINITY : plan_fitness(plan, error, cost);
+    const double budget = a->scene->tier[tier].budget, least = objective_rounding(a->scene->norm);
+    if (budget == 0)
+        return plan_fitness(plan, error, cost);
+    return cost > budget ? INFINITY : error > least ? error : least * cost / budget;
 }
 
 /* Errors of one output of one tier: as the islands found them, or on the validation samples. */
@@ -407,7 +412,7 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     const struct champion *c = &a->champion[tier][output];
     const double budget = a->scene->tier[tier].budget;
     struct court court = {.judge = output == TIER_BOTH ? judge : NULL, .target = archive_target(a, tier, output)};
-    const bool fits = c->tree.length > 0 && merit(plan, budget, c->error, c->cost) < INFINITY;
+    const bool fits = c->tree.length > 0 && merit(a, plan, tier, c->error, c->cost) < INFINITY;
     if (court.judge && c->tree.length > 0)
         court.tails = objective_tails(judge, &c->tree, court.target);
     if (court.judge && fits) {
@@ -415,18 +420,19 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
         court.outputs = objective_outputs(judge, &c->tree, court.target);
     }
     const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
-    double least = (court.judge ? worth_judged : worth) * merit(plan, budget, error, c->cost);
+    const double most = fmax(c->error, objective_rounding(a->scene->norm));
+    double least = (court.judge ? worth_judged : worth) * merit(a, plan, tier, error, c->cost);
     const struct member *best = NULL;
     for (size_t k = 0; k <= f->limit; k++) {
         const struct member *m = &f->member[k];
-        if (m->tree.length == 0 || m->origin == ORIGIN_START || merit(plan, budget, m->error, m->cost) == INFINITY)
+        if (m->tree.length == 0 || m->origin == ORIGIN_START || merit(a, plan, tier, m->error, m->cost) == INFINITY)
             continue;
-        if (budget > 0 && fits && m->error > c->error) /* the champion may have a pole among the validation samples */
+        if (budget > 0 && fits && m->error > most) /* the champion may have a pole among the validation samples */
             continue;
         const double own = verdict(&court, &m->tree, m->error);
-        if ((budget > 0 || own <= error) && merit(plan, budget, own, m->cost) < least) {
+        if ((budget > 0 || own <= error) && merit(a, plan, tier, own, m->cost) < least) {
             best = m;
-            least = merit(plan, budget, own, m->cost);
+            least = merit(a, plan, tier, own, m->cost);
         }
     }
     if (!best && c->tree.length == 0 && front_count(f) > 0)

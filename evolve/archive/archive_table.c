@@ -6,9 +6,13 @@
 #include <math.h>
 
 /* What a program's tier has gained: the error at its cost, and the cost at its error. */
-static void print_gain(const struct front *f, const struct champion *c, FILE *stream)
+static void print_gain(const struct front *f, const struct champion *c, double rounding, FILE *stream)
 {
     size_t cost = 0;
+    if (c->error_before <= rounding) {
+        fprintf(stream, "right to rounding as before, at cost %.0f, %.0f before", c->cost, c->cost_before);
+        return;
+    }
     while (cost < f->limit && !(f->lowest[cost] <= c->error_before))
         cost++;
     fprintf(stream, "%.2f times less error; as good as before from cost %zu on, %.0f before",
@@ -31,7 +35,7 @@ void archive_table(const struct archive *a, FILE *stream)
             fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s", a->scene->tier[i].name, frame_output[k], error,
                     c->error, length, c->tree.length, c->bred ? "" : "unchanged");
             if (k == TIER_BOTH && c->bred && c->length_before > 0)
-                print_gain(a->front[i][k], c, stream);
+                print_gain(a->front[i][k], c, objective_rounding(a->scene->norm), stream);
             fputc('\n', stream);
         }
 }

@@ -3,8 +3,18 @@
 
 #include "errors.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
+
+/* Errors of xi and eta, up to about 1 in size, that formulas have which are exact but for rounding. */
+static const double rounding[] = {
+    [NORM_MEAN] = DBL_EPSILON, [NORM_P99] = 4 * DBL_EPSILON, [NORM_MAX] = 16 * DBL_EPSILON};
+
+double objective_rounding(enum scene_norm norm)
+{
+    return rounding[norm];
+}
 
 struct objective *objective_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm)
 {
@@ -65,7 +75,7 @@ struct tails objective_tails(struct objective *o, const struct tree *t, size_t t
     const size_t n = 2 * o->table->n;
     lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
     const double max = errors_max(o->scratch, n);
-    return (struct tails){errors_p99(o->scratch, n), max};
+    return (struct tails){fmax(errors_p99(o->scratch, n), rounding[NORM_P99]), fmax(max, rounding[NORM_MAX])};
 }
 
 static double mean_of(const double *error, size_t n)
@@ -92,9 +102,9 @@ struct outputs objective_outputs(struct objective *o, const struct tree *t, size
         for (size_t i = 0; i < OUTPUT_PARTS; i++) {
             size_t n;
             double *e = part_of(o, k, i, &n);
-            found.mean[k][i] = mean_of(e, n);
-            found.max[k][i] = errors_max(e, n);
-            found.p99[k][i] = errors_p99(e, n);
+            found.mean[k][i] = fmax(mean_of(e, n), rounding[NORM_MEAN]);
+            found.max[k][i] = fmax(errors_max(e, n), rounding[NORM_MAX]);
+            found.p99[k][i] = fmax(errors_p99(e, n), rounding[NORM_P99]);
         }
     return found;
 }

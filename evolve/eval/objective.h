@@ -21,6 +21,9 @@ struct objective {
 struct objective *objective_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm);
 void objective_free(struct objective *o);
 
+/** An error, in the scene's norm, that is no more than rounding: none less is any better. */
+double objective_rounding(enum scene_norm norm);
+
 /** Largest errors that a program may have without being charged for them. */
 struct tails {
     double p99, max; /* 0: any */
@@ -43,9 +46,9 @@ double objective_error(struct objective *o, const struct tree *t, size_t target,
  *  exceeds `bound`, or a divisor changes its sign among the samples. */
 double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
                                 double bound);
-/** 99 % and largest error of a program. */
+/** 99 % and largest error of a program, or what rounding makes of them, if that is more. */
 struct tails objective_tails(struct objective *o, const struct tree *t, size_t target);
-/** Mean, 99 % and largest error of a program, of xi and of eta, in each part of the samples: one largest error is chance,
+/** The same and the mean, of xi and of eta, in each part of the samples: one largest error is chance,
  *  and of two programs the better one has it in all parts. */
 enum { OUTPUT_PARTS = 4 };
 struct outputs {

@@ -144,6 +144,25 @@ static void budgets_decide(void **state)
     f->tier.budget = 0;
 }
 
+/* Of what is within the budget and right to rounding the cheapest is taken, else the lowest error. */
+static void less_than_rounding_is_no_gain(void **state)
+{
+    struct fixture *f = *state;
+    int dear[] = {GENE_ADD, GENE_MUL, P, P, GENE_MUL, P, GENE_SUB, Q, P}, cheap[] = {GENE_MUL, P, Q};
+    const struct tree both[] = {{cheap, 3}, {dear, 9}};
+    f->tier.budget = 100;
+    for (int far = 0; far < 2; far++) {
+        struct archive *a = archive_of(&f->scene, NULL);
+        archive_measure(a, &f->plan, f->objective);
+        archive_offer(a, &f->plan, 0, 0, &both[0], far ? 3e-16 : 2e-16, ORIGIN_RANDOM);
+        archive_offer(a, &f->plan, 0, 0, &both[1], 5e-17, ORIGIN_RANDOM);
+        archive_choose_champions(a, &f->plan, f->objective, NULL);
+        assert_int_equal(a->champion[0][0].tree.length, both[far].length);
+        archive_free(a);
+    }
+    f->tier.budget = 0;
+}
+
 static void parsimony_decides_without_a_budget(void **state)
 {
     struct fixture *f = *state;
@@ -266,6 +285,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(champions_yield_to_the_better_alone, setup, teardown),
         cmocka_unit_test_setup_teardown(budgets_decide, setup, teardown),
+        cmocka_unit_test_setup_teardown(less_than_rounding_is_no_gain, setup, teardown),
         cmocka_unit_test_setup_teardown(parsimony_decides_without_a_budget, setup, teardown),
         cmocka_unit_test_setup_teardown(seeds_go_where_they_fit, setup, teardown),
         cmocka_unit_test_setup_teardown(exact_values_are_taken, setup, teardown),

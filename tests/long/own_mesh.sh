@@ -51,8 +51,9 @@ cp tests/example/plates-quad4.scene "$work/mine/"
 status=$(git status --porcelain 2> /dev/null)
 logged 'make regenerate' \
     make -s -C "$tree" regenerate SCENE="$work/mine/plates-quad4.scene" GENERATIONS=20 CC="$CC"
-grep -h 'segments are\|times less error' "$work/log" | sed 's/^/# /'
-[ "$(grep -c 'times less error' "$work/log")" -ge 3 ]; report $((! $?)) 'three functions are better than those of quad4'
+grep -h 'segments are\|times less error\|right to rounding' "$work/log" | sed 's/^/# /'
+[ "$(grep -c 'times less error' "$work/log")" -ge 3 ]; report $((! $?)) 'three functions have less error than those of quad4'
+[ "$(grep -c 'right to rounding as before' "$work/log")" -ge 2 ]; report $((! $?)) 'two have no more than rounding, for less'
 own=$tree/generated/footpoint_plates_quad4.h
 [ -e "$own" ]; report $((! $?)) 'the header is there'
 [ "$status" = "$(git status --porcelain 2> /dev/null)" ]; report $((! $?)) 'and the source tree as it was'
