@@ -482,7 +482,7 @@ remove = rm -f $(foreach file,$(notdir $(1)),$(call to,$(2)/$(file)))
 # A folder of ours, unless there is something else in it.
 close = rmdir $(call to,$(1)) 2> /dev/null || :
 
-install: install-runtime codegen evolve calibrate-program bench-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR=
+install: install-runtime codegen evolve calibrate-program bench-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR= MANDIR=
 	$(Q)$(call put,$(PROGRAMS),$(BINDIR),755)
 	$(Q)$(foreach d,frames scenes genomes,$(call put,$(DATA_$(d)),$(DATADIR)/evolve/$(d)) &&) :
 	$(Q)$(call put,$(MESHES),$(DATADIR)/tests/meshes)

@@ -120,6 +120,14 @@ for f in fast coarse gauss2 medium balanced fine precise accurate full; do
     row=$(awk -F' *\\| *' -v f="\`_$f\`" '$2 == f { print $3, $4, $5, $6, $7 }' README.md)
     [ -n "$row" ] && [ "$row" = "${counted% *} $noted" ]; report $((! $?)) "quad4_$f on the front page"
 done
+for kind in tri3 quad4 tri6 quad8 quad9 bezier gregory; do # of derivatives: mul div add sqrt, both in a row if there are two
+    counted=$(for f in gradients hessian; do
+        told "generated/footpoint_${kind}_derivatives.h" footpoint_${kind}_$f operations
+    done | awk '{ for (i = 1; i <= 7; i += 2) all[i] = all[i] (NR > 1 ? ", " : "") $i }
+        END { print all[1] " | " all[3] " | " all[5] " | " all[7] }')
+    row=$(sed -n "s/^| \`footpoint_${kind}_gradients\`[^|]* | \([0-9].*\) |\$/\1/p" generated/README.md)
+    check "operations of the derivatives of $kind" "$([ "$row" = "$counted" ] || echo "$row, counted $counted")"
+done
 sed -n '/^\/\* footpoint_quad4_fast$/,/^ \*\/$/p' generated/README.md > "$work/banner"
 sed -n "/^\/\* footpoint_quad4_fast\$/,/^ \*\/\$/p" generated/footpoint_quad4.h | cmp -s - "$work/banner"
 report $((! $?)) "the banner shown"
