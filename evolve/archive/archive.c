@@ -37,20 +37,51 @@ size_t archive_target(const struct archive *a, size_t tier, int output)
     return frame_target(a->program, output) + (output == TIER_BOTH ? (size_t)(archive_last(a, tier) + 1) : 0);
 }
 
-/* The program that a genome's outputs make, its genes the caller's; length 0 where it is none of the tier's values. */
-static struct tree read_program(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
-                                const struct genome_expr *eta, size_t tier)
+/* The program that a genome's outputs make, its genes the caller's; length 0 where it is none of the tier's values, or has
+ * more genes than `most`. */
+static struct tree program_of(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
+                              const struct genome_expr *eta, size_t tier, bool called, size_t most)
 {
     const struct tier *t = &a->scene->tier[tier];
     const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = t->terminals};
     const struct genome_expr *const out[2] = {xi, eta};
-    struct tree program = {new_array(tier_genes(t), sizeof *program.gene), 0};
-    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, t->last != NULL, tier_genes(t), &program)) {
+    struct tree program = {new_array(most, sizeof *program.gene), 0};
+    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, called, most, &program)) {
         free(program.gene);
         program = (struct tree){NULL, 0};
     }
     free(genes.symbol);
     return program;
+}
+
+static struct tree read_program(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
+                                const struct genome_expr *eta, size_t tier)
+{
+    const struct tier *t = &a->scene->tier[tier];
+    return program_of(a, f, xi, eta, tier, t->last != NULL, tier_genes(t));
+}
+
+bool archive_check_starts(const struct archive *a, struct diag *d)
+{
+    enum { ANY_LENGTH = 300000 };
+    for (size_t i = 0; i < a->scene->tiers; i++) {
+        const struct tier *t = &a->scene->tier[i];
+        for (size_t k = 0; k < t->starts && t->program; k++) {
+            int gene[2];
+            struct genome_expr value[2];
+            for (int h = 0; h < 2; h++) {
+                gene[h] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->start[k][h]);
+                value[h] = (struct genome_expr){.length = 1, .gene = &gene[h]};
+            }
+            const struct tree start = program_of(a, a->program, &value[0], &value[1], i, false, ANY_LENGTH);
+            free(start.gene);
+            if (start.length == 0)
+                return diag_at(d, a->scene->path, t->line, 0,
+                               "tier '%s': start '%s', '%s' is not made of its terminals", t->name, t->start[k][0],
+                               t->start[k][1]);
+        }
+    }
+    return true;
 }
 
 static const struct genome_expr *output_of(const struct genome *g, int output)
@@ -69,6 +100,12 @@ static bool read_champion(struct archive *a, size_t tier, int output, struct dia
     bool good = true;
     if (g && output == TIER_BOTH) {
         c->tree = read_program(a, a->start, output_of(g, 0), output_of(g, 1), tier);
+        good =
+            c->tree.length > 0 || a->shipped ||
+            diag_at(
+                d, a->start->path, g->line, 0,
+                "genome '%s' is no program of its tier's terminals within max_length (--from-scratch starts without)",
+                g->name);
     } else if (e) {
         c->tree = (struct tree){new_array(e->length, sizeof *e->gene), e->length};
         good = frame_rebind(a->start, e, a->program, c->tree.gene, d);

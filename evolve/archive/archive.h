@@ -74,6 +74,8 @@ void archive_add_seed(struct archive *a, long tier, int output, const struct tre
 /** Add every output xi and eta of a genome file as a seed, with constants rounded to decimal numbers, for the tier that
  *  has the genome's name, or else for all.  False with *d filled if the file cannot be read, has no such output, or
  *  uses a symbol that the program lacks. */
+/** False with *d where a start of a tier of programs is not made of its terminals. */
+bool archive_check_starts(const struct archive *a, struct diag *d);
 bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
 /** The seeds of an output that may breed: the champion (its constants rounded) and those added, as far as they use the
  *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
@@ -148,6 +150,8 @@ size_t archive_members(const struct archive *a, struct objective *judge, size_t 
  *  @param[in] most   of each tier of programs archive_members() alone; 0: all */
 bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
                          struct objective *judge, size_t most, struct diag *d);
+/** The name of a front's file says that it is to be such a list. */
+bool archive_is_list(const char *path);
 /** The lines. */
 bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
 /** Table of tier, output, error and genes, before and after. */

@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { SAMPLES = 65536, PARTS = 2 };
 
@@ -73,6 +74,12 @@ static void print_member(const struct archive *a, struct part part[PARTS], size_
     for (int k = 0; k < PARTS; k++)
         print_errors(a, &part[k], m, tier, output, stream);
     print_expression(a, tier, output, &m->tree, stream);
+}
+
+bool archive_is_list(const char *path)
+{
+    const size_t length = strlen(path);
+    return length > 4 && strcmp(path + length - 4, ".csv") == 0;
 }
 
 bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d)

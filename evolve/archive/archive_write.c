@@ -313,8 +313,7 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
                          struct objective *judge, size_t most, struct diag *d)
 {
     struct outfile out;
-    const size_t length = strlen(path);
-    if (length > 4 && strcmp(path + length - 4, ".csv") == 0)
+    if (archive_is_list(path))
         return archive_write_csv(a, path, heldout, d);
     struct genome_file *f = genome_parse(path, a->bare, strlen(a->bare), d);
     bool programs = false;

@@ -134,6 +134,10 @@ static bool check_functions(const struct genome_file *frame, const struct scene 
                             struct diag *d)
 {
     for (size_t i = 0; i < t->functions; i++)
+        if (t->program && gene_of_name(t->function[i]) >= 0 && gene_arity(gene_of_name(t->function[i])) != 2)
+            return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' takes one value; operators of programs take two",
+                           t->name, t->function[i]);
+    for (size_t i = 0; i < t->functions; i++)
         if (gene_of_name(t->function[i]) < 0 && !has_function(frame, t, t->function[i]))
             return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name,
                            t->function[i], t->frame);

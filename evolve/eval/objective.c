@@ -86,7 +86,7 @@ static double mean_of(const double *error, size_t n)
     return n > 0 ? sum / (double)n : 0;
 }
 
-/* The errors in o->scratch of one output on one part of the samples, and how many. */
+/* The errors in o->scratch of one output on one part of the samples, and how many: none, of fewer samples than parts. */
 static double *part_of(const struct objective *o, size_t output, size_t part, size_t *n)
 {
     const size_t all = o->table->n, from = part * all / OUTPUT_PARTS;
@@ -96,12 +96,14 @@ static double *part_of(const struct objective *o, size_t output, size_t part, si
 
 struct outputs objective_outputs(struct objective *o, const struct tree *t, size_t target)
 {
-    struct outputs found;
+    struct outputs found = {.mean = {{0}}};
     lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0; i < OUTPUT_PARTS; i++) {
             size_t n;
             double *e = part_of(o, k, i, &n);
+            if (n == 0)
+                continue;
             found.mean[k][i] = fmax(mean_of(e, n), rounding[NORM_MEAN]);
             found.max[k][i] = fmax(errors_max(e, n), rounding[NORM_MAX]);
             found.p99[k][i] = fmax(errors_p99(e, n), rounding[NORM_P99]);
@@ -116,8 +118,8 @@ bool objective_no_worse(struct objective *o, const struct tree *t, size_t target
         for (size_t i = 0; i < OUTPUT_PARTS; i++) {
             size_t n;
             const double *e = part_of(o, k, i, &n);
-            if (!(errors_max(e, n) <= than->max[k][i]) || !errors_p99_within(e, n, than->p99[k][i]) ||
-                !(mean_of(e, n) <= than->mean[k][i]))
+            if (n > 0 && (!(errors_max(e, n) <= than->max[k][i]) || !errors_p99_within(e, n, than->p99[k][i]) ||
+                          !(mean_of(e, n) <= than->mean[k][i])))
                 return false;
         }
     return true;

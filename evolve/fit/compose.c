@@ -182,12 +182,14 @@ static void add_pair(struct composer *s, int xi, int eta, struct candidates *lis
     add(s, list, 0);
 }
 
-/* Where no starts are named: each pair of terminals. */
+/* Where no starts are named: each pair of terminals.  Not the same one twice: both answers would be one line, and changes of
+ * a line are those of both. */
 static void add_pairs(struct composer *s, struct candidates *list)
 {
     for (size_t i = 0; i < s->genes->symbols; i++)
         for (size_t k = 0; k < s->genes->symbols; k++)
-            add_pair(s, s->genes->symbol[i], s->genes->symbol[k], list);
+            if (i != k || s->genes->symbols == 1)
+                add_pair(s, s->genes->symbol[i], s->genes->symbol[k], list);
 }
 
 /* The frame's values p, q as a program of the terminals. */

@@ -168,13 +168,19 @@ static void write_line(struct writer *w, int i)
     }
 }
 
+/* No value and no function of the file is called so. */
+static bool is_free(const struct genome_file *f, const char *name)
+{
+    return genome_find_symbol(f, name) < 0 && genome_find_function(f, name) < 0;
+}
+
 /* Append what has been put as a let <name>_<number>, the next number that is free; its gene. */
 static int add_let(struct writer *w, const char *name, size_t *number)
 {
     char own[WORD];
     do
         snprintf(own, sizeof own, "%.50s_%zu", name, ++*number);
-    while (genome_find_symbol(w->file, own) >= 0);
+    while (!is_free(w->file, own));
     genome_add_let(w->file, own, w->gene, w->genes);
     return GENE_SYMBOL + (int)genome_find_symbol(w->file, own);
 }
@@ -225,6 +231,12 @@ static void write_measured(struct writer *w, int gene)
     free(text);
 }
 
+static const char *argument_name(const char *name, int k, char word[WORD])
+{
+    snprintf(word, WORD, "%.50s_%s", name, k ? "v" : "u");
+    return word;
+}
+
 /* <name>_xi, <name>_eta, <name>_r1, ... */
 static const char *result_name(const char *name, size_t k, char word[WORD])
 {
@@ -235,17 +247,34 @@ static const char *result_name(const char *name, size_t k, char word[WORD])
     return word;
 }
 
-/* The roots as lets <name>_u and <name>_v, and `function` of these; out: its first two results, the others measured. */
-static void write_call(struct writer *w, const struct genome_function *function, const char *name, int out[2])
+/* The name, or that with a number, of which all are free. */
+static const char *call_name(const struct writer *w, const struct genome_function *function, const char *name,
+                             char own[WORD])
 {
-    char word[WORD];
+    bool good = false;
+    for (int number = 1; !good; number++) {
+        char word[WORD];
+        snprintf(own, WORD, number > 1 ? "%.40s_%d" : "%.40s", name, number);
+        good = true;
+        for (size_t k = 0; k < function->results; k++)
+            good = good && is_free(w->file, result_name(own, k, word));
+        for (int k = 0; k < 2; k++)
+            good = good && is_free(w->file, argument_name(own, k, word));
+    }
+    return own;
+}
+
+/* The roots as lets <name>_u and <name>_v, and `function` of these; out: its first two results, the others measured. */
+static void write_call(struct writer *w, const struct genome_function *function, const char *tier, int out[2])
+{
+    char word[WORD], own[WORD];
+    const char *name = call_name(w, function, tier, own);
     struct diag d;
     struct memory *m = memory_open();
     for (int k = 0; k < 2; k++) {
         w->genes = 0;
         write_line(w, w->code->root[k]);
-        snprintf(word, sizeof word, "%.50s_%s", name, k ? "v" : "u");
-        genome_add_let(w->file, word, w->gene, w->genes);
+        genome_add_let(w->file, argument_name(name, k, word), w->gene, w->genes);
     }
     fprintf(m->stream, "let");
     for (size_t k = 0; k < function->results; k++)

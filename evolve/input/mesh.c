@@ -48,6 +48,9 @@ struct mesh *mesh_read(const char *path, struct diag *d)
     mesh->pair = new_array(m->pairs, sizeof *mesh->pair);
     for (mesh->pairs = 0; done && mesh->pairs < m->pairs; mesh->pairs++)
         done = copy_pair(m, &m->pair[mesh->pairs], &mesh->pair[mesh->pairs]);
+    mesh->file = new_array(m->lines.files, sizeof *mesh->file);
+    for (; mesh->files < m->lines.files; mesh->files++)
+        mesh->file[mesh->files] = new_text(m->lines.file[mesh->files].path, strlen(m->lines.file[mesh->files].path));
     inp_free(m);
     if (done)
         return mesh;
@@ -98,5 +101,8 @@ void mesh_free(struct mesh *m)
     free(m->xyz);
     free(m->label);
     free(m->pair);
+    for (size_t i = 0; i < m->files; i++)
+        free(m->file[i]);
+    free(m->file);
     free(m);
 }

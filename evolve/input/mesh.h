@@ -24,6 +24,8 @@ struct mesh {
         size_t masters;
     } * pair; /* owned */
     size_t pairs;
+    char **file; /* owned: the paths that it was read from, included files, too */
+    size_t files;
 };
 
 /** Read a model.  Returns NULL with *d "file:line: error: ..." (line within the included file where it stands). */

@@ -36,6 +36,9 @@ void scene_free(struct scene *s)
     }
     free(s->tier);
     free(s->mesh.file);
+    for (size_t i = 0; i < s->mesh.reads; i++)
+        free(s->mesh.read[i]);
+    free(s->mesh.read);
     free(s->precision);
     free(s->warnings);
     free(s->path);

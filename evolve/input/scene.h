@@ -40,6 +40,8 @@ struct shapes {
 struct mesh_pairs {
     char *file;      /* owned; path as resolved from the scene's folder */
     double distance; /* pairs nearer than this; mesh length */
+    char **read;     /* owned: paths of that file and those that it includes */
+    size_t reads;
 };
 
 /** One header function to make: which values its expressions may use, and how long they may be. */
@@ -112,8 +114,10 @@ void scene_free(struct scene *s);
 
 /** Give all tiers another max_length. */
 void scene_set_lengths(struct scene *s, size_t max_length);
+/** False with *d where a tier that is not of programs ends in a function. */
+bool scene_check_last(const struct scene *s, struct diag *d);
 /** Let tiers have trees of one output, the paper's, in the place of programs.  False with *d where a tier's functions
- *  are those of a frame. */
+ *  are those of a frame, or it ends in one. */
 bool scene_take_trees(struct scene *s, struct diag *d);
 
 /** The scene that is called as s->segment, evolve/scenes/<kind>.scene.  NULL with *d: there is none, it has no tiers of

@@ -7,7 +7,7 @@
 #include "../../codegen/genome/outfile.h"
 
 /** Whether n files of a command line are apart from each other, as files_apart says, and those written from the scene's
- *  file, mesh and frames (evolve/frames/ under root), too. */
+ *  file, the scene of its kind, its mesh with what that includes, and its frames (all but the mesh under root), too. */
 bool scene_files_apart(const char *program, const char *root, const struct scene *s, const struct file_use *file,
                        size_t n, struct diag *d);
 

@@ -2,10 +2,13 @@
  * and each complaint names its line. */
 #include "scene_parts.h"
 
+#include <ctype.h>
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* NULL where the scene has none, which a mesh will do for. */
 static bool read_segment(const struct scene_reader *r, const config_setting_t *s, const struct segment_kind **segment)
@@ -109,6 +112,45 @@ static int include_line(const char *text)
     }
 }
 
+/* The text behind a comment or string that begins at `at`, or NULL where none does. */
+static const char *behind_other_text(const char *at)
+{
+    const char *end;
+    if (*at == '"') {
+        for (end = at + 1; *end && *end != '"'; end++)
+            end += *end == '\\' && end[1];
+        return *end ? end + 1 : end;
+    }
+    if (*at == '/' && at[1] == '*')
+        return (end = strstr(at + 2, "*/")) ? end + 2 : at + strlen(at);
+    return *at == '#' || (*at == '/' && at[1] == '/') ? at + strcspn(at, "\n") : NULL;
+}
+
+/* Line of a whole number that is too large to be one without an L behind it, or 0: libconfig 1.5 takes its last 32 bits. */
+static int wrapped_line(const char *text)
+{
+    int line = 1;
+    for (const char *at = text, *end; *at; at = end) {
+        if ((end = behind_other_text(at))) {
+            for (; at < end; at++)
+                line += *at == '\n';
+        } else if (isdigit((unsigned char)*at) || (*at == '.' && isdigit((unsigned char)at[1]))) {
+            end = at + strspn(at, "0123456789abcdefABCDEFxX._+-LgG");
+            char *stop;
+            errno = 0;
+            const unsigned long long value = strtoull(at, &stop, strncasecmp(at, "0x", 2) == 0 ? 16 : 10);
+            if (stop == end && (errno == ERANGE || value > INT_MAX))
+                return line;
+        } else {
+            line += *at == '\n';
+            end = at + 1;
+            while (isalpha((unsigned char)*at) && (isalnum((unsigned char)*end) || *end == '_'))
+                end++;
+        }
+    }
+    return 0;
+}
+
 static char *scene_name(const char *path)
 {
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
@@ -138,11 +180,13 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
     SHA256Update(&sum, (const uint8_t *)text, size);
     config_init(&config);
     bool good = strlen(text) == size;
-    const int line = include_line(text);
+    const int line = include_line(text), wrapped = wrapped_line(text);
     if (!good)
         diag_at(d, path, 0, 0, "a NUL character in the text");
     else if (line)
         good = diag_at(d, path, line, 0, "a scene includes no other file");
+    else if (wrapped)
+        good = diag_at(d, path, wrapped, 0, "a whole number of more than %d ends in L", INT_MAX);
     else if (!config_read_string(&config, text))
         good = diag_at(d, path, config_error_line(&config), 0, "%s", config_error_text(&config));
     else
@@ -165,6 +209,9 @@ struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag
     struct scene *usual = NULL;
     if (strcmp(path, s->path) == 0)
         diag_at(d, path, 0, 0, "frame and tiers are missing, which other scenes of segments %s take from here", kind);
+    else if (segment_find(s->name) && segment_find(s->name) != s->segment)
+        diag_at(d, s->path, 0, 0, "a scene called %s, which scenes of that kind take tiers from, is of segments %s",
+                s->name, kind);
     else
         usual = scene_read(root, kind, d);
     if (usual && usual->tiers == 0) {

@@ -190,6 +190,10 @@ bool scene_read_mesh(const struct scene_reader *r, config_setting_t *g, struct s
     if (!read)
         return false;
     add_mesh(r->sum, read);
+    m->read = read->file;
+    m->reads = read->files;
+    read->file = NULL;
+    read->files = 0;
     const bool chosen = choose_segment(r, g, read, scene);
     mesh_free(read);
     return chosen;

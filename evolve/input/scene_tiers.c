@@ -228,6 +228,15 @@ void scene_set_lengths(struct scene *s, size_t max_length)
         set_length(&s->tier[i], max_length);
 }
 
+bool scene_check_last(const struct scene *s, struct diag *d)
+{
+    for (const struct tier *t = s->tier; t < s->tier + s->tiers; t++)
+        if (t->last && !t->program)
+            return diag_at(d, s->path, t->line, 0, "tier '%s': 'last' is for programs, of more operations than 1",
+                           t->name);
+    return true;
+}
+
 bool scene_take_trees(struct scene *s, struct diag *d)
 {
     for (struct tier *t = s->tier; t < s->tier + s->tiers; t++) {
@@ -236,5 +245,5 @@ bool scene_take_trees(struct scene *s, struct diag *d)
                            t->name);
         t->program = false;
     }
-    return true;
+    return scene_check_last(s, d);
 }

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static bool serves(const struct rank0 *k)
 {
@@ -25,8 +26,9 @@ bool rank0_open(struct rank0 *k, size_t generation, struct diag *d)
         progress_start(!o->quiet, generation, o->generations, o->time_limit > 0 ? k->call->begun + o->time_limit : 0);
     if (!o->log)
         return true;
-    return resume && resume->mark.bytes > 0 ? run_log_continue(&k->log, o->log, &resume->mark, d)
-                                            : run_log_open(&k->log, o->log, d);
+    return resume && resume->mark.bytes > 0 && access(o->log, F_OK) == 0
+               ? run_log_continue(&k->log, o->log, &resume->mark, d)
+               : run_log_open(&k->log, o->log, d);
 }
 
 /* Say once, not each time, that a file cannot be written. */

@@ -44,6 +44,11 @@ static void genomes_path(const struct call *call, const char *name, char path[10
 static bool choose_paths(const struct call *call, const struct scene *scene, struct run_files *f, struct diag *d)
 {
     const struct evolve_options *o = call->options;
+    for (int i = 0; i < 2; i++) {
+        const char *path = i ? o->start : o->output;
+        if (path && strlen(path) >= sizeof f->output)
+            return diag_at(d, path, 0, 0, "the path is too long");
+    }
     if (root_is_installed(o->root))
         snprintf(f->output, sizeof f->output, "%.250s.gen", scene->name);
     else
@@ -106,7 +111,8 @@ static bool load_archive(const struct evolve_options *o, const struct run_files 
 {
     struct genome_file *program = frame_program(o->root, p->scene, f->output, d);
     p->archive = program ? archive_new(p->scene, program, f->start[0] ? f->start : NULL, f->shipped, d) : NULL;
-    return p->archive && (!o->seeds || archive_read_seeds(p->archive, o->seeds, d));
+    return p->archive && archive_check_starts(p->archive, d) &&
+           (!o->seeds || archive_read_seeds(p->archive, o->seeds, d));
 }
 
 static bool draw_training(const struct scene *scene, struct run_samples *s, struct diag *d)
@@ -161,8 +167,11 @@ static bool load(struct run *r, struct diag *d)
         fputs(scene->warnings, stderr);
     if (!complete_scene(o->root, scene, &r->samples, d))
         return false;
-    if (o->max_length)
+    if (o->max_length) {
         scene_set_lengths(scene, o->max_length);
+        if (!scene_check_last(scene, d))
+            return false;
+    }
     if (o->breeding == BREED_PAPER && !scene_take_trees(scene, d))
         return false;
     start_from_shipped(&r->call, scene, &r->files);
@@ -233,8 +242,9 @@ static bool sample(const struct call *call, struct problem *p, struct run_sample
     sample_set_free(&s->training);
     if (!finite_columns(p, d))
         return false;
-    return call->team->rank > 0 || ((call->options->generations == 0 || draw_validation(p, &s->validation, d)) &&
-                                    scene_heldout(p->scene, &s->heldout, d));
+    const bool judged = call->options->generations > 0 || call->options->members > 0;
+    return call->team->rank > 0 ||
+           ((!judged || draw_validation(p, &s->validation, d)) && scene_heldout(p->scene, &s->heldout, d));
 }
 
 /* A front keeps what costs no more than its limit: where a value of a frame is dearer, the limit is raised. */

@@ -2,6 +2,7 @@
  */
 #include "run_options.h"
 
+#include "../archive/archive.h"
 #include "../common/data_root.h"
 
 #include <string.h>
@@ -124,16 +125,24 @@ static bool exclude(const bool given[ROWS], const char *one, const char *other, 
            options_refuse(table, d, "error: --%s and --%s exclude each other", one, other);
 }
 
+/* A checkpoint says where a run begins, and what it is of. */
+static bool suits_resume(const bool given[ROWS], struct diag *d)
+{
+    return exclude(given, "resume", "samples", d) && exclude(given, "resume", "start", d) &&
+           exclude(given, "resume", "from-scratch", d) && exclude(given, "resume", "seeds", d);
+}
+
 static bool consistent(const struct evolve_options *o, const bool given[ROWS], struct diag *d)
 {
     if (!options_need(table, "scene", o->scene, d) || !exclude(given, "start", "from-scratch", d) ||
-        !exclude(given, "resume", "samples", d) || !exclude(given, "resume", "start", d) ||
-        !exclude(given, "resume", "from-scratch", d) || !exclude(given, "resume", "seeds", d))
+        !suits_resume(given, d))
         return false;
     if (is_given(given, "checkpoint-every") && !o->checkpoint)
         return options_refuse(table, d, "error: --checkpoint-every needs --checkpoint");
     if (is_given(given, "members") && !o->front)
         return options_refuse(table, d, "error: --members needs --front");
+    if (is_given(given, "members") && o->members > 0 && archive_is_list(o->front))
+        return options_refuse(table, d, "error: --members is of genomes, not of a list, %s", o->front);
     if (is_given(given, "log-every") && !o->log)
         return options_refuse(table, d, "error: --log-every needs --log");
     if (is_given(given, "time-limit") && !(o->time_limit > 0))
@@ -177,8 +186,7 @@ enum options_outcome evolve_options_read(int argc, char **argv, struct evolve_op
     if (outcome != OPTIONS_READ || o->benchmark)
         return outcome;
     /* What the command line leaves out, a checkpoint may have: that is checked when it was read. */
-    const bool good = o->resume ? exclude(given, "resume", "start", d) && exclude(given, "resume", "from-scratch", d)
-                                : consistent(o, given, d);
+    const bool good = o->resume ? suits_resume(given, d) : consistent(o, given, d);
     return good ? OPTIONS_READ : OPTIONS_WRONG;
 }
 

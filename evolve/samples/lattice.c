@@ -43,14 +43,17 @@ static bool common_unit(const struct lattice *l, struct grid *g)
 }
 
 /* z component of (q - p) x (r - q). */
-static int turn(const int p[3], const int q[3], const int r[3])
+static int64_t turn(const int p[3], const int q[3], const int r[3])
 {
-    return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
+    return (int64_t)(q[0] - p[0]) * (r[1] - q[1]) - (int64_t)(q[1] - p[1]) * (r[0] - q[0]);
 }
 
-static int distance2(const int p[3], const int q[3])
+static int64_t distance2(const int p[3], const int q[3])
 {
-    return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
+    int64_t sum = 0;
+    for (int k = 0; k < 3; k++)
+        sum += (int64_t)(p[k] - q[k]) * (p[k] - q[k]);
+    return sum;
 }
 
 /* Do `steps` Newton steps from (0,0) on (7), (8) end at the foot point? */
@@ -101,7 +104,7 @@ static void add_slaves(const struct lattice *l, const struct grid *g, int corner
     for (p[0] = -g->xy; p[0] <= g->xy; p[0] += g->xy_step)
         for (p[1] = -g->xy; p[1] <= g->xy; p[1] += g->xy_step)
             for (p[2] = -g->z; p[2] <= g->z; p[2] += g->z_step) {
-                const int a = distance2(p, corner[0]);
+                const int64_t a = distance2(p, corner[0]);
                 if (a > distance2(p, corner[1]) || a > distance2(p, corner[2]) || a > distance2(p, corner[3]))
                     continue;
                 for (int k = 0; k < 3; k++)
@@ -163,7 +166,7 @@ static void enumerate(const struct lattice *l, const struct grid *g, struct samp
     int *c = corner[2], *d = corner[3];
     for (d[0] = -g->xy; d[0] <= g->xy; d[0] += g->xy_step)
         for (d[1] = -g->xy; d[1] <= g->xy; d[1] += g->xy_step) {
-            if (distance2(corner[0], d) > g->n * g->n || turn(d, corner[0], corner[1]) <= 0)
+            if (distance2(corner[0], d) > (int64_t)g->n * g->n || turn(d, corner[0], corner[1]) <= 0)
                 continue;
             for (c[0] = -g->xy; c[0] <= g->xy; c[0] += g->xy_step)
                 for (c[1] = -g->xy; c[1] <= g->xy; c[1] += g->xy_step) {

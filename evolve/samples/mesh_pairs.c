@@ -63,6 +63,13 @@ static size_t first_from(const struct slave *slave, size_t n, double x)
     return first;
 }
 
+/* The shape functions of a point MESH_OVERHANG outside of a face, or in it, sum to 1: how much of them is negative, at most.
+ * So far may the point be out of the range of the nodes' coordinates, as a part of that. */
+static double negative_part(int nodes)
+{
+    return nodes > 4 ? 1.3 : 2 * MESH_OVERHANG * (1 + MESH_OVERHANG); /* nine nodes: 1.27 at the corners */
+}
+
 static void search(const struct scene *scene, const struct mesh *mesh, const struct mesh_pair *p, struct pairs *found)
 {
     const struct surface *surface = surface_find(scene->segment);
@@ -82,9 +89,7 @@ static void search(const struct scene *scene, const struct mesh *mesh, const str
             least = fmin(least, pair.s.x[i][0]);
             most = fmax(most, pair.s.x[i][0]);
         }
-        /* The shape functions of a point this far outside sum to 1 with at most 2 MESH_OVERHANG (1 + MESH_OVERHANG)
-         * negative. */
-        const double margin = distance + 2 * MESH_OVERHANG * (1 + MESH_OVERHANG) * (most - least);
+        const double margin = distance + negative_part(p->master[f].nodes) * (most - least);
         for (size_t i = first_from(slave, p->slaves, least - margin); i < p->slaves && slave[i].x <= most + margin;
              i++) {
             pair.slave = slave[i].node;

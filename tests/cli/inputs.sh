@@ -1,0 +1,94 @@
+# footpoint-evolve: what it reads it does not write over, what it cannot use it refuses, and samples do not depend on how the
+# mesh lies.
+. tests/cli/expect.inc
+evolve=$BIN/footpoint-evolve
+scene() { sed "$1" "$2" > "$work/s.scene"; }
+run() { "$evolve" --quiet --scene "$work/s.scene" --from-scratch --generations 1 --population 10 --islands 1 "$@"; }
+refused() { # refused NAME MESSAGE OPTION...
+    name=$1 message=$2
+    shift 2
+    expect "$name" 1 '' "$message" run -o "$work/o.gen" "$@"
+}
+
+# ---- one curved face, and slave nodes over it: the same pairs, facing z or x ----
+for axis in z x; do
+    awk -v axis=$axis '
+        function put(x, y, z) {
+            if (axis == "z") printf "%d, %.15g, %.15g, %.15g\n", ++n, x, y, z
+            else printf "%d, %.15g, %.15g, %.15g\n", ++n, z, x, y
+        }
+        function shape(xi, eta, k) {
+            if (k <= 4) return (1 + xi * u[k]) * (1 + eta * v[k]) * (xi * u[k] + eta * v[k] - 1) / 4
+            return u[k] == 0 ? (1 - xi * xi) * (1 + eta * v[k]) / 2 : (1 + xi * u[k]) * (1 - eta * eta) / 2
+        }
+        BEGIN {
+            split("-1 1 1 -1 0 1 0 -1", u); split("-1 -1 1 1 -1 0 1 0", v)
+            print "*NODE"
+            for (k = 1; k <= 8; k++) {
+                x[k] = 1.25 * u[k]; y[k] = 1.25 * v[k]; z[k] = sqrt(25 - x[k] * x[k] - y[k] * y[k])
+                put(x[k], y[k], z[k])
+            }
+            for (i = 0; i < 11; i++)
+                for (j = 0; j < 11; j++) {
+                    p = q = r = 0
+                    for (k = 1; k <= 8; k++) {
+                        s = shape(-0.95 + 0.19 * i, -0.95 + 0.19 * j, k)
+                        p += s * x[k]; q += s * y[k]; r += s * z[k]
+                    }
+                    far = 1 + 0.004 / sqrt(p * p + q * q + r * r)
+                    put(p * far, q * far, r * far)
+                }
+            print "*ELEMENT, TYPE=S8, ELSET=E\n1, 1, 2, 3, 4, 5, 6, 7, 8\n*NSET, NSET=SL, GENERATE\n9, " n ", 1"
+            print "*SURFACE, NAME=M\nE, SPOS\n*SURFACE, NAME=S, TYPE=NODE\nSL\n*CONTACT PAIR\nS, M"
+        }' > "$work/dome.inp"
+    echo 'training = 10; heldout = 10; mesh: { file = "dome.inp"; distance = 0.01; };' > "$work/s.scene"
+    "$evolve" --scene "$work/s.scene" --samples "$work/dome.csv"
+    expect "half of 121 pairs of a curved face are held out, along $axis" 0 60 '' grep -c '^heldout,' "$work/dome.csv"
+done
+
+# ---- what is read stays ----
+sed -n '/^\*ELEMENT/,$p' "$work/dome.inp" > "$work/rest.inp"
+sed '/^\*ELEMENT/,$d' "$work/dome.inp" > "$work/nodes.inp"
+cp "$work/nodes.inp" "$work/before.inp"
+{ echo '*INCLUDE, INPUT=nodes.inp'; cat "$work/rest.inp"; } > "$work/dome.inp"
+expect 'an included mesh file' 2 '' "footpoint-evolve: error: --output and the mesh are one file: $work/nodes.inp" \
+    run -o "$work/nodes.inp"
+cmp "$work/before.inp" "$work/nodes.inp"; report $((! $?)) 'stays'
+expect 'the scene of the kind' 2 '' 'footpoint-evolve: error: --output and the scene of the kind are one file: ./evolve/scenes/quad8.scene' \
+    run -o ./evolve/scenes/quad8.scene
+
+# ---- whole numbers that libconfig would cut ----
+for number in 4294967299 0x100000003 2147483648; do
+    scene "s/^seed.*/seed = $number;/" tests/scenes/small.scene
+    refused "seed $number" "$work/s.scene:7: error: a whole number of more than 2147483647 ends in L"
+done
+scene 's|^seed.*|seed = 4294967299L; // 4294967299 /* "|' tests/scenes/small.scene
+run --samples "$work/large.csv"; report $((! $?)) 'a large seed, and one in a comment'
+
+# ---- what programs cannot use ----
+scene 's/functions = \["+", "-", "\*", "min", "max"\]/functions = ["+", "*", "sqrt"]/' tests/scenes/steps.scene
+refused 'an operator of one value' "$work/s.scene:16: error: tier 'clamped': 'sqrt' takes one value; operators of programs take two"
+cat > "$work/s.scene" <<'SCENE'
+segment = "quad4"; training = 700; heldout = 500; frame = "parallelogram";
+shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.1; warp = "5 deg"; gap = 0.1; overhang = 0.1; };
+tiers = ( { name = "solve"; terminals = ["e11"]; starts = (["p", "q"]); max_length = 30; functions = "rational"; } );
+SCENE
+refused 'a start of other values' "$work/s.scene:3: error: tier 'solve': start 'p', 'q' is not made of its terminals"
+sed -i 's/"e11"/"p", "q"/; s/30;/30; last = "newton";/' "$work/s.scene" # functions of the frame are called solve_u, solve_v
+run -o "$work/o.gen" > "$work/log"; report $((! $?)) 'a tier that is called as functions begin'
+refused 'an ending of trees' "$work/s.scene:3: error: tier 'solve': 'last' is for programs, of more operations than 1" --breeding paper
+refused 'an ending of one gene' "$work/s.scene:3: error: tier 'solve': 'last' is for programs, of more operations than 1" --max-length 1
+cp "$work/o.gen" "$work/kept.gen"
+sed -i 's/"p", "q"\]; starts = (\["p", "q"\]);/"e11", "e22"];/' "$work/s.scene"
+expect 'a program of other terminals' 1 '' \
+    "$work/o.gen:$(grep -n '^genome solve' "$work/o.gen" | cut -d : -f 1): error: genome 'solve' is no program of its tier's terminals within max_length (--from-scratch starts without)" \
+    "$evolve" --quiet --scene "$work/s.scene" --start "$work/o.gen" --generations 0 -o "$work/o.gen"
+cmp "$work/o.gen" "$work/kept.gen"; report $((! $?)) 'is kept'
+
+# ---- options that do not go together ----
+expect 'members of a list' 2 '' "footpoint-evolve: error: --members is of genomes, not of a list, $work/f.csv" \
+    run -o "$work/o.gen" --front "$work/f.csv" --members 1
+run -o "$work/o.gen" --front "$work/f.gen" --members 1 --generations 0 > "$work/log"
+expect 'members without generations' 0 1 '' grep -c '^genome' "$work/f.gen"
+expect 'samples of a checkpoint' 2 '' 'footpoint-evolve: error: --resume and --samples exclude each other' \
+    "$evolve" --resume x --samples y.csv
