@@ -43,9 +43,12 @@ bool scene_samples(const struct scene *s, enum sample_part part, struct sample_s
     const size_t before = set->n;
     if (!draw_samples(s, part, set, d))
         return false;
-    if (strcmp(s->precision, "float") == 0)
+    const bool rounded = strcmp(s->precision, "float") == 0;
+    if (rounded)
         samples_round(s, set, before);
-    return set->n > before || diag_at(d, s->path, 0, 0, "no sample is left once coordinates are rounded to float");
+    return set->n > before || diag_at(d, s->path, 0, 0, "no sample is left %s",
+                                      rounded ? "once coordinates are rounded to float"
+                                              : "to hold out: all are mirror images of training samples");
 }
 
 bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d)
