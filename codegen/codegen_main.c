@@ -2,6 +2,7 @@
 #include "codegen_options.h"
 #include "genome/outfile.h"
 #include "header/header.h"
+#include "header/header_place.h"
 #include "print/formulas.h"
 #include "print/fortran.h"
 
@@ -21,7 +22,7 @@ static bool write_code(const struct unit *u, const struct codegen_options *o, st
 {
     struct outfile out;
     bool good = true;
-    if (!outfile_open(&out, o->output, d))
+    if ((o->language == LANGUAGE_C && u->file->face && !place_check(u, d)) || !outfile_open(&out, o->output, d))
         return false;
     if (o->language == LANGUAGE_C)
         header_print(u, out.stream);

@@ -141,6 +141,8 @@ static bool evaluate(struct forms *w, const struct interval *box, bool affine)
         }
         if (w->required[i]) {
             w->inside = w->inside && w->range[i].lo > 0;
+            if (!(w->range[i].hi > 0))
+                return false;
             tell(w, (int)i, (struct interval){0, INFINITY}, FORMS_DEPTH);
         }
         if (is_empty(w->range[i]))

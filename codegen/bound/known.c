@@ -291,8 +291,9 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
     free(shape);
     bool *matters = program_reads(all), *reads = program_reads(p);
     x->program = all;
-    for (size_t i = 0; !x->place && i < p->inputs; i++)
-        matters[i] = matters[i] || reads[i];
+    for (size_t i = 0; i < p->inputs; i++) /* those that the region's block gives by an input of its own, too */
+        if (reads[i] && x->placed[i] < (int)varies->inputs)
+            matters[x->placed[i]] = true;
     free(reads);
     read_ranges(x, varies, matters);
     x->first = all->ops;

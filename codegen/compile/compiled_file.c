@@ -49,12 +49,42 @@ int unit_degree(const struct unit *u, const struct function *f, const struct den
     return degree;
 }
 
-/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_sure,
- * NAME_closest and NAME_closest_n; along and along_n are none of a genome. */
-static bool check_names(const struct genome_file *f, struct diag *d)
+/* Names that headers take for what is no function of a genome: helpers, macros, inputs and outputs. */
+static bool is_taken(const struct genome_file *f, const char *name)
 {
-    static const char *const suffix[] = {"_n", "_points", "_at", "_checked_n", "_sure", "_closest", "_closest_n"};
+    if (strncmp(name, "footpoint_detail_", 17) == 0 || strncmp(name, "FOOTPOINT_", 10) == 0)
+        return true;
+    for (size_t i = 0; i < f->inputs && strncmp(name, "in_", 3) == 0 && !f->segment; i++)
+        if (strcmp(name + 3, f->input[i]) == 0)
+            return true;
+    for (size_t k = 0; k < f->genomes && strncmp(name, "out_", 4) == 0 && !f->segment; k++)
+        for (size_t i = 0; i < f->genome[k].outs; i++)
+            if (strcmp(name + 4, f->genome[k].out[i].name) == 0)
+                return true;
+    return false;
+}
+
+static char *new_name(const struct genome_file *f, const char *prefix, const char *genome)
+{
+    return f->face ? new_format("footpoint_%s_%s", f->segment->name, genome) : new_format("%s_%s", prefix, genome);
+}
+
+/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_over_n,
+ * NAME_sure, NAME_closest, NAME_closest_n and NAME_closest_of; along and along_n are none of a genome. */
+static bool check_names(const struct genome_file *f, const char *prefix, struct diag *d)
+{
+    static const char *const suffix[] = {"_n",    "_points",  "_at",        "_checked_n", "_over_n",
+                                         "_sure", "_closest", "_closest_n", "_closest_of"};
     for (size_t k = 0; k < f->genomes; k++) {
+        char *own = new_name(f, prefix, f->genome[k].name), *guard = new_format("%s_h", prefix),
+             *upper = new_capitals(guard);
+        const bool taken = *prefix && (is_taken(f, own) || strcmp(own, upper) == 0);
+        free(upper);
+        free(guard);
+        free(own);
+        if (taken)
+            return diag_at(d, f->path, f->genome[k].line, 1,
+                           "genome '%s' takes a name of the header's own, with prefix %s", f->genome[k].name, prefix);
         if (f->segment && (strcmp(f->genome[k].name, "along") == 0 || strcmp(f->genome[k].name, "along_n") == 0))
             return diag_at(d, f->path, f->genome[k].line, 1, "genome '%s' takes the name of another function",
                            f->genome[k].name);
@@ -134,8 +164,7 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     struct function *function = &u->function[k];
     struct compiled *c = &function->code;
     function->genome = &f->genome[k];
-    function->name = f->face ? new_format("footpoint_%s_%s", f->segment->name, function->genome->name)
-                             : new_format("%s_%s", o->prefix, function->genome->name);
+    function->name = new_name(f, o->prefix, function->genome->name);
     tell(s, f, k, false);
     if (!compile_genome(f, function->genome, &o->compile, c, d))
         return false;
@@ -162,7 +191,8 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
                                              .seed = o->compile.seed};
     function->evidence = evidence_new(f, function->genome, function->program, &options);
     if (function->evidence->empty)
-        return diag_at(d, f->path, f->require[0].line, 1, "no inputs in the ranges have all requires > 0");
+        return diag_at(d, f->path, (f->requires > 0 ? f : f->region)->require[0].line, 1,
+                       "no inputs in the ranges have all requires > 0");
     hash_genome(f, k, function->sha256);
     if (o->samples) {
         function->measured = new_array(1, sizeof *function->measured);
@@ -178,7 +208,7 @@ struct unit *unit_new(const struct genome_file *f, const char sha256[65], const 
     memcpy(u->sha256, sha256, sizeof u->sha256);
     u->function = new_array(f->genomes, sizeof *u->function);
     bool good = f->genomes > 0 || diag_at(d, f->path, 0, 0, "the file holds no genome");
-    good = good && check_names(f, d);
+    good = good && check_names(f, o->prefix, d);
     struct steps steps = steps_start(!o->quiet && !o->compile.explain, 2 * f->genomes);
     for (size_t k = 0; good && k < f->genomes; k++)
         if ((good = build(u, k, o, &steps, d)) && o->evidence)

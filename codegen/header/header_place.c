@@ -27,6 +27,13 @@ struct rows {
     size_t n, required; /* of the row `require` */
 };
 
+/* An output that is 0 in any unit of length. */
+static bool is_zero(const struct program *p, size_t output)
+{
+    const struct op *op = &p->op[p->output[output]];
+    return op->kind == OP_CONSTANT && fmpq_is_zero(&p->constant[op->input]);
+}
+
 /* Outputs are elements of rows, one row after the other. */
 static struct rows find_rows(const struct unit *u, const struct function *f)
 {
@@ -40,11 +47,106 @@ static struct rows find_rows(const struct unit *u, const struct function *f)
             r.required = n;
         else if (r.n < MOST_ROWS) {
             struct row *row = &r.row[r.n++];
+            size_t first = 0;
+            while (first + 1 < n && is_zero(f->program, k + first))
+                first++;
             *row = (struct row){name, length, n, 0};
-            homogeneous_degree(f->program, u->file->segment, f->program->output[k], &row->degree);
+            homogeneous_degree(f->program, u->file->segment, f->program->output[k + first], &row->degree);
         }
     }
     return r;
+}
+
+static bool is_one_of(const char *const *list, const char *name, size_t length)
+{
+    while (*list && !(strncmp(*list, name, length) == 0 && (*list)[length] == '\0'))
+        list++;
+    return *list != NULL;
+}
+
+/* Names of the emitted functions' variables, and words of C and C++. */
+static bool is_taken(const struct unit *u, const char *name, size_t length)
+{
+    static const char *const own[] = {"xi",     "eta",   "loc",      "n",      "i",       "p",    "x",
+                                      "y",      "at",    "row",      "step",   "always",  "flaw", "zero",
+                                      "status", "shape", "distance", "search", "require", NULL};
+    static const char *const word[] = {
+        "auto",    "bool",      "break",    "case",     "catch",   "char",      "class",    "const",    "continue",
+        "default", "delete",    "do",       "double",   "else",    "enum",      "explicit", "export",   "extern",
+        "false",   "float",     "for",      "friend",   "goto",    "if",        "inline",   "int",      "long",
+        "mutable", "namespace", "new",      "operator", "private", "protected", "public",   "register", "restrict",
+        "return",  "short",     "signed",   "sizeof",   "static",  "struct",    "switch",   "template", "this",
+        "throw",   "true",      "try",      "typedef",  "typeid",  "typename",  "union",    "unsigned", "using",
+        "virtual", "void",      "volatile", "while",    "and",     "or",        "not",      "xor",      "sqrt",
+        "fabs",    NULL};
+    const struct segment_kind *k = u->file->segment;
+    for (size_t v = 0; v <= segment_vectors(k); v++) {
+        char vector[4];
+        segment_vector_name(k, v, vector);
+        if (strncmp(vector, name, length) == 0 && vector[length] == '\0')
+            return true;
+    }
+    return is_one_of(own, name, length) || is_one_of(word, name, length) ||
+           (length > 1 && name[0] == 't' && strspn(name + 1, "0123456789") + 1 >= length);
+}
+
+bool place_check(const struct unit *u, struct diag *d)
+{
+    const struct genome_file *file = u->file;
+    if (u->options.precision == PRECISION_FLOAT)
+        return diag_at(d, file->path, 0, 0, "functions at places of faces are in double alone");
+    for (size_t g = 0; g < file->genomes; g++) {
+        const struct function *f = &u->function[g];
+        const char *row = "";
+        size_t rows = 0;
+        int degree = 0, first = 0;
+        bool known = false; /* the row's degree */
+        for (size_t k = 0; k < f->genome->outs; k++) {
+            const struct genome_expr *e = &f->genome->out[k];
+            const size_t length = strcspn(e->name, "[");
+            const bool begins = strncmp(row, e->name, length) != 0 || row[length] != e->name[length];
+            row = e->name;
+            if (length == strlen("require") && strncmp(row, "require", length) == 0)
+                continue;
+            rows += begins;
+            if (rows > MOST_ROWS)
+                return diag_at(d, file->path, e->line, 1, "genome '%s' has more than %d rows", f->genome->name,
+                               MOST_ROWS);
+            if (begins && is_taken(u, row, length))
+                return diag_at(d, file->path, e->line, 1, "row '%.*s' takes a name of the header's own or a word of C",
+                               (int)length, row);
+            known = known && !begins;
+            if (is_zero(f->program, k))
+                continue;
+            if (!homogeneous_degree(f->program, file->segment, f->program->output[k], &degree) ||
+                (known && degree != first))
+                return diag_at(d, file->path, e->line, 1,
+                               "row '%.*s' is not of one power of a length: faces have any size", (int)length, row);
+            first = degree;
+            known = true;
+        }
+    }
+    return true;
+}
+
+/* Vectors that the program reads; those alone that require or a divisor depends on, whose flaws show there. */
+static bool *vectors_read(const struct unit *u, const struct function *f, bool shown)
+{
+    const struct program *p = f->program;
+    bool *read = new_array(p->ops, sizeof *read),
+         *vector = new_array(segment_vectors(u->file->segment) + 1, sizeof *vector);
+    for (size_t k = 0; k < p->outputs; k++)
+        read[p->output[k]] = !shown || strncmp(f->genome->out[k].name, "require", 7) == 0;
+    for (size_t i = 0; f->evidence && i < f->evidence->denominators; i++)
+        read[f->evidence->denominator[i].op] = true;
+    for (size_t i = p->ops; i-- > p->inputs;)
+        for (int h = 0; read[i] && h < 2; h++)
+            if ((h ? p->op[i].b : p->op[i].a) >= 0)
+                read[h ? p->op[i].b : p->op[i].a] = true;
+    for (size_t i = 0; i < 3 * (segment_vectors(u->file->segment) + 1); i++)
+        vector[i / 3] = vector[i / 3] || read[i];
+    free(read);
+    return vector;
 }
 
 /* The vectors and rows by the names that statements have for them. */
@@ -62,6 +164,18 @@ static void print_names(const struct unit *u, const struct rows *r, FILE *out)
     if (r->required)
         fprintf(out, "    REAL require[%zu];\n", r->required);
     fputs("    REAL_BITS flaw;\n", out);
+}
+
+static void print_unused(const struct unit *u, const struct function *f, FILE *out)
+{
+    bool *reads = vectors_read(u, f, false);
+    for (size_t i = 0; i < segment_vectors(u->file->segment); i++) {
+        char name[4];
+        segment_vector_name(u->file->segment, i, name);
+        if (!reads[i])
+            fprintf(out, "    (void)%s;\n", name);
+    }
+    free(reads);
 }
 
 /* The row that a statement sets an element of; r->n if it is none. */
@@ -102,7 +216,16 @@ static void print_flaw(const struct unit *u, const struct function *f, const str
     fprintf(m->stream, "    flaw = %s", flaw);
     for (size_t i = 0; i < r->required; i++)
         fprintf(m->stream, " | footpoint_detail_not_above(require[%zu])", i);
+    bool *reads = vectors_read(u, f, false), *shown = vectors_read(u, f, true);
+    for (size_t i = 0; i < segment_vectors(u->file->segment); i++) {
+        char name[4];
+        segment_vector_name(u->file->segment, i, name);
+        if (reads[i] && !shown[i])
+            fprintf(m->stream, " | footpoint_detail_infinite(%s[0] + %s[1] + %s[2])", name, name, name);
+    }
     fputs(" | footpoint_detail_infinite(xS[0] + xS[1] + xS[2] + xi + eta);", m->stream);
+    free(reads);
+    free(shown);
     char *text = memory_close(m);
     c_print_broken(text, out);
     c_print("    if (!always && flaw >> REAL_TOP)\n        return flaw;\n", u->options.precision, out);
@@ -122,6 +245,7 @@ static void print_place(const struct unit *u, const struct function *f, const st
     fprintf(out, "%*s", column, "");
     c_print("REAL *const *row, size_t step, int always)\n{\n", u->options.precision, out);
     c_print(head, u->options.precision, out);
+    print_unused(u, f, out);
     print_others(r, statements, out);
     print_flaw(u, f, r, out);
     for (size_t i = 0; i < r->n; i++)

@@ -79,6 +79,8 @@ static void add_witness(struct banner_line *l, const struct genome_file *f, cons
         banner_add(l, "%s %s = %.6g", before, f->input[i], d->witness[i]);
         before = "and";
     }
+    if (strcmp(before, "and") != 0)
+        banner_add(l, "is 0");
     free(needed);
 }
 

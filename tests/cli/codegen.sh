@@ -193,3 +193,46 @@ awk 'BEGIN { print "footpoint-genome 1\ninput x y\ngenome g"; printf "r ="
     for (i = 0; i < 50000; i++) printf " %% x"; print " y\nend" }' > "$g"
 (ulimit -t 20; exec "$codegen" --quiet --allow-poles "$g" -o "$work/h.h") > /dev/null 2>&1
 report $((! $?)) 'a chain of protected quotients'
+
+# ---- regions that hold nothing, or give an input by one of their own ----
+header() { expect "$1" 1 '' "$g:$2: error: $3" "$codegen" --quiet --allow-poles $4 -o "$work/h.h" "$g"; }
+two() { printf '%s\n' "footpoint-genome 2" "$@" > "$g"; }
+two 'input x y' region 'input x y' 'range x 0 1, y 1 2' 'require - x 2' end 'genome g' 'r = / x + y 3' end
+header 'no inputs with all requires of a block' 6:1 'no inputs in the ranges have all requires > 0'
+two 'input x' 'range x -1 0' 'require x' 'genome g' 'r = x' end
+header 'a require that is 0 at most' 4:1 'no inputs in the ranges have all requires > 0'
+two 'input x' region 'input u' 'range u 0 1000' 'let x = u' end 'genome g' 'r = + * * x x x + x 0.1' end
+"$codegen" --quiet -o "$work/h.h" "$g"
+awk '/rounding: .* proved/ { good = $5 > 1e-8 } END { exit !good }' "$work/h.h"
+report $((! $?)) 'bounds where an input is one of the block'
+
+# ---- names that a header has ----
+genome 'input g' 'genome g' 'r = g' end; header 'a function called as its input' 3:1 "genome 'g' takes a name of the header's own, with prefix in" '--prefix in'
+genome 'input x' 'genome detail_bits' 'r = x' end
+header 'a function called as a helper' 3:1 "genome 'detail_bits' takes a name of the header's own, with prefix footpoint" '--prefix footpoint'
+two 'segment quad4 any' 'genome g' 'xi = / 1 - xA xB, eta = 0' end 'genome g_over_n' 'xi = 0, eta = 0' end
+header 'a function called as a loop' 6:1 "genome 'g_over_n' takes the name of a function of 'g'"
+
+# ---- rows at a place of a face ----
+face() { printf '%s\n' "footpoint-genome 2" "face tri3" "genome g" "$@" 'require xi' end > "$g"; }
+face 'status = xi'; header 'a row called as a variable' 4:1 "row 'status' takes a name of the header's own or a word of C"
+face 'r = + 1 xS'; header 'a row that has a size' 4:1 "row 'r' is not of one power of a length: faces have any size"
+face 'r1 = xi' 'r2 = xi' 'r3 = xi' 'r4 = xi' 'r5 = xi' 'r6 = xi' 'r7 = xi' 'r8 = xi' 'r9 = xi' \
+    'r10 = xi' 'r11 = xi' 'r12 = xi' 'r13 = xi' 'r14 = xi' 'r15 = xi' 'r16 = xi' 'r17 = xi'
+header 'too many rows' 20:1 "genome 'g' has more than 16 rows"
+face 'r = xi'
+expect 'a face in float' 1 '' "$g: error: functions at places of faces are in double alone" \
+    "$codegen" --quiet --precision float -o "$work/h.h" "$g"
+face 'r = * xi xA'
+"$codegen" --quiet -o "$work/h.h" "$g"
+cat > "$work/use.c" <<'C'
+#include "h.h"
+int main(void)
+{
+    const double a[3] = {NAN, 0, 0}, b[3] = {1, 0, 0}, c[3] = {0, 1, 0}, s[3] = {0, 0, 1}, loc[2] = {0.3, 0.3};
+    double r[1];
+    return footpoint_tri3_g(a, b, c, s, loc, r) == FOOTPOINT_ERR_NOT_FINITE ? 0 : 1;
+}
+C
+${CC:-gcc} -std=c99 -Wall -Wextra -Werror "$work/use.c" -o "$work/use" -lm && "$work/use"
+report $((! $?)) 'a node that is no number, and one that no row reads'
