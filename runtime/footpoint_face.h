@@ -59,15 +59,16 @@ int footpoint_face_closest(enum footpoint_face face, const double *x, double loc
 
 /** Closest point of the face, whatever face and slave node, with certainty: from the answer of footpoint_face_locate by
  *  Newton's method to a minimum of the distance, then a proof that no point of the face is nearer, by bounds over the
- *  whole face, or over ever smaller parts of it; where one is nearer, on from there.  Of quad4 it is footpoint_robust.
+ *  whole face, or over ever smaller parts of it; where one is nearer, on from there.  Of quad4 it is footpoint_robust,
+ *  whose distance has the sign of the normal at the point itself.
  *  The distance is right to 1e-10 of the largest difference of a coordinate of xS and a node's, rounding included, with
  *  and without fused operations: loc is a point that far away, and no point of the face is nearer by more.
  *  @param[out] loc, distance, region  as of footpoint_face_closest; distance > 0 where there is no normal
  *  @return FOOTPOINT_OK (the closest point is inside, and no other is as near), FOOTPOINT_OUTSIDE (it lies on an edge, and
  *          no other is as near);
  *          with all written: FOOTPOINT_NOT_UNIQUE (another may be as near: the distance is right, as above),
- *          FOOTPOINT_NO_AREA (nodes on a line; likewise), FOOTPOINT_UNPROVED (20,000 parts did not tell, or rounding hides
- *          it: no more is certain than that loc is that far away);
+ *          FOOTPOINT_NO_AREA (nodes on a line; likewise), FOOTPOINT_UNPROVED (20,000 parts did not tell, as of most faces
+ *          but quad4 whose nodes are on a line, or rounding hides it: no more is certain than that loc is that far away);
  *          with none: FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT, FOOTPOINT_ERR_DOMAIN (the distance is no
  *          number, or of quad4: xS is farther away than 1e12 edges) */
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);

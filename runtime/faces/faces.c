@@ -86,6 +86,8 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
         status = footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, at, &answer.distance);
         if (status >= FOOTPOINT_OK)
             answer.edges = (at[1] <= -1.0) | (at[0] >= 1.0) << 1 | (at[1] >= 1.0) << 2 | (at[0] <= -1.0) << 3;
+        if (status == FOOTPOINT_OK && answer.edges)
+            status = FOOTPOINT_OUTSIDE; /* a foot point on an edge is OK there */
     } else {
         double start[2] = {triangle ? 1.0 / 3.0 : 0.0, triangle ? 1.0 / 3.0 : 0.0}, guess;
         (void)f->pairs.locate(r.x, r.s, start, &guess);

@@ -53,12 +53,12 @@ static int place_in(const double *xyz, int master, const int node[4], const doub
     int k = 0;
     while (k < 4 && node[k] != master)
         k++;
-    if (k == 4 || node[(k + 1) % 4] < 0 || node[(k + 3) % 4] < 0)
+    if (k == 4 || node[(k + 1) % 4] < 0 || node[(k + 2) % 4] < 0 || node[(k + 3) % 4] < 0)
         return FOOTPOINT_ERR_ARGUMENT;
     vector_sub(xyz + 3 * (size_t)node[(k + 1) % 4], x, c1);
     vector_sub(xyz + 3 * (size_t)node[(k + 3) % 4], x, c2);
     vector_sub(xS, x, t);
-    if (!vector_finite(c1) || !vector_finite(c2))
+    if (!vector_finite(c1) || !vector_finite(c2) || !vector_finite(xyz + 3 * (size_t)node[(k + 2) % 4]))
         return FOOTPOINT_ERR_NOT_FINITE;
     *place = place_of(c1, c2, t);
     return FOOTPOINT_OK;

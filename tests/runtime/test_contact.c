@@ -221,7 +221,8 @@ static void test_select_turned(void **state)
 static void test_select_refused(void **state)
 {
     const double xs[3] = {-0.5, -0.5, 0}, bad[3] = {0, 0, (double)INFINITY};
-    static const int negative[4] = {4, -1, 8, 7}, collapsed[4] = {4, 5, 8, 5};
+    static const int negative[4] = {4, -1, 8, 7}, collapsed[4] = {4, 5, 8, 5}, opposite[4] = {4, 7, -1, 3},
+                     opposite_bad[4] = {4, 7, 5, 3};
     double broken[9][3];
     int chosen = -7;
     (void)state;
@@ -234,6 +235,8 @@ static void test_select_refused(void **state)
     assert_int_equal(footpoint_select_segment(patch[0], -1, 4, around[0], xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
     assert_int_equal(footpoint_select_segment(patch[0], 0, 4, around[0], xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
     assert_int_equal(footpoint_select_segment(patch[0], 4, 1, negative, xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_select_segment(patch[0], 4, 1, opposite, xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_select_segment(broken[0], 4, 1, opposite_bad, xs, &chosen), FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_select_segment(patch[0], 4, 4, around[0], bad, &chosen), FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_select_segment(broken[0], 4, 4, around[0], xs, &chosen), FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(chosen, -7);
