@@ -386,6 +386,41 @@ static void ask_along(const struct kind *k, struct question *q, gsl_rng *stream,
                dist, roots, least);
 }
 
+/* Slave nodes up to thousands of edges away, where few lines meet the face: what is an answer is on the line. */
+static void ask_far_along(const struct kind *k, struct question *q, gsl_rng *stream, void *to)
+{
+    struct tally *t = to;
+    struct curved_face f;
+    const double reach = pow(10, gsl_ran_flat(stream, 0, 4)) * q->longest;
+    double p[3], xs[3], loc[2], dist, r[3], off = 0, far = 0, length = 0;
+    for (int j = 0; j < 3; j++) {
+        xs[j] = q->xs[j] + reach * gsl_ran_flat(stream, -1, 1);
+        p[j] = gsl_ran_flat(stream, -1, 1);
+        length += p[j] * p[j];
+        far += fabs(xs[j] - q->x[0][j]);
+    }
+    if (k->along(q->x, xs, p, loc, &dist) < FOOTPOINT_OK)
+        return;
+    curved_face_of(&f, k->nodes, q->x, xs);
+    curved_face_point(&f, loc[0], loc[1], r);
+    for (int j = 0; j < 3; j++)
+        off += fabs(r[j] + dist * p[j] / sqrt(length));
+    const double bend = (1 + fabs(loc[0])) * (1 + fabs(loc[1]));
+    t->answers++;
+    t->wrong += !(off < 1e-6 * (fabs(dist) + bend * bend * (far + q->longest)));
+}
+
+static void far_lines(void **state)
+{
+    (void)state;
+    for (int k = 0; k < KINDS; k++) {
+        struct tally t = {0};
+        each_sample(&kinds[k], ask_far_along, &t);
+        printf("# %s: %ld lines from far away with an answer, %ld wrong\n", kinds[k].scene, t.answers, t.wrong);
+        assert_true(t.wrong == 0 && t.answers > 0);
+    }
+}
+
 static void lines_meet_the_face(void **state)
 {
     (void)state;
@@ -404,6 +439,7 @@ int main(void)
         cmocka_unit_test(closest_points_are_right),
         cmocka_unit_test(strongly_curved_faces),
         cmocka_unit_test(lines_meet_the_face),
+        cmocka_unit_test(far_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
