@@ -2007,7 +2007,8 @@ FOOTPOINT_PART double footpoint_detail_tri6_bend(const double k[9], double u, do
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
  * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  Bends as they are
  * without bends, then a few of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
- * that the next one would be of the size of rounding errors, and the face is far from folded there. */
+ * that the next one would be of the size of rounding errors, and the face is far from folded there; not where it is so
+ * far away that its bends, fourth powers, make any step short. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *const *x, const double p[3],
                                                               double at[3], int *status)
 {
@@ -2056,6 +2057,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *cons
     return footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
            footpoint_detail_bits(across * across - 100.0 * 1e-20 * (size * size * pp)) |
            footpoint_detail_bits(folds - 0.1) | footpoint_detail_above(moved, 4e-16) |
+           footpoint_detail_above(u * u + v * v, 1e4) |
            footpoint_detail_infinite(at[0] + at[1] + at[2]);
 }
 
