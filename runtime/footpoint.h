@@ -172,7 +172,7 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
  *  @param[out] pressure    force, >= 0
  *  @param[out] force       3 (nodes + 1): on all nodes
  *  @param[out] tangent     -d force / dx, symmetric: element (r, c), r >= c, is [r (r + 1) / 2 + c]
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (the pressure, too), FOOTPOINT_ERR_ARGUMENT */
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (a force or its tangent, too), FOOTPOINT_ERR_ARGUMENT */
 int footpoint_element_normal(int nodes, double gap, const double *d_gap, const double *hessian, double stiffness,
                              double multiplier, double *pressure, double *force, double *tangent);
 

@@ -13,6 +13,14 @@ static int all_finite(const double *x, int n)
     return finite;
 }
 
+static double largest(const double *x, int n)
+{
+    double most = 0.0;
+    for (int i = 0; i < n; i++)
+        most = fabs(x[i]) > most ? fabs(x[i]) : most;
+    return most;
+}
+
 int footpoint_element_normal(int nodes, double gap, const double *d_gap, const double *hessian, double stiffness,
                              double multiplier, double *pressure, double *force, double *tangent)
 {
@@ -23,7 +31,8 @@ int footpoint_element_normal(int nodes, double gap, const double *d_gap, const d
         !all_finite(hessian, n * (n + 1) / 2))
         return FOOTPOINT_ERR_NOT_FINITE;
     const double law = multiplier - stiffness * gap, p = law > 0.0 ? law : 0.0, k = law > 0.0 ? stiffness : 0.0;
-    if (!number_finite(p))
+    const double slope = largest(d_gap, n), bend = largest(hessian, n * (n + 1) / 2);
+    if (!number_finite(p * slope) || !number_finite(k * slope * slope + p * bend))
         return FOOTPOINT_ERR_NOT_FINITE;
     for (int r = 0; r < n; r++) {
         force[r] = p * d_gap[r];

@@ -282,6 +282,10 @@ static void arguments_are_checked(void **state)
                      FOOTPOINT_ERR_ARGUMENT);
     assert_int_equal(footpoint_element_normal(4, -1e200, many, many, 1e200, 0, &pressure, out, out),
                      FOOTPOINT_ERR_NOT_FINITE);
+    double steep[15] = {0};
+    steep[14] = 1e200;
+    assert_int_equal(footpoint_element_normal(4, -1e150, steep, many, 1, 0, &pressure, out, out),
+                     FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_element_normal(4, 1e200, many, many, 1e200, 0, &pressure, out, out), FOOTPOINT_OK);
     out[0] = slip[0] = 77.25;
     for (int bad = 0; bad < 3; bad++) { /* each of them went on into an answer */
