@@ -66,7 +66,7 @@ bool archive_check_starts(const struct archive *a, struct diag *d)
     enum { ANY_LENGTH = 300000 };
     for (size_t i = 0; i < a->scene->tiers; i++) {
         const struct tier *t = &a->scene->tier[i];
-        for (size_t k = 0; k < t->starts && t->program; k++) {
+        for (size_t k = 0; k < t->starts && t->program && !t->starts_at_large; k++) {
             int gene[2];
             struct genome_expr value[2];
             for (int h = 0; h < 2; h++) {

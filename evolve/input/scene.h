@@ -61,6 +61,7 @@ struct tier {
     char *last;        /* owned: function of the frame that programs end in; NULL: none */
     char *(*start)[2]; /* owned: pairs of values of the frame that programs are first made of */
     size_t starts;
+    bool starts_at_large; /* they are the scene's, for other terminals than the tier's own: those that suit serve */
     double reference[2];
     int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
     int line; /* where it stands in the scene; 0: it follows */

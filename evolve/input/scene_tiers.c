@@ -197,6 +197,7 @@ static bool read_tier(const struct scene_reader *r, config_setting_t *g, const c
     const config_setting_t *starts = setting(g, root, "starts");
     if (starts && t->program && !read_starts(r, starts, t))
         return false;
+    t->starts_at_large = !config_setting_get_member(g, "starts") && config_setting_get_member(g, "terminals");
     own = config_setting_get_member(g, "last");
     if (!own && t->program)
         own = config_setting_get_member(root, "last");

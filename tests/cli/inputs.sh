@@ -74,6 +74,9 @@ shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.1; warp = "5 deg"; gap = 0.1;
 tiers = ( { name = "solve"; terminals = ["e11"]; starts = (["p", "q"]); max_length = 30; functions = "rational"; } );
 SCENE
 refused 'a start of other values' "$work/s.scene:3: error: tier 'solve': start 'p', 'q' is not made of its terminals"
+sed 's/^tiers/starts = (["p", "q"], ["u1", "v1"]);\n&/; s/starts = (\["p", "q"\]); max/max/' "$work/s.scene" > "$work/large.scene"
+"$evolve" --quiet --scene "$work/large.scene" --generations 0 --from-scratch -o "$work/o.gen" > "$work/log"
+report $((! $?)) 'starts of the scene, for other tiers, are left out'
 sed -i 's/"e11"/"p", "q"/; s/30;/30; last = "newton";/' "$work/s.scene" # functions of the frame are called solve_u, solve_v
 run -o "$work/o.gen" > "$work/log"; report $((! $?)) 'a tier that is called as functions begin'
 refused 'an ending of trees' "$work/s.scene:3: error: tier 'solve': 'last' is for programs, of more operations than 1" --breeding paper
