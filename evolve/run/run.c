@@ -3,15 +3,14 @@
 #include "run.h"
 
 #include "../../codegen/genome/text.h"
-#include "../common/data_root.h"
 #include "../eval/frame.h"
 #include "../eval/frame_cost.h"
 #include "../fit/compose.h"
-#include "../input/scene_files.h"
 #include "../samples/default_tiers.h"
 #include "../samples/samples.h"
 #include "generations.h"
 #include "progress.h"
+#include "run_files.h"
 
 #include <limits.h>
 #include <math.h>
@@ -35,56 +34,6 @@ struct run {
     struct islands islands;
     struct outcome outcome;
 };
-
-static void genomes_path(const struct call *call, const char *name, char path[1024])
-{
-    snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", call->options->root, name);
-}
-
-static bool choose_paths(const struct call *call, const struct scene *scene, struct run_files *f, struct diag *d)
-{
-    const struct evolve_options *o = call->options;
-    for (int i = 0; i < 2; i++) {
-        const char *path = i ? o->start : o->output;
-        if (path && strlen(path) >= sizeof f->output)
-            return diag_at(d, path, 0, 0, "the path is too long");
-    }
-    if (root_is_installed(o->root))
-        snprintf(f->output, sizeof f->output, "%.250s.gen", scene->name);
-    else
-        genomes_path(call, scene->name, f->output);
-    if (o->output)
-        snprintf(f->output, sizeof f->output, "%s", o->output);
-    f->shipped = call->resume != NULL; /* which of its genomes suit was found out when the run began */
-    if (call->resume)
-        return !*call->resume->start || resume_start_file(call->resume, f->start, sizeof f->start, d);
-    if (o->start)
-        snprintf(f->start, sizeof f->start, "%s", o->start);
-    else if (!o->from_scratch)
-        genomes_path(call, scene->name, f->start);
-    if (!o->start && access(f->start, F_OK) != 0)
-        f->start[0] = '\0';
-    return true;
-}
-
-/* A scene that has no genomes yet starts from those of its kind. */
-static void start_from_shipped(const struct call *call, const struct scene *scene, struct run_files *f)
-{
-    const struct evolve_options *o = call->options;
-    if (f->start[0] || o->from_scratch || call->resume)
-        return;
-    genomes_path(call, scene->segment->name, f->start);
-    f->shipped = access(f->start, F_OK) == 0 && strcmp(f->start, f->output) != 0;
-    if (!f->shipped)
-        f->start[0] = '\0';
-}
-
-/* The start file as checkpoints hold it. */
-static bool keep_start(struct run_files *f, struct diag *d)
-{
-    f->start_text = f->start[0] ? read_text(f->start, &f->start_bytes, d) : new_text("", 0);
-    return f->start_text != NULL;
-}
 
 /* Of the values that genes are numbers of, and of the tiers, which may be those of another scene. */
 static void digest_frames(const struct problem *p, char sha256[65])
@@ -137,22 +86,6 @@ static bool complete_scene(const char *root, struct scene *scene, struct run_sam
     return true;
 }
 
-/* A run may go on with its start file and its checkpoint; apart from that, what it writes is nothing that it reads. */
-static bool files_suit(const struct call *call, const struct scene *scene, const struct run_files *f, struct diag *d)
-{
-    enum { NONE, GENOMES, CHECKPOINTS };
-    const struct evolve_options *o = call->options;
-    const struct file_use file[] = {{"--output", f->output, true, GENOMES},
-                                    {"--start", call->resume || !*f->start ? NULL : f->start, false, GENOMES},
-                                    {"--checkpoint", o->checkpoint, true, CHECKPOINTS},
-                                    {"--resume", o->resume, false, CHECKPOINTS},
-                                    {"--front", o->front, true, NONE},
-                                    {"--log", o->log, true, NONE},
-                                    {"--seeds", o->seeds, false, NONE}};
-    return scene_files_apart("footpoint-evolve", o->root, scene, file, sizeof file / sizeof *file, d) &&
-           outfile_probe(f->output, d) && outfile_probe(o->checkpoint, d) && outfile_probe(o->front, d);
-}
-
 /* What is read: the cheap part, in which most mistakes show. */
 static bool load(struct run *r, struct diag *d)
 {
@@ -160,7 +93,7 @@ static bool load(struct run *r, struct diag *d)
     const struct resume *resume = r->call.resume;
     struct scene *scene = r->problem.scene = scene_read(o->root, o->scene, d);
     if (!scene || (resume && !resume_suits(resume, scene->sha256, o->generations, d)) ||
-        !choose_paths(&r->call, scene, &r->files, d))
+        !run_files_choose(&r->call, scene, &r->files, d))
         return false;
     const bool first = r->call.team->rank == 0;
     if (first && scene->warnings)
@@ -174,9 +107,10 @@ static bool load(struct run *r, struct diag *d)
     }
     if (o->breeding == BREED_PAPER && !scene_take_trees(scene, d))
         return false;
-    start_from_shipped(&r->call, scene, &r->files);
-    const bool good = (!first || (files_suit(&r->call, scene, &r->files, d) && keep_start(&r->files, d))) &&
-                      load_archive(o, &r->files, &r->problem, d);
+    run_files_start_from_shipped(&r->call, scene, &r->files);
+    const bool good =
+        (!first || (run_files_suit(&r->call, scene, &r->files, d) && run_files_keep_start(&r->files, d))) &&
+        load_archive(o, &r->files, &r->problem, d);
     if (resume && r->files.start[0])
         unlink(r->files.start);
     if (!good)
