@@ -387,10 +387,9 @@ perceptrons: evolve ## train the perceptrons of the bench again, tests/paper/per
 	$(Q)$(BIN)/footpoint-perceptron $(PERCEPTRONS) -o tests/paper/perceptron.gen
 
 calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs; beside codegen/costs/
-	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && $(BIN)/footpoint-calibrate --latency -o $(BIN)/machine-chain.costs
+	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs
 	$(Q)awk -f codegen/costs/beside.awk \
-	    $(BIN)/machine.costs codegen/costs/sse2.costs codegen/costs/avx2.costs codegen/costs/avx512.costs \
-	    $(BIN)/machine-chain.costs codegen/costs/latency.costs
+	    $(BIN)/machine.costs codegen/costs/sse2.costs codegen/costs/avx2.costs codegen/costs/avx512.costs
 
 rivals: runtime ## beside other libraries: table, and pictures in build/rivals/index.html: CASES= of each family (some minutes)
 	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) CASES=$(CASES) sh tests/libraries/rivals.sh build/rivals

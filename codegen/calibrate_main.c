@@ -1,9 +1,9 @@
 /* footpoint-calibrate: what operations cost on this machine, as a cost file (cost.h).
  *
- * Each operation runs in two loops, in double and in float.  "throughput": STEPS times on each of LENGTH numbers, which
- * stay in the first cache and are independent of each other, so that the compiler makes vectors of them.  "latency": a
- * chain in which each step waits for the one before.  All loops take turns, ROUNDS times, and a cost is the median over
- * the rounds of a loop's time over that of the additions in the same round: what else the machine does falls on both.
+ * Each operation runs in a loop, in double and in float: STEPS times on each of LENGTH numbers, which stay in the first
+ * cache and are independent of each other, so that the compiler makes vectors of them.  All loops take turns, ROUNDS
+ * times.  A cost is the median over the rounds of a loop's time over that of the additions in the same round: what else
+ * the machine does falls on both.
  */
 #include "genome/options.h"
 #include "genome/outfile.h"
@@ -13,7 +13,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { LENGTH = 480, CHAIN = LENGTH / 4, STEPS = 4, PASSES = 50, ROUNDS = 801, FEWEST_ROUNDS = 5 };
+enum { LENGTH = 480, STEPS = 4, PASSES = 50, ROUNDS = 801, FEWEST_ROUNDS = 5 };
 #define MOST_SECONDS 1.5 /* no round begins after that */
 
 #ifdef __clang__
@@ -32,10 +32,8 @@ enum { LENGTH = 480, CHAIN = LENGTH / 4, STEPS = 4, PASSES = 50, ROUNDS = 801, F
 #endif
 
 enum precision { DOUBLE, FLOAT, PRECISIONS };
-enum mode { THROUGHPUT, LATENCY, MODES };
 enum operation { MUL, ADD, DIV, SQRT, COMPARE, OPERATIONS };
 static const char *const precision_name[PRECISIONS] = {"double", "float"};
-static const char *const mode_name[MODES] = {"throughput", "latency"};
 static const char *const operation_name[OPERATIONS] = {"mul", "add", "div", "sqrt", "compare"};
 
 /* Second operands: what one step does, the next one undoes, so that no value leaves the usual range.  Minima take
@@ -45,8 +43,7 @@ static const double operand[OPERATIONS][2] = {
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* The loops of one precision.  Where they are called the operation is a constant, so that one expression is left.  A
- * chain of roots adds before each: roots of roots end at 1, where some machines are quicker. */
+/* The loops of one precision.  Where they are called the operation is a constant, so that one expression is left. */
 #define DEFINE_LOOPS(real, root)                                                                                       \
     struct numbers_##real {                                                                                            \
         real x[LENGTH], y[LENGTH], least[STEPS][LENGTH], operand[2];                                                   \
@@ -66,42 +63,33 @@ static const double operand[OPERATIONS][2] = {
             n->y[i] = t;                                                                                               \
         }                                                                                                              \
     }                                                                                                                  \
-    INLINE void latency_##real(enum operation o, struct numbers_##real *n)                                             \
-    {                                                                                                                  \
-        const real b = n->operand[0], c = n->operand[1];                                                               \
-        real t = n->x[0];                                                                                              \
-        for (int i = 0; i < CHAIN; i++)                                                                                \
-            for (int k = 0; k < STEPS; k++)                                                                            \
-                t = step_##real(o, o == SQRT ? t + b : t, o == COMPARE ? n->least[k][i] : k % 2 ? c : b);              \
-        n->y[0] = t;                                                                                                   \
-    }                                                                                                                  \
-    INLINE void loop_##real(enum operation o, enum mode mode, struct numbers_##real *n)                                \
+    INLINE void loop_##real(enum operation o, struct numbers_##real *n)                                                \
     {                                                                                                                  \
         for (int pass = 0; pass < PASSES; pass++) {                                                                    \
-            mode == THROUGHPUT ? throughput_##real(o, n) : latency_##real(o, n);                                       \
+            throughput_##real(o, n);                                                                                   \
             __asm__ volatile("" : : "r"(n) : "memory"); /* as if all of *n were read and written here */               \
         }                                                                                                              \
     }                                                                                                                  \
-    static void run_##real(enum operation o, enum mode mode, struct numbers_##real *n)                                 \
+    static void run_##real(enum operation o, struct numbers_##real *n)                                                 \
     {                                                                                                                  \
         switch (o) {                                                                                                   \
         case MUL:                                                                                                      \
-            loop_##real(MUL, mode, n);                                                                                 \
+            loop_##real(MUL, n);                                                                                       \
             break;                                                                                                     \
         case ADD:                                                                                                      \
-            loop_##real(ADD, mode, n);                                                                                 \
+            loop_##real(ADD, n);                                                                                       \
             break;                                                                                                     \
         case DIV:                                                                                                      \
-            loop_##real(DIV, mode, n);                                                                                 \
+            loop_##real(DIV, n);                                                                                       \
             break;                                                                                                     \
         case SQRT:                                                                                                     \
-            loop_##real(SQRT, mode, n);                                                                                \
+            loop_##real(SQRT, n);                                                                                      \
             break;                                                                                                     \
         default:                                                                                                       \
-            loop_##real(COMPARE, mode, n);                                                                             \
+            loop_##real(COMPARE, n);                                                                                   \
         }                                                                                                              \
     }                                                                                                                  \
-    static double seconds_##real(enum operation o, enum mode mode)                                                     \
+    static double seconds_##real(enum operation o)                                                                     \
     {                                                                                                                  \
         static struct numbers_##real n;                                                                                \
         n.operand[0] = (real)operand[o][0];                                                                            \
@@ -112,8 +100,8 @@ static const double operand[OPERATIONS][2] = {
                 n.least[k][i] = (real)(1 + (i * (139 + 4 * k) % LENGTH + 0.3) / LENGTH);                               \
         }                                                                                                              \
         const double start = now();                                                                                    \
-        run_##real(o, mode, &n);                                                                                       \
-        return fmax(now() - start, 1e-9) / (mode == THROUGHPUT ? LENGTH : CHAIN);                                      \
+        run_##real(o, &n);                                                                                             \
+        return fmax(now() - start, 1e-9);                                                                              \
     }
 
 static double now(void)
@@ -126,25 +114,22 @@ static double now(void)
 DEFINE_LOOPS(double, sqrt)
 DEFINE_LOOPS(float, sqrtf)
 
-/* Costs in units of an addition of the same precision and mode. */
+/* Costs in units of an addition of the same precision. */
 struct costs {
-    double of[PRECISIONS][MODES][OPERATIONS];
+    double of[PRECISIONS][OPERATIONS];
 };
 
 static struct costs run_round(void)
 {
     struct costs costs;
-    for (int p = 0; p < PRECISIONS; p++)
-        for (int m = 0; m < MODES; m++) {
-            double *c = costs.of[p][m];
-            for (int o = 0; o < OPERATIONS; o++)
-                c[o] = (p == DOUBLE ? seconds_double : seconds_float)((enum operation)o, (enum mode)m);
-            if (m == LATENCY)
-                c[SQRT] = fmax(c[SQRT] - c[ADD], 0);
-            const double unit = c[ADD];
-            for (int o = 0; o < OPERATIONS; o++)
-                c[o] /= unit;
-        }
+    for (int p = 0; p < PRECISIONS; p++) {
+        double *c = costs.of[p];
+        for (int o = 0; o < OPERATIONS; o++)
+            c[o] = (p == DOUBLE ? seconds_double : seconds_float)((enum operation)o);
+        const double unit = c[ADD];
+        for (int o = 0; o < OPERATIONS; o++)
+            c[o] /= unit;
+    }
     return costs;
 }
 
@@ -163,65 +148,58 @@ static struct costs measure(void)
     for (const double start = now(); rounds < ROUNDS && (rounds < FEWEST_ROUNDS || now() - start < MOST_SECONDS);)
         round[rounds++] = run_round();
     for (int p = 0; p < PRECISIONS; p++)
-        for (int m = 0; m < MODES; m++)
-            for (int o = 0; o < OPERATIONS; o++) {
-                for (size_t i = 0; i < rounds; i++)
-                    sorted[i] = round[i].of[p][m][o];
-                qsort(sorted, rounds, sizeof *sorted, compare_doubles);
-                median.of[p][m][o] = sorted[rounds / 2];
-            }
+        for (int o = 0; o < OPERATIONS; o++) {
+            for (size_t i = 0; i < rounds; i++)
+                sorted[i] = round[i].of[p][o];
+            qsort(sorted, rounds, sizeof *sorted, compare_doubles);
+            median.of[p][o] = sorted[rounds / 2];
+        }
     return median;
 }
 
-static void print_costs(const struct costs *c, enum mode mode, FILE *stream)
+static void print_costs(const struct costs *c, FILE *stream)
 {
     fputs("footpoint-costs 1\n"
           "# Measured by footpoint-calibrate " FOOTPOINT_VERSION " as compiled by " COMPILER MACHINE ".\n"
           "# Unit: an addition of the same row; medians of interleaved rounds.\n"
-          "# throughput: independent operations on arrays; latency: a chain, each waiting for the one before\n"
-          "#                  ",
+          "#       ",
           stream);
     for (int o = 0; o < OPERATIONS; o++)
         fprintf(stream, " %7s", operation_name[o]);
-    for (int p = 0; p < PRECISIONS; p++)
-        for (int m = 0; m < MODES; m++) {
-            fprintf(stream, "\n# %-6s %-10s", precision_name[p], mode_name[m]);
-            for (int o = 0; o < OPERATIONS; o++)
-                fprintf(stream, " %7.2f", c->of[p][m][o]);
-        }
+    for (int p = 0; p < PRECISIONS; p++) {
+        fprintf(stream, "\n# %-6s", precision_name[p]);
+        for (int o = 0; o < OPERATIONS; o++)
+            fprintf(stream, " %7.2f", c->of[p][o]);
+    }
     fputc('\n', stream);
     for (int o = 0; o < OPERATIONS; o++)
-        fprintf(stream, "%s %.2f\n", operation_name[o], c->of[DOUBLE][mode][o]);
-    fprintf(stream, "chain %d\n", mode == LATENCY);
+        fprintf(stream, "%s %.2f\n", operation_name[o], c->of[DOUBLE][o]);
 }
 
-static bool write_costs(const struct costs *c, enum mode mode, const char *path, struct diag *d)
+static bool write_costs(const struct costs *c, const char *path, struct diag *d)
 {
     struct outfile out;
     if (!path) {
-        print_costs(c, mode, stdout);
+        print_costs(c, stdout);
         return true;
     }
     if (!outfile_open(&out, path, d))
         return false;
-    print_costs(c, mode, out.stream);
+    print_costs(c, out.stream);
     return outfile_commit(&out, d);
 }
 
 struct calibrate_options {
     const char *output; /* NULL: standard output */
-    bool latency;
 };
 
 #define AT(member) offsetof(struct calibrate_options, member)
 static const struct option_row rows[] = {
-    {"output", 'o', OPTION_TEXT, AT(output), "FILE", .help = "file to write (default: standard output)"},
-    {"latency", 0, OPTION_FLAG, AT(latency),
-     .help = "costs are latencies, and the longest chain counts (default: throughput)"}};
+    {"output", 'o', OPTION_TEXT, AT(output), "FILE", .help = "file to write (default: standard output)"}};
 static const struct option_table table = {
     .program = "footpoint-calibrate",
     .usage =
-        "usage: footpoint-calibrate [-o FILE] [--latency]\n"
+        "usage: footpoint-calibrate [-o FILE]\n"
         "Measures what operations cost on this machine, in about a second; writes a cost file for footpoint-codegen.\n",
     .notes = "Exit status: 0 done, 2 usage, 3 I/O.\n",
     .row = rows,
@@ -238,5 +216,5 @@ int main(int argc, char **argv)
     if (outcome != OPTIONS_READ)
         return options_end(&table, outcome, &d);
     const struct costs costs = measure();
-    return exit_status(write_costs(&costs, o.latency ? LATENCY : THROUGHPUT, o.output, &d), &d);
+    return exit_status(write_costs(&costs, o.output, &d), &d);
 }

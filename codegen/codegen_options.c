@@ -60,7 +60,7 @@ static const struct option_row rows[] = {
     {"count", 0, OPTION_FLAG, AT(count), .help = "operation counts to standard output"},
     {.kind = OPTION_TITLE, .help = "search for the cheapest form"},
     {"cost", 0, OPTION_TEXT, AT(cost), "MODEL",
-     .help = "throughput (default), operations, paper, latency, or a file that footpoint-calibrate wrote"},
+     .help = "throughput (default), operations, paper, or a file that footpoint-calibrate wrote"},
     {"effort", 0, OPTION_WHOLE, AT(effort), "N", 0, 1000000000,
      .refusal = "effort is a number from 0 to 1000000000, not %s (try --help)",
      .help = "work that the search may do (default: 2000); same effort, same bytes"},

@@ -33,7 +33,7 @@ enum {
                       * any length, never beyond the genome's own */
 };
 
-static const double TIE = 1e-3; /* what all operations count where the longest chain is the cost */
+static const double TIE = 1e-3; /* what a multiplication counts between shapes of one cost */
 static const double HOT = 0.5;  /* multiplications by which annealing may go up at first */
 
 struct shape {
@@ -65,8 +65,6 @@ struct search {
     size_t removing, removed; /* singularities: by the passes under way, by the winner's */
     uint64_t random;
     int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
-    double chain;                          /* longest one of the graph at hand, where the cost model asks for it */
-    struct cost_model latency;             /* when operands are ready */
     double work, limit;
     bool differences; /* those of two inputs stay whole */
     bool relative;    /* the first form takes differences of coordinates alone, and so do the others */
@@ -79,9 +77,7 @@ struct search *search_new(const struct genome_file *f, const struct compile_opti
     struct search *s = new_array(1, sizeof *s);
     s->file = f;
     s->options = o;
-    struct diag d;
     s->random = o->seed;
-    cost_model_find("latency", &s->latency, &d);
     s->limit = (double)o->effort * UNIT;
     s->guide = HUGE_VAL;
     s->differences = f->segment && shape_differs_first(f->segment);
@@ -201,12 +197,8 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     count_dear(s, (double)share_pairs(g));
     if (s->explaining)
         explain_graph(s->options->explain, "sharing", g);
-    if (s->options->cost.chain)
-        s->chain = balance_trees(g, &s->options->cost);
-    else {
-        distribute_products(g, &s->options->cost);
-        balance_order(g, &s->latency);
-    }
+    distribute_products(g, &s->options->cost);
+    balance_order(g);
     return g;
 }
 
@@ -218,8 +210,7 @@ static double lower_schedule(struct search *s, const struct schedule *schedule, 
     struct lowered e;
     lower(s->file, schedule, &e);
     e.out_of_range |= rational_take_overflow();
-    const double sum = operations_cost(&e.ops, &s->options->cost);
-    const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
+    const double cost = operations_cost(&e.ops, &s->options->cost) + (e.out_of_range ? 1e9 : 0);
     const bool tie = s->best.program && cost < s->least + 1e-9,
                exacter = from->policy.differences && !s->winner.policy.differences,
                neater =
@@ -242,7 +233,7 @@ static void lower_multiples(struct search *s, const struct schedule *schedule, c
                             double cost)
 {
     size_t saved;
-    struct dag *g = s->options->cost.chain ? NULL : multiples_taken(schedule, &saved);
+    struct dag *g = multiples_taken(schedule, &saved);
     if (g && cost - (double)saved * s->options->cost.mul < s->least - 1e-9) {
         struct schedule *again = scaled_schedule(g, &s->options->cost, SCALES_SINGLE);
         lower_schedule(s, again, from, false);

@@ -4,7 +4,7 @@
  *   # comment
  *   mul 1.00
  *   ...                   add, div, sqrt, compare, each 0 or more, in any one unit
- *   chain 0               1: the longest chain counts, not the sum
+ *   chain 0               may be left out; files of older versions have it
  *
  * one key a line, every key once. */
 #include "cost.h"
@@ -19,15 +19,15 @@
 static const struct cost_model known[] = {
     /* For how long an operation occupies its unit, an addition being 1, on vectors of 128 bits; measured on Sapphire
      * Rapids: mul 1.0, div 7.9, sqrt 11.8, compare 1.2.  Vectors of 256 and 512 bits: codegen/costs/. */
-    {"throughput", 1, 1, 8, 12, 1, false},
+    {"throughput", 1, 1, 8, 12, 1},
     /* The same prices for good, whatever machines cost: for counts beside those of algebra systems. */
-    {"operations", 1, 1, 8, 12, 1, false},
+    {"operations", 1, 1, 8, 12, 1},
     /* The multiplications and divisions that the paper's tables count; the rest only breaks ties. */
-    {"paper", 1, 0.001, 1, 1, 0.001, false},
-    /* Cycles until a result can be used, on most cores since 2015; on Sapphire Rapids 4, 2 to 3, 14, 21, 4. */
-    {"latency", 4, 4, 13, 18, 4, true}};
+    {"paper", 1, 0.001, 1, 1, 0.001}};
 
-enum key { MUL, ADD, DIV, SQRT, COMPARE, CHAIN, KEYS };
+const struct cost_model cost_cycles = {"cycles", 4, 4, 13, 18, 4};
+
+enum key { MUL, ADD, DIV, SQRT, COMPARE, REQUIRED, CHAIN = REQUIRED, KEYS };
 static const char *const key_name[KEYS] = {"mul", "add", "div", "sqrt", "compare", "chain"};
 
 #define MOST 1e9 /* so that no sum of costs overflows */
@@ -104,8 +104,8 @@ static bool read_cost(struct reader *r, double value[KEYS], bool given[KEYS])
         return refuse(r, "'%s' is not a decimal number");
     if (!(value[k] >= 0 && value[k] <= MOST))
         return refuse(r, "cost '%s' is not between 0 and 1e9");
-    if (k == CHAIN && value[k] != 0 && value[k] != 1)
-        return refuse(r, "'chain' is 0 or 1, not '%s'");
+    if (k == CHAIN && value[k] != 0)
+        return refuse(r, "'chain' is 0, not '%s': costs of the longest chain are no longer supported");
     return !next_word(r) || refuse(r, "'%s' follows the number");
 }
 
@@ -119,7 +119,7 @@ static bool read_costs(struct reader *r, const char *end, double value[KEYS])
             return false;
     if (r->word != end)
         return refuse(r, "a NUL character ends the text early");
-    for (int k = 0; k < KEYS; k++)
+    for (int k = 0; k < REQUIRED; k++)
         if (!given[k])
             return diag_at(r->d, r->path, r->line, (int)(r->word - r->line_start) + 1, "key '%s' is missing",
                            key_name[k]);
@@ -139,12 +139,8 @@ static bool read_model(const char *path, struct cost_model *m, struct diag *d)
     if (!good)
         return false;
     const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
-    *m = (struct cost_model){.mul = value[MUL],
-                             .add = value[ADD],
-                             .div = value[DIV],
-                             .sqrt = value[SQRT],
-                             .compare = value[COMPARE],
-                             .chain = value[CHAIN] != 0};
+    *m = (struct cost_model){
+        .mul = value[MUL], .add = value[ADD], .div = value[DIV], .sqrt = value[SQRT], .compare = value[COMPARE]};
     snprintf(m->name, sizeof m->name, "%.*s", (int)sizeof m->name - 1, name);
     return true;
 }
@@ -157,7 +153,7 @@ bool cost_model_find(const char *name, struct cost_model *m, struct diag *d)
             return true;
         }
     if (access(name, F_OK) != 0)
-        return diag_system(d, name, "neither throughput, operations, paper or latency nor a cost file");
+        return diag_system(d, name, "neither throughput, operations or paper nor a cost file");
     return read_model(name, m, d);
 }
 

@@ -5,12 +5,15 @@
 #include "../genome/base.h"
 
 /** Cost of one operation each.  `throughput`, in units of a vector addition: mul 1, add 1, div 8, sqrt 12, compare 1.
- *  `paper`: mul 1, div 1, the rest nearly nothing.  `latency`: the longest chain counts, not the sum. */
+ *  `paper`: mul 1, div 1, the rest nearly nothing. */
 struct cost_model {
     char name[32];
     double mul, add, div, sqrt, compare;
-    bool chain; /* cost of the longest chain of dependent operations, ties by the sum */
 };
+
+/** Cycles until a result can be used, on most cores since 2015 (Sapphire Rapids: 4, 2 to 3, 14, 21, 4): statements and
+ *  operands are put in order by these, whatever operations cost. */
+extern const struct cost_model cost_cycles;
 
 /** Operations as written: every *, /, + or -, and square root that the statements hold; constant quotients such as
  *  (7.0 / 3.0), which a compiler folds, are none. */
@@ -27,7 +30,7 @@ double operations_cost(const struct operations *ops, const struct cost_model *m)
 double unary_cost(const struct cost_model *m, unsigned k);
 void unary_count(struct operations *ops, unsigned k, long n);
 
-/** "throughput", "operations", "paper", "latency", or a file that footpoint-calibrate wrote.  False with *d filled otherwise. */
+/** "throughput", "operations", "paper", or a file that footpoint-calibrate wrote.  False with *d filled otherwise. */
 bool cost_model_find(const char *name, struct cost_model *m, struct diag *d);
 
 #endif

@@ -132,8 +132,8 @@ static void print_cost(const struct compile_options *o, FILE *out)
 {
     const struct cost_model *m = &o->cost;
     struct banner_line l = banner_about_file("cost model", out);
-    banner_add(&l, "%s (mul %g, add %g, div %g, sqrt %g, compare %g%s); seed %lu, effort %ld", m->name, m->mul, m->add,
-               m->div, m->sqrt, m->compare, m->chain ? "; the longest chain counts" : "", o->seed, o->effort);
+    banner_add(&l, "%s (mul %g, add %g, div %g, sqrt %g, compare %g); seed %lu, effort %ld", m->name, m->mul, m->add,
+               m->div, m->sqrt, m->compare, o->seed, o->effort);
     banner_end(&l);
 }
 

@@ -1,13 +1,11 @@
-/* When values are ready; see balance.h.  Of the operands of a sum or a product, the two that are ready first are
- * combined, and their result takes its place among the others: the tree of least height (Huffman's, with the later of
- * two times for their sum). */
+/* When values are ready; see balance.h.  A node is ready when its last operand is and it has been computed. */
 #include "balance.h"
 
 #include "scales.h"
 
 #include <stdlib.h>
 
-enum { MOST_OPERANDS = 200 }; /* longer lists stay chains */
+enum { MOST_OPERANDS = 200 }; /* longer lists stay as they are */
 
 struct operand {
     struct edge edge;
@@ -49,33 +47,6 @@ static size_t operand_count(const struct node *n)
     return count;
 }
 
-/* Time at which the node is ready; its operands beyond two are combined into new nodes. */
-static double balance_node(struct dag *g, int n, const double *ready, const struct cost_model *m)
-{
-    const enum node_kind kind = g->node[n].kind;
-    const double step = kind == NODE_SUM ? m->add : m->mul;
-    struct operand list[MOST_OPERANDS];
-    size_t count = list_operands(&g->node[n], ready, m, list);
-    while (count > 2) {
-        const struct operand a = list[count - 1], b = list[count - 2];
-        const bool squared = kind == NODE_PRODUCT && a.edge.node == b.edge.node;
-        const struct edge pair[2] = {{a.edge.coef, a.edge.node, squared ? 2 : 1}, b.edge};
-        count -= 2;
-        put_operand(
-            list, &count,
-            (struct operand){{ONE, dag_append(g, kind, pair, squared ? 1 : 2), 1}, later(a.ready, b.ready) + step});
-    }
-    const bool squared = kind == NODE_PRODUCT && count == 2 && list[0].edge.node == list[1].edge.node;
-    struct edge *edge = dag_room(g, count);
-    for (size_t i = 0; i < count; i++)
-        edge[i] = list[count - 1 - i].edge;
-    if (squared)
-        edge[0].power = 2;
-    g->node[n].edge = edge;
-    g->node[n].edges = squared ? 1 : count;
-    return count > 1 ? later(list[0].ready, list[1].ready) + step : list[0].ready;
-}
-
 static double function_time(const struct node *n, const double *ready, const struct cost_model *m)
 {
     const double step = n->kind >= NODE_UNARY                             ? unary_cost(m, n->kind - NODE_UNARY)
@@ -107,33 +78,17 @@ static double sort_node(struct dag *g, int n, const double *ready, const struct 
     return time;
 }
 
-/* Time at which the last output is ready. */
-static double balance(struct dag *g, const struct cost_model *m, bool trees)
+void balance_order(struct dag *g)
 {
-    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT);
-    double *ready = new_array(g->nodes, sizeof *ready), longest = 0;
+    struct schedule *s = scaled_schedule(g, &cost_cycles, SCALES_KEPT);
+    double *ready = new_array(g->nodes, sizeof *ready);
     for (size_t i = 0; i < s->n; i++) {
         const int n = s->order[i];
         const struct node *node = &g->node[n];
         const bool list = node->kind == NODE_SUM || node->kind == NODE_PRODUCT;
-        if (!list || operand_count(node) > MOST_OPERANDS)
-            ready[n] = function_time(node, ready, m);
-        else
-            ready[n] = trees ? balance_node(g, n, ready, m) : sort_node(g, n, ready, m);
+        const bool sorts = list && operand_count(node) <= MOST_OPERANDS;
+        ready[n] = sorts ? sort_node(g, n, ready, &cost_cycles) : function_time(node, ready, &cost_cycles);
     }
-    for (size_t o = 0; o < g->outputs; o++)
-        longest = later(longest, ready[g->output[o].node]);
     schedule_free(s);
     free(ready);
-    return longest;
-}
-
-double balance_trees(struct dag *g, const struct cost_model *latency)
-{
-    return balance(g, latency, true);
-}
-
-void balance_order(struct dag *g, const struct cost_model *latency)
-{
-    balance(g, latency, false);
 }

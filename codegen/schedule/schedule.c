@@ -178,17 +178,14 @@ static void order_places(struct schedule *s, const struct place *place)
  * as long. */
 static void order_urgent(struct schedule *s)
 {
-    struct cost_model latency;
-    struct diag d;
     struct place *place = new_array(s->n, sizeof *place);
     double *wait = new_array(s->dag->nodes, sizeof *wait);
-    cost_model_find("latency", &latency, &d);
     for (size_t k = s->n; k-- > 0;) {
         const int n = s->order[k];
         const struct node *node = &s->dag->node[n];
         for (size_t i = 0; i < node->edges; i++) {
             double *of = &wait[node->edge[i].node];
-            const double time = wait[n] + find_delay(node, i, &latency);
+            const double time = wait[n] + find_delay(node, i, &cost_cycles);
             *of = time > *of ? time : *of;
         }
         place[k] = (struct place){n, s->stage[n], wait[n], k};

@@ -1,5 +1,7 @@
 /* Codegen: what simplification may do and what not, operation counts, and that the proof refuses wrong code. */
 #include "../../codegen/compile/compile.h"
+#include "../../codegen/genome/random.h"
+#include "../../codegen/program/evaluate.h"
 #include "../../codegen/prove/prove.h"
 
 #include <setjmp.h>
@@ -230,13 +232,74 @@ static void test_random_genomes(void **state)
     }
 }
 
+/* Outputs of a segment's function at a random face, moved by a whole number of edges: all coordinates are doubles. */
+static void evaluate_moved(const struct program *p, uint64_t seed, double shift, double out[2])
+{
+    double *value = new_array(p->ops, sizeof *value), *input = new_array(p->inputs, sizeof *input);
+    point_constants(p, value);
+    for (size_t i = 0; i < p->inputs; i++)
+        input[i] = shift + (double)(random_next(&seed) >> 43) * 0x1p-20 - 1;
+    point_double(p, input, NULL, value);
+    for (size_t k = 0; k < 2; k++)
+        out[k] = value[p->output[k]];
+    free(value);
+    free(input);
+}
+
+static void check_far(const struct genome_file *f, size_t k, const struct cost_model *cost)
+{
+    struct diag d = {0};
+    struct compiled c;
+    struct compile_options o = compile_defaults();
+    o.effort = 0;
+    o.cost = *cost;
+    assert_true(compile_genome(f, &f->genome[k], &o, &c, &d));
+    for (uint64_t seed = 1; seed <= 50; seed++) {
+        double near[2], far[2];
+        evaluate_moved(c.program, seed, 0, near);
+        evaluate_moved(c.program, seed, 2e6, far);
+        if (memcmp(near, far, sizeof near) != 0)
+            fail_msg("%s, %s, cost %s: %a %a, far away %a %a", f->path, f->genome[k].name, cost->name, near[0], near[1],
+                     far[0], far[1]);
+    }
+    compiled_free(&c);
+}
+
+/* Differences of nodes come first, whatever operations cost: a face a million edges away loses no digit. */
+static void far_faces_lose_nothing(void **state)
+{
+    (void)state;
+    static const char *const genomes[] = {"quad4", "tri3", "tri6", "quad8"};
+    static const char *const known[] = {"paper", "codegen/costs/sse2.costs", "codegen/costs/avx2.costs",
+                                        "codegen/costs/avx512.costs"};
+    static const struct cost_model own[] = {{"dear mul", 9, 1, 1, 1, 1}, {"free add", 1, 0, 8, 12, 1}};
+    const size_t n = sizeof known / sizeof *known;
+    const bool all = getenv("FOOTPOINT_LONG") != NULL;
+    for (size_t g = 0; g < (all ? 4 : 1); g++) {
+        char path[40];
+        struct diag d;
+        snprintf(path, sizeof path, "evolve/genomes/%s.gen", genomes[g]);
+        struct genome_file *f = genome_read(path, &d);
+        for (size_t i = 0; i < n + sizeof own / sizeof *own; i++) {
+            struct cost_model cost;
+            if (i < n)
+                assert_true(cost_model_find(known[i], &cost, &d));
+            else
+                cost = own[i - n];
+            for (size_t k = 0; k < (all ? f->genomes : 1); k++)
+                check_far(f, k, &cost);
+        }
+        genome_file_free(f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rules),           cmocka_unit_test(test_clamp),
         cmocka_unit_test(test_counts),          cmocka_unit_test(test_ten_term_pair),
         cmocka_unit_test(test_proof_refuses),   cmocka_unit_test(test_random_genomes),
-        cmocka_unit_test(test_shared_quotient),
+        cmocka_unit_test(test_shared_quotient), cmocka_unit_test(far_faces_lose_nothing),
     };
     return cmocka_run_group_tests_name("codegen", tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#define GOOD "footpoint-costs 1\nmul 1\nadd 1\ndiv 7.9\nsqrt 9.1\ncompare 1.2\nchain 0\n"
+#define GOOD "footpoint-costs 1\nmul 1\nadd 1\ndiv 7.9\nsqrt 9.1\ncompare 1.2\n"
 
 static char path[64];
 
@@ -60,14 +60,13 @@ static void refuses(const char *text, const char *where, const char *message)
 static void test_built_in(void **state)
 {
     (void)state;
-    static const char *const name[] = {"throughput", "operations", "paper", "latency"};
+    static const char *const name[] = {"throughput", "operations", "paper"};
     struct cost_model m;
     struct diag d;
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < 3; i++) {
         assert_true(cost_model_find(name[i], &m, &d));
         assert_string_equal(m.name, name[i]);
         assert_true(m.mul > 0 && m.add > 0 && m.div >= m.mul && m.sqrt >= m.mul && m.compare > 0);
-        assert_int_equal(m.chain, i == 3);
     }
 }
 
@@ -78,8 +77,7 @@ static void test_unknown(void **state)
     struct diag d;
     assert_false(cost_model_find("fast", &m, &d));
     assert_string_equal(
-        d.text,
-        "fast: error: neither throughput, operations, paper or latency nor a cost file: No such file or directory");
+        d.text, "fast: error: neither throughput, operations or paper nor a cost file: No such file or directory");
     assert_int_equal(d.code, EXIT_SYSTEM);
     assert_false(cost_model_find("/tmp", &m, &d));
     assert_string_equal(d.text, "/tmp: error: cannot read: Is a directory");
@@ -93,12 +91,12 @@ static void test_good(void **state)
     struct diag d = {0};
     assert_true(read_costs(GOOD, strlen(GOOD), &m, &d));
     assert_string_equal(m.name, strrchr(path, '/') + 1);
-    assert_true(m.mul == 1 && m.add == 1 && m.div == 7.9 && m.sqrt == 9.1 && m.compare == 1.2 && !m.chain);
+    assert_true(m.mul == 1 && m.add == 1 && m.div == 7.9 && m.sqrt == 9.1 && m.compare == 1.2);
     const char *text =
-        "footpoint-costs 1 # of what\r\n# free\n\n\tchain  1 # all of it\r\ncompare 0\nsqrt 1e9\ndiv +1e-3\n"
+        "footpoint-costs 1 # of what\r\n# free\n\n\tchain  0 # of old\r\ncompare 0\nsqrt 1e9\ndiv +1e-3\n"
         "  add .5\nmul 2.";
     assert_true(read_costs(text, strlen(text), &m, &d));
-    assert_true(m.mul == 2 && m.add == 0.5 && m.div == 1e-3 && m.sqrt == 1e9 && m.compare == 0 && m.chain);
+    assert_true(m.mul == 2 && m.add == 0.5 && m.div == 1e-3 && m.sqrt == 1e9 && m.compare == 0);
 }
 
 static void test_version(void **state)
@@ -126,7 +124,7 @@ static void test_keys(void **state)
     refuses("footpoint-costs 1", "1:18", "key 'mul' is missing");
     refuses(START "a23456789b23456789c23456789d23456789e23456789 1\n", "3:1",
             "unknown key 'a23456789b23456789c23456789d23456789e234...'");
-    refuses_text(GOOD "\0add 1\n", sizeof GOOD + 6, "8:1", "a NUL character ends the text early");
+    refuses_text(GOOD "\0add 1\n", sizeof GOOD + 6, "7:1", "a NUL character ends the text early");
     refuses_text(START "add\0 1\n", sizeof START + 6, "3:4", "a number is missing");
 }
 
@@ -149,8 +147,7 @@ static void test_numbers(void **state)
     refuses(START "add\n", "3:4", "a number is missing");
     refuses(START "add # 1\n", "3:5", "a number is missing");
     refuses(START "add 1 2\n", "3:7", "'2' follows the number");
-    refuses(START "chain 0.5\n", "3:7", "'chain' is 0 or 1, not '0.5'");
-    refuses(START "chain 2\n", "3:7", "'chain' is 0 or 1, not '2'");
+    refuses(START "chain 1\n", "3:7", "'chain' is 0, not '1': costs of the longest chain are no longer supported");
 }
 
 int main(void)

@@ -191,7 +191,7 @@ static char *random_program(uint64_t number)
 /* Whether the program compiled; what did not must say why. */
 static bool compile(const char *text, uint64_t number)
 {
-    static const char *const model[] = {"throughput", "throughput", "throughput", "latency", "paper"};
+    static const char *const model[] = {"throughput", "throughput", "throughput", "operations", "paper"};
     static const long effort[] = {0, 0, 0, 1, 5};
     struct diag d = {0};
     struct compiled c;

@@ -1,4 +1,4 @@
-/* The scale of each value, chains balanced, products distributed, multiples shared: what the schedule makes of a graph
+/* The scale of each value, operands in order, products distributed, multiples shared: what the schedule makes of a graph
  * when its form is settled. */
 #include "../../codegen/schedule/balance.h"
 #include "../../codegen/schedule/distribute.h"
@@ -72,47 +72,6 @@ static void test_scales(void **state)
     assert_int_equal(wrong, 0);
 }
 
-/* Additions and multiplications take 4. */
-static void test_trees(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *genome, *expected;
-        double longest;
-    } row[] = {
-        {"+ a b", "a + b", 4},
-        {"+ + a b c", "a + (b + c)", 8},
-        {"+ + + a b c d", "(a + b) + (c + d)", 8},
-        {"* * * a b c d", "(a*b)*(c*d)", 8},
-        {"* * x x x", "x*(x^2)", 8},
-        /* what is ready late comes last */
-        {"+ + * a b c d", "a*b + (c + d)", 8},
-        {"+ + * a * b c x y", "a*(b*c) + (x + y)", 12},
-        {"* * + a b c d", "(c*d)*(a + b)", 8},
-        {"+ + x y sqrt z", "sqrt(z) + (x + y)", 22},
-        {"+ x * 3 y", "x + 3*y", 8},
-        {"sqrt + x y", "sqrt(x + y)", 22},
-        {"x", "x", 0},
-    };
-    const struct cost_model model = costs("latency");
-    size_t wrong = 0;
-    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        struct genome_file *f = row_file(row[i].genome);
-        struct dag *g = row_graph(f);
-        const double longest = balance_trees(g, &model);
-        char *text = graph_text(f, g);
-        if (strcmp(text, row[i].expected) != 0 || longest != row[i].longest) {
-            print_message("%s\n  expected %s\n  made     %s, %g long\n", row[i].genome, row[i].expected, text, longest);
-            wrong++;
-        }
-        check_values(f, g);
-        free(text);
-        dag_free(g);
-        genome_file_free(f);
-    }
-    assert_int_equal(wrong, 0);
-}
-
 /* In a chain from left to right what is ready first stands first. */
 static void test_chains(void **state)
 {
@@ -125,12 +84,12 @@ static void test_chains(void **state)
         {"* sqrt x y", "*out_r = in_y * sqrt(in_x);\n"},
         {"- sqrt x y", "*out_r = -(in_y - sqrt(in_x));\n"},
     };
-    const struct cost_model latency = costs("latency"), model = costs("throughput");
+    const struct cost_model model = costs("throughput");
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         struct genome_file *f = row_file(row[i].genome);
         struct dag *g = row_graph(f);
         struct lowered e;
-        balance_order(g, &latency);
+        balance_order(g);
         struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT);
         lower(f, s, &e);
         char *code = row_code(f, e.program);
@@ -198,8 +157,10 @@ static void test_multiples(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scales),     cmocka_unit_test(test_trees),     cmocka_unit_test(test_chains),
-        cmocka_unit_test(test_distribute), cmocka_unit_test(test_multiples),
+        cmocka_unit_test(test_scales),
+        cmocka_unit_test(test_chains),
+        cmocka_unit_test(test_distribute),
+        cmocka_unit_test(test_multiples),
     };
     return cmocka_run_group_tests_name("scales", tests, NULL, NULL);
 }

@@ -98,7 +98,7 @@ static const char *const genomes[] = {
 static void test_order(void **state)
 {
     (void)state;
-    const char *const names[] = {"throughput", "paper", "latency"};
+    const char *const names[] = {"throughput", "paper", "operations"};
     for (size_t i = 0; i < sizeof genomes / sizeof *genomes * 3; i++) {
         const struct cost_model model = costs(names[i % 3]);
         struct genome_file *f = row_file(genomes[i / 3]);
