@@ -232,13 +232,14 @@ static void test_random_genomes(void **state)
     }
 }
 
-/* Outputs of a segment's function at a random face, moved by a whole number of edges: all coordinates are doubles. */
+/* Outputs of a segment's function at a random face, moved by a whole number of edges.  Coordinates are multiples of
+ * 2^-32: doubles up to 2^21, as are their differences, but not their sums. */
 static void evaluate_moved(const struct program *p, uint64_t seed, double shift, double out[2])
 {
     double *value = new_array(p->ops, sizeof *value), *input = new_array(p->inputs, sizeof *input);
     point_constants(p, value);
     for (size_t i = 0; i < p->inputs; i++)
-        input[i] = shift + (double)(random_next(&seed) >> 43) * 0x1p-20 - 1;
+        input[i] = shift + (double)(random_next(&seed) >> 31) * 0x1p-32 - 1;
     point_double(p, input, NULL, value);
     for (size_t k = 0; k < 2; k++)
         out[k] = value[p->output[k]];
@@ -251,13 +252,13 @@ static void check_far(const struct genome_file *f, size_t k, const struct cost_m
     struct diag d = {0};
     struct compiled c;
     struct compile_options o = compile_defaults();
-    o.effort = 0;
+    o.effort = getenv("FOOTPOINT_LONG") ? 500 : 0;
     o.cost = *cost;
     assert_true(compile_genome(f, &f->genome[k], &o, &c, &d));
     for (uint64_t seed = 1; seed <= 50; seed++) {
         double near[2], far[2];
         evaluate_moved(c.program, seed, 0, near);
-        evaluate_moved(c.program, seed, 2e6, far);
+        evaluate_moved(c.program, seed, 1.5e6, far);
         if (memcmp(near, far, sizeof near) != 0)
             fail_msg("%s, %s, cost %s: %a %a, far away %a %a", f->path, f->genome[k].name, cost->name, near[0], near[1],
                      far[0], far[1]);
@@ -269,13 +270,13 @@ static void check_far(const struct genome_file *f, size_t k, const struct cost_m
 static void far_faces_lose_nothing(void **state)
 {
     (void)state;
-    static const char *const genomes[] = {"quad4", "tri3", "tri6", "quad8"};
+    static const char *const genomes[] = {"quad4", "tri3"};
     static const char *const known[] = {"paper", "codegen/costs/sse2.costs", "codegen/costs/avx2.costs",
                                         "codegen/costs/avx512.costs"};
     static const struct cost_model own[] = {{"dear mul", 9, 1, 1, 1, 1}, {"free add", 1, 0, 8, 12, 1}};
     const size_t n = sizeof known / sizeof *known;
     const bool all = getenv("FOOTPOINT_LONG") != NULL;
-    for (size_t g = 0; g < (all ? 4 : 1); g++) {
+    for (size_t g = 0; g < (all ? 2 : 1); g++) {
         char path[40];
         struct diag d;
         snprintf(path, sizeof path, "evolve/genomes/%s.gen", genomes[g]);
@@ -286,7 +287,7 @@ static void far_faces_lose_nothing(void **state)
                 assert_true(cost_model_find(known[i], &cost, &d));
             else
                 cost = own[i - n];
-            for (size_t k = 0; k < (all ? f->genomes : 1); k++)
+            for (size_t k = 0; k < (all && f->genomes > 4 ? 4 : 1); k++)
                 check_far(f, k, &cost);
         }
         genome_file_free(f);
