@@ -4,6 +4,8 @@
 #include "../program/evaluate.h"
 #include "affine.h"
 
+#include <stdlib.h>
+
 enum { ROUNDS = 2, TOLD = 3 };
 
 /* Between its values at the ends, which C has with some error. */
@@ -64,6 +66,35 @@ static struct interval range_of(const struct forms *w, const struct op *op, cons
         return function_range(op->kind, *a);
     }
     return interval_whole();
+}
+
+/* Rounding to nearest leaves the sign: it is 0 at worst. */
+static struct interval rounded(const struct arithmetic *a, double share, struct interval x)
+{
+    const double lo = below(x.lo - above(share * fabs(x.lo) + a->least));
+    const double hi = above(x.hi + above(share * fabs(x.hi) + a->least));
+    return (struct interval){x.lo >= 0       ? greater(lo, 0)
+                             : lo < -a->most ? -INFINITY
+                                             : lo,
+                             x.hi <= 0      ? lesser(hi, 0)
+                             : hi > a->most ? INFINITY
+                                            : hi};
+}
+
+struct interval computed_range(const struct known *x, const struct interval *box, int op)
+{
+    if (x->place)
+        return interval_whole();
+    struct forms w = {.known = x, .range = new_array((size_t)op + 1, sizeof *w.range)};
+    for (int i = 0; i <= op; i++) {
+        const struct op *o = &x->program->op[i];
+        const bool fixed = o->kind == OP_CONSTANT || (o->kind == OP_INPUT && x->variable[o->input] == x->variables);
+        const struct interval exact = fixed ? x->value[i] : range_of(&w, o, box);
+        w.range[i] = rounded(&x->arithmetic, o->kind == OP_INPUT ? x->arithmetic.given : x->arithmetic.unit, exact);
+    }
+    const struct interval range = w.range[op];
+    free(w.range);
+    return range;
 }
 
 /* It is known that operation i lies in x: so does, scaled, its twin. */

@@ -16,6 +16,10 @@ bool forms_hold_at(struct forms *w, const struct interval *point);
 /** The same after cutting off what the requires exclude. */
 bool forms_evaluate_narrowed(struct forms *w, struct interval *box);
 
+/** Encloses all values that operation `op` is computed as over a box of inputs, with or without contraction to FMA, from
+ *  those of its operands alone.  The whole line where a region block computes the inputs. */
+struct interval computed_range(const struct known *x, const struct interval *box, int op);
+
 /** True if all values are finite over the box, hence continuous there. */
 bool forms_finite(const struct forms *w);
 

@@ -5,6 +5,7 @@
 #include "../program/dialects.h"
 #include "../program/evaluate.h"
 #include "../program/evaluate_float.h"
+#include "enclosure.h"
 #include "rounding_bound.h"
 
 #include <stdlib.h>
@@ -19,12 +20,6 @@ enum { BOXES_FOR_EMPTY = 200, POINTS_BOUNDED = 200 };
 #define BOXES_FOR_MOST 2000.0
 #define DRAW 16.0 /* a random coordinate */
 #define MOST_BALLS 4e6
-
-/* Half the digits: a bound with fewer of them right does not tell a denominator from 0. */
-static double most_threshold(const struct arithmetic *a)
-{
-    return sqrt(a->unit);
-}
 
 /* ---- finding out ---- */
 
@@ -79,17 +74,31 @@ static struct pole find_zero(struct search *s, int op, long boxes)
     return pole;
 }
 
+/* What is known of the values that a denominator is computed as, without a bound of its error. */
+static void enclose_computed(struct region *r, struct denominator *d)
+{
+    struct interval *box = new_array(r->known->variables, sizeof *box);
+    region_box(r, box);
+    const struct interval range = computed_range(r->known, box, region_op(r, d->op));
+    d->apart = !interval_has(range, 0);
+    d->most = interval_most(range);
+    free(box);
+}
+
 static void find_pole(struct search *s, struct denominator *d, size_t searches)
 {
     struct region *r = s->region;
     const int op = region_op(r, d->op);
     d->verdict = POLE_UNDECIDED;
+    enclose_computed(r, d);
     if (s->work <= 0)
         return;
     const long boxes = boxes_for(s, searches);
     const struct pole pole = find_zero(s, op, boxes);
     d->verdict = pole.verdict;
     d->least = pole.least;
+    if (pole.verdict == POLE_FREE)
+        d->sign = pole.values.lo > 0 ? 1 : pole.values.hi < 0 ? -1 : 0;
     if (pole.verdict == POLE_UNDECIDED && known_requires(r->known, op))
         d->verdict = POLE_REQUIRED;
     if (pole.verdict == POLE_EXISTS) {
@@ -99,14 +108,15 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
     free(pole.witness);
 }
 
-/* The errors of divisors, by a part of the work; then by the rest, where there is no pole, of the outputs. */
+/* The errors of divisors, by a part of the work; then by the rest, where there is no pole, of the outputs.  A threshold has at
+ * least half the digits of the largest values right: a bound with fewer does not tell a denominator from 0. */
 static void bound_errors(struct search *s, struct evidence *e, const struct program *p, bool outputs)
 {
     struct region *r = s->region;
     for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
         struct denominator *d = &e->denominator[i];
-        const double bound = find_error(s, region_op(r, d->op), 2 * (e->denominators + p->outputs));
-        d->threshold = bound < (d->verdict == POLE_FREE ? INFINITY : most_threshold(&r->known->arithmetic)) ? bound : 0;
+        d->error = find_error(s, region_op(r, d->op), 2 * (e->denominators + p->outputs));
+        d->threshold = d->error < sqrt(r->known->arithmetic.unit) * d->most ? d->error : 0;
     }
     for (size_t i = 0; outputs && evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
         e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
@@ -116,12 +126,14 @@ static void bound_on_hull(struct region *r, struct evidence *e, const struct pro
                           const struct evidence_options *o)
 {
     struct hull *h = hull_new(r, p, o->samples, o->seed);
-    double *error = new_array(p->outputs, sizeof *error);
+    double *error = new_array(p->ops, sizeof *error);
     bound_errors_on_hull(h, error);
     e->hull = h->points;
     e->parts = h->parts;
     for (size_t i = 0; i < p->outputs; i++)
-        e->error[i].hull = fmin(error[i], e->error[i].bound);
+        e->error[i].hull = fmin(error[p->output[i]], e->error[i].bound);
+    for (size_t i = 0; i < e->denominators; i++)
+        e->denominator[i].hull = fmin(error[e->denominator[i].op], e->denominator[i].error);
     free(error);
     hull_free(h);
 }
@@ -153,7 +165,8 @@ static void find_denominators(struct evidence *e, const struct genome_file *f, c
         if (protects)
             APPEND(e->protected_name, e->protecteds, protected_room) = name;
         else
-            APPEND(e->denominator, e->denominators, room) = (struct denominator){.op = b, .name = name};
+            APPEND(e->denominator, e->denominators, room) =
+                (struct denominator){.op = b, .name = name, .error = INFINITY, .hull = INFINITY};
     }
     printer_free(r);
     free(seen[0]);
@@ -327,6 +340,11 @@ bool evidence_pole_free(const struct evidence *e)
         if (e->denominator[i].verdict != POLE_FREE)
             return false;
     return true;
+}
+
+bool denominator_is_safe(const struct denominator *d)
+{
+    return d->verdict == POLE_FREE && (d->error < d->least || d->apart);
 }
 
 /* ---- test points ---- */

@@ -10,9 +10,14 @@ struct denominator {
     char *name; /* owned: as in the text, "t7", "in_x", "xA[0]", or the expression if it is short */
     enum pole_verdict verdict;
     double least;     /* POLE_FREE: |D| >= least > 0 over the region, proved; else 0 */
+    int sign;         /* POLE_FREE: D's on the region, 1 or -1; 0: it has both */
     double *witness;  /* owned: POLE_EXISTS: inputs where |D| is 0 or on both sides of which D has opposite signs
                        * (the enclosure of a zero, its centre); else NULL */
-    double threshold; /* |D| <= threshold is indistinguishable from 0; 0 if unknown */
+    double error;     /* above |computed - exact| over the region; +infinity: unknown */
+    double hull;      /* the same, on the hull of the values at random points (hull.h); +infinity: unknown */
+    bool apart;       /* no computed value is 0 or of another sign: intervals of computed values show it */
+    double most;      /* the largest computed |D|, at most: by the same intervals */
+    double threshold; /* |D| <= threshold is indistinguishable from 0; 0 if unknown, or too large for the size of D */
 };
 
 /** Rounding error of one output. */
@@ -53,6 +58,9 @@ void evidence_free(struct evidence *e);
 
 /** True if no denominator can be 0 over the region (or there is none). */
 bool evidence_pole_free(const struct evidence *e);
+
+/** True if the denominator, as it is computed, can neither be 0 over the region nor have another sign than D. */
+bool denominator_is_safe(const struct denominator *d);
 
 /** Eight test points of the region (of [-1,1] without ranges) with their exact results rounded to nearest, as rows of a
  * C table "    {in..., out..., bound...},\n"; points at which a denominator is 0 are left out.  Returns their number. */

@@ -25,7 +25,7 @@ struct cover {
     double *at;               /* owned: by place and variable */
     double *first;            /* owned: by output, the largest first-order error */
     struct part_bound *bound; /* owned */
-    double *error;            /* owned: by output, of the last part that was tried */
+    double *error;            /* owned: by operation, of the last part that was tried */
     double work;              /* left */
 };
 
@@ -72,7 +72,7 @@ static bool is_close(struct cover *c, const struct hull_part *part)
     part_bound_at(c->bound, part, c->error);
     c->work -= part_work(h);
     for (size_t i = 0; i < h->program->outputs; i++)
-        close = close && (c->first[i] == 0 || c->error[i] <= CLOSE * c->first[i]);
+        close = close && (c->first[i] == 0 || c->error[h->program->output[i]] <= CLOSE * c->first[i]);
     return close;
 }
 
@@ -223,7 +223,7 @@ struct hull *hull_new(struct region *r, const struct program *p, long points, un
     struct point *point = new_array((size_t)points + 1, sizeof *point);
     c.at = new_array((size_t)points * c.variables + 1, sizeof *c.at);
     c.first = new_array(p->outputs, sizeof *c.first);
-    c.error = new_array(p->outputs, sizeof *c.error);
+    c.error = new_array(p->ops, sizeof *c.error);
     c.bound = part_bound_new(h);
     points = draw_points(r, points, seed, c.at);
     cover(&c, point, points);

@@ -390,12 +390,8 @@ void rounding_errors(struct rounding *e, double *error)
     }
 }
 
-void rounding_errors_on_part(struct rounding *e, const struct hull_part *part, double *error)
+void rounding_errors_on_part(struct rounding *e, const struct hull_part *part)
 {
-    if (e->links) {
-        rounding_enter(e, part);
-        find_errors(e);
-    }
-    for (size_t i = 0; i < e->targets; i++)
-        error[i] = e->links ? e->error[e->target[i]] : INFINITY;
+    rounding_enter(e, part);
+    find_errors(e);
 }

@@ -50,8 +50,8 @@ void rounding_free(struct rounding *e);
 /** Above |computed - exact| over the box that the forms were evaluated on last, whichever products are contracted to
  *  FMA, by target. */
 void rounding_errors(struct rounding *e, double *error);
-/** The same on a part of the hull. */
-void rounding_errors_on_part(struct rounding *e, const struct hull_part *part, double *error);
+/** The same on a part of the hull, of all operations that the targets are made of: e->error.  Needs e->links. */
+void rounding_errors_on_part(struct rounding *e, const struct hull_part *part);
 
 /* ---- what they are made of ---- */
 

@@ -181,11 +181,11 @@ void part_bound_at(struct part_bound *b, const struct hull_part *part, double *e
             x->value[all] = value;
     }
     region_box(h->region, b->box);
-    if (forms_evaluate(b->forms, b->box))
-        rounding_errors_on_part(b->rounding, part, error);
-    else
-        for (size_t i = 0; i < h->program->outputs; i++)
-            error[i] = INFINITY;
+    const bool good = b->rounding->links && forms_evaluate(b->forms, b->box);
+    if (good)
+        rounding_errors_on_part(b->rounding, part);
+    for (size_t i = 0; i < h->program->ops; i++)
+        error[i] = good ? b->rounding->error[region_op(h->region, (int)i)] : INFINITY;
     memcpy(x->value, b->value, size);
 }
 
@@ -200,7 +200,7 @@ void part_bound_free(struct part_bound *b)
 
 void bound_errors_on_hull(const struct hull *h, double *error)
 {
-    const size_t n = h->program->outputs;
+    const size_t n = h->program->ops;
     struct part_bound *b = part_bound_new(h);
     double *part = new_array(n, sizeof *part);
     for (size_t i = 0; i < n; i++)

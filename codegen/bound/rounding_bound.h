@@ -9,13 +9,14 @@
  *  which are counted down.  +infinity: none was found. */
 double bound_error(struct region *r, int op, long boxes, double *work);
 
-/** The same of all outputs, on the hull of the program's values. */
+/** The same of all operations that outputs are made of, on the hull of the program's values.
+ *  @param[out] error  by operation of the hull's program; +infinity: none was found */
 void bound_errors_on_hull(const struct hull *h, double *error);
 
 /** The same on parts of it. */
 struct part_bound;
 struct part_bound *part_bound_new(const struct hull *h);
-/** @param[out] error  by output; +infinity: none was found. */
+/** @param[out] error  by operation of the hull's program; +infinity: none was found. */
 void part_bound_at(struct part_bound *b, const struct hull_part *part, double *error);
 void part_bound_free(struct part_bound *b);
 

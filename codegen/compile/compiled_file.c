@@ -15,17 +15,21 @@ enum { SAMPLES = 10000, SAMPLES_FOR_EFFORT = 20, BOXES_FOR_EFFORT = 20 };
 
 /* Rounding errors in float are 2^29 times those in double. */
 
-bool function_has_poles(const struct function *f)
+bool function_is_guarded(const struct function *f)
 {
-    return f->evidence && !evidence_pole_free(f->evidence);
+    bool guarded = false;
+    for (size_t i = 0; f->evidence && i < f->evidence->denominators; i++)
+        guarded = guarded || !denominator_is_safe(&f->evidence->denominator[i]);
+    return guarded;
 }
 
 double unit_threshold(const struct unit *u, const struct denominator *d)
 {
-    if (u->file->region)
-        return 0; /* segments of the region are of many sizes */
+    if (u->file->region || u->file->face)
+        return 0; /* faces are of many sizes */
     const bool single = u->options.precision == PRECISION_FLOAT;
-    return d->threshold >= (single ? (double)FLT_MIN : DBL_MIN) ? d->threshold : 0.0;
+    const double least = (1 + 1e-4) * d->threshold; /* not less when printed with five digits */
+    return least >= (single ? (double)FLT_MIN : DBL_MIN) ? least : 0.0;
 }
 
 /* Do the ranges say that A = (0,0,0) and B = (1,0,0)? */

@@ -46,10 +46,11 @@ struct unit {
 struct unit *unit_new(const struct genome_file *f, const char sha256[65], const struct unit_options *o, struct diag *d);
 void unit_free(struct unit *u);
 
-/** True if the function has a denominator that may be 0. */
-bool function_has_poles(const struct function *f);
+/** True if the function has a denominator that may be 0, or that rounding may make 0 or turn round: it has a status. */
+bool function_is_guarded(const struct function *f);
 
-/** |D| at or below which a denominator cannot be told from 0 in the unit's precision; 0 if unknown. */
+/** |D| at or below which a denominator cannot be told from 0 in the unit's precision; 0 if unknown.  Where it is, D is tested
+ *  for its sign, if it has one. */
 double unit_threshold(const struct unit *u, const struct denominator *d);
 
 /** The power of |AB| that goes with a segment's threshold: the ranges are those of segments with A = (0,0,0), B =

@@ -36,13 +36,13 @@ static void print_parameters(const struct unit *u, const struct function *f, boo
         else
             fprintf(out, "%s *%sout_%s", real, array ? "FOOTPOINT_RESTRICT " : "", g->out[i - inputs].name);
     }
-    if (array && function_has_poles(f))
+    if (array && function_is_guarded(f))
         fputs(",\n    int *FOOTPOINT_RESTRICT status", out);
 }
 
 static void print_one(const struct unit *u, const struct function *f, FILE *out)
 {
-    const bool poles = function_has_poles(f);
+    const bool poles = function_is_guarded(f);
     fprintf(out, "FOOTPOINT_FN %s %s(", poles ? "int" : "void", f->name);
     print_parameters(u, f, false, out);
     fputs(")\n{\n", out);
@@ -64,7 +64,7 @@ static void print_loop(const struct unit *u, const struct function *f, FILE *out
     fprintf(out, "\nFOOTPOINT_LOOP void %s_n(size_t n,\n    ", f->name);
     print_parameters(u, f, true, out);
     fprintf(out, ")\n{\n    size_t i;\n    for (i = 0; i < n; i++)\n        %s%s(",
-            function_has_poles(f) ? "status[i] = " : "", f->name);
+            function_is_guarded(f) ? "status[i] = " : "", f->name);
     for (size_t i = 0; i < u->file->inputs; i++)
         fprintf(out, "in_%s[i],%s", u->file->input[i], (i + 1) % 5 ? " " : "\n            ");
     for (size_t i = 0; i < f->genome->outs; i++)
@@ -77,7 +77,7 @@ static void print_contract(const struct unit *u, FILE *out)
 {
     bool poles = false;
     for (size_t i = 0; i < u->file->genomes; i++)
-        poles = poles || function_has_poles(&u->function[i]);
+        poles = poles || function_is_guarded(&u->function[i]);
     fprintf(
         out,
         "\n/* NAME:    outputs of one point%s.\n"
@@ -110,8 +110,8 @@ static void print_helpers(const struct unit *u, FILE *out)
     bool status = segment, scales = false;
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
-        status = status || function_has_poles(f);
-        scales = scales || (segment && !u->file->face && search_hides_poles(f) && c_scales_status(u, f));
+        status = status || function_is_guarded(f);
+        scales = scales || (segment && !u->file->face && c_scales_status(u, f));
     }
     templates_print(NULL, (const char *const[]){"macros", NULL}, precision, NULL, out);
     if (status)

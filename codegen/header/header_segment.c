@@ -19,42 +19,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Marks the operations whose NaN or infinity makes xi or eta so. */
-static bool *mark_carriers(const struct program *p)
-{
-    bool *carries = new_array(p->ops, sizeof *carries);
-    for (size_t i = 0; i < p->outputs; i++)
-        carries[p->output[i]] = true;
-    for (size_t i = p->ops; i-- > 0;) {
-        const struct op *o = &p->op[i];
-        if (!carries[i] || o->a < 0 || o->kind == OP_MIN || o->kind == OP_MAX || o->kind == OP_PDIV)
-            continue;
-        carries[o->a] = true;
-        if (o->b >= 0 && o->kind != OP_DIV)
-            carries[o->b] = true;
-    }
-    return carries;
-}
-
-bool search_hides_poles(const struct function *f)
-{
-    const struct program *p = f->program;
-    bool *carries = mark_carriers(p), hides = false;
-    for (size_t k = 0; k < f->evidence->denominators; k++) {
-        const struct denominator *d = &f->evidence->denominator[k];
-        bool seen = d->verdict == POLE_FREE;
-        for (size_t i = 0; i < p->ops && !seen; i++)
-            seen = carries[i] && p->op[i].kind == OP_DIV && p->op[i].b == d->op;
-        hides = hides || !seen;
-    }
-    free(carries);
-    return hides;
-}
-
 /* The search and NAME_at, which calls it: xi and eta, and whether the denominators are what NAME asks of them. */
 static void print_at(const struct unit *u, const struct function *f, const char *vectors, FILE *out)
 {
-    char *head = new_format("footpoint_detail_%s", f->name), *flaw = c_flaw(u, f, search_hides_poles(f));
+    char *head = new_format("footpoint_detail_%s", f->name), *flaw = c_flaw(u, f, true);
     c_print("FOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
     lines_print_head(u, head, "REAL zero,REAL *xi,REAL *eta", out);
     fputs("{\n", out);

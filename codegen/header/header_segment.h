@@ -4,9 +4,6 @@
 
 #include "../compile/compiled_file.h"
 
-/** False if every zero of a denominator makes xi or eta infinite or NaN, which NAME notices by itself. */
-bool search_hides_poles(const struct function *f);
-
 /** What each of the functions does, said once for all genomes. */
 void search_print_contract(const struct unit *u, FILE *out);
 

@@ -122,7 +122,7 @@ static void print_function(const struct unit *u, const struct function *f, FILE 
                    f->code.removed == 1 ? "" : "s");
         banner_end(&l);
     }
-    banner_evidence(u->file, f, out);
+    banner_evidence(u, f, out);
     print_notes(f, out);
 }
 

@@ -1,5 +1,5 @@
 /* How the banner tells what is found out about a function; see banner_evidence.h.  Bounds that say nothing are left out:
- * those of a denominator above 1 or above its least modulus, those of xi and eta above 1.  Of a row, d_xi[0], d_xi[1], ...,
+ * those of a denominator above its least modulus, those of xi and eta above 1.  Of a row, d_xi[0], d_xi[1], ...,
  * the worst of its elements stands. */
 #include "banner_evidence.h"
 
@@ -84,40 +84,63 @@ static void add_witness(struct banner_line *l, const struct genome_file *f, cons
     free(needed);
 }
 
-static void print_denominator(const struct genome_file *f, const struct program *p, const struct denominator *d,
-                              FILE *out)
+/* Adds the rounding error of a denominator without zeros, and if that is not harmless, when the status reports it. */
+static void add_rounding(struct banner_line *l, const struct unit *u, const struct denominator *d)
+{
+    char number[NUMBER];
+    const double threshold = unit_threshold(u, d);
+    if (d->error < d->least)
+        banner_add(l, "(rounding error <= %s)", rounded(d->error, 1, number));
+    else if (d->apart)
+        banner_add(l, "(as computed, too)");
+    if (denominator_is_safe(d))
+        return;
+    if (d->hull < d->least)
+        banner_add(l, "(rounding error <= %s on the hull);", rounded(d->hull, 1, number));
+    if (threshold > 0)
+        banner_add(l, "status if <= %s, which is its rounding error", rounded(threshold, 1, number));
+    else if (u->file->segment || d->sign == 0)
+        banner_add(l, "status if computed as 0 or not finite");
+    else
+        banner_add(l, "status if computed as 0, not finite or %s", d->sign > 0 ? "negative" : "positive");
+}
+
+static void print_denominator(const struct unit *u, const struct program *p, const struct denominator *d, FILE *out)
 {
     char number[NUMBER];
     struct banner_line l = banner_about_function("poles", out);
     banner_add(&l, "%s:", d->name);
     if (d->verdict == POLE_EXISTS)
-        add_witness(&l, f, p, d);
+        add_witness(&l, u->file, p, d);
     else if (d->verdict == POLE_UNDECIDED)
         banner_add(&l, "undecided");
     else if (d->verdict == POLE_REQUIRED)
         banner_add(&l, "no zero where the region's requires hold, by no proved margin");
     else {
         const bool word = d->name[strcspn(d->name, " (")] == '\0';
-        banner_add(&l, "proved free of zeros, |%s| >= %s", word ? d->name : "...", rounded(d->least, -1, number));
-        if (d->threshold > 0 && d->threshold <= 1 && d->threshold < d->least)
-            banner_add(&l, "(rounding error <= %s)", rounded(d->threshold, 1, number));
+        banner_add(&l, "proved free of zeros, |%s| >= %s%s", word ? d->name : "...", rounded(d->least, -1, number),
+                   denominator_is_safe(d) || d->hull < d->least ? "" : ";");
+        add_rounding(&l, u, d);
     }
     banner_end(&l);
 }
 
-static void print_poles(const struct genome_file *f, const struct program *p, const struct evidence *e, FILE *out)
+static void print_poles(const struct unit *u, const struct program *p, const struct evidence *e, FILE *out)
 {
     struct banner_line l;
-    size_t proved = 0;
+    size_t proved = 0, safe = 0;
     for (size_t i = 0; i < e->denominators; i++) {
         if (i < MOST_LISTED)
-            print_denominator(f, p, &e->denominator[i], out);
-        else
+            print_denominator(u, p, &e->denominator[i], out);
+        else {
             proved += e->denominator[i].verdict == POLE_FREE;
+            safe += denominator_is_safe(&e->denominator[i]);
+        }
     }
     if (e->denominators > MOST_LISTED) {
         l = banner_about_function("poles", out);
-        banner_add(&l, "of %zu more denominators, %zu are proved free of zeros", e->denominators - MOST_LISTED, proved);
+        banner_add(&l, "of %zu more denominators, %zu are proved free of zeros, %zu of these as computed, too",
+                   e->denominators - MOST_LISTED, proved, safe);
         banner_end(&l);
     }
     for (size_t i = 0; i < e->protecteds; i++) {
@@ -178,15 +201,15 @@ static void add_errors(struct banner_line *l, const struct genome_file *f, const
     }
 }
 
-void banner_evidence(const struct genome_file *f, const struct function *function, FILE *out)
+void banner_evidence(const struct unit *u, const struct function *function, FILE *out)
 {
     const struct evidence *e = function->evidence;
-    print_poles(f, function->program, e, out);
+    print_poles(u, function->program, e, out);
     struct banner_line l = banner_about_function("rounding", out);
     if (!e->region)
         banner_add(&l, "no bound, as no ranges are given");
     else
-        add_errors(&l, f, function);
+        add_errors(&l, u->file, function);
     bool hull = false;
     for (size_t i = 0; i < e->outputs; i++)
         hull = hull || has_hull(&e->error[i]);

@@ -7,7 +7,7 @@
 /** The ranges of the file, if it has any. */
 void banner_region(const struct genome_file *f, FILE *out);
 
-/** The poles of a function, a line each, and bounds of its rounding errors. */
-void banner_evidence(const struct genome_file *f, const struct function *function, FILE *out);
+/** The poles of a function of the unit, a line each, and bounds of its rounding errors. */
+void banner_evidence(const struct unit *u, const struct function *function, FILE *out);
 
 #endif

@@ -87,14 +87,14 @@ bool c_scales_status(const struct unit *u, const struct function *f)
 {
     for (size_t i = 0; i < f->evidence->denominators; i++) {
         const struct denominator *d = &f->evidence->denominator[i];
-        if (d->verdict != POLE_FREE && unit_threshold(u, d) > 0.0 && unit_degree(u, f, d) != 0)
+        if (!denominator_is_safe(d) && unit_threshold(u, d) > 0.0 && unit_degree(u, f, d) != 0)
             return true;
     }
     return false;
 }
 
 /* "below(D, LEAST)", where the proof knows how near 0 is too near; of a segment LEAST goes with its size.  Of
- * functions of scalars D must be a normal number at least. */
+ * functions of scalars D must be a normal number at least, and have its sign. */
 static char *nearness_text(const struct unit *u, const struct function *f, const struct denominator *d,
                            const char *text)
 {
@@ -105,7 +105,12 @@ static char *nearness_text(const struct unit *u, const struct function *f, const
                           degree);
     if (least > 0.0)
         return new_format("footpoint_detail_below(%s, %.4e) | ", text, least);
-    return u->file->segment ? new_text("", 0) : new_format("footpoint_detail_below(%s, REAL_MIN) | ", text);
+    if (u->file->segment)
+        return new_text("", 0);
+    return d->sign == 0 ? new_format("footpoint_detail_below(%s, REAL_MIN) | ", text)
+           : d->sign > 0
+               ? new_format("footpoint_detail_below(%s, REAL_MIN) | footpoint_detail_bits(%s) | ", text, text)
+               : new_format("footpoint_detail_below(%s, REAL_MIN) | footpoint_detail_bits(-(%s)) | ", text, text);
 }
 
 /* The tests of denominator d: that it is not too near 0, with `poles`, and within the range. */
@@ -113,9 +118,9 @@ static void print_denominator(const struct unit *u, const struct function *f, co
                               const char *text, bool poles, FILE *out)
 {
     const bool segment = u->file->segment != NULL;
-    if (!segment && d->verdict == POLE_FREE)
+    if (!segment && denominator_is_safe(d))
         return;
-    if (poles && d->verdict != POLE_FREE) {
+    if (poles && !denominator_is_safe(d)) {
         char *nearness = nearness_text(u, f, d, text);
         c_print(nearness, u->options.precision, out);
         free(nearness);

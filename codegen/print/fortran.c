@@ -78,7 +78,7 @@ static void print_declarations(char *names, FILE *out)
     fputs(column ? "\n" : "", out);
 }
 
-/* status = 0, or -2 where a denominator that may be 0 is too near it, or not finite. */
+/* status = 0, or -2 where a denominator that may be 0 is too near it, not finite, or has not the sign that it should. */
 static void print_status(const struct unit *u, const struct function *f, struct printer *r, struct target *t)
 {
     struct memory *m = memory_open();
@@ -86,11 +86,12 @@ static void print_status(const struct unit *u, const struct function *f, struct 
     const char *joint = ", ";
     for (size_t i = 0; i < f->evidence->denominators; i++) {
         const struct denominator *d = &f->evidence->denominator[i];
-        if (d->verdict == POLE_FREE)
+        if (denominator_is_safe(d))
             continue;
+        const double least = unit_threshold(u, d);
+        const char *size = d->sign == 0 || least > 0 ? "abs" : d->sign > 0 ? "" : "-";
         char *text = printer_text(r, d->op, LEVEL_SUM);
-        fprintf(m->stream, "%sabs(%s) > %.4e_wp .and. abs(%s) <= huge(1.0_wp)", joint, text, unit_threshold(u, d),
-                text);
+        fprintf(m->stream, "%s%s(%s) > %.4e_wp .and. abs(%s) <= huge(1.0_wp)", joint, size, text, least, text);
         joint = " .and. ";
         free(text);
     }
@@ -171,7 +172,7 @@ static void print_vectors(const struct segment_kind *k, const char *shape, FILE 
 
 static void print_subroutine(const struct unit *u, const struct function *f, struct target *t, FILE *out)
 {
-    const bool segment = u->file->segment != NULL, status = !segment && function_has_poles(f);
+    const bool segment = u->file->segment != NULL, status = !segment && function_is_guarded(f);
     fputc('\n', out);
     banner_print_as(u, f, "  !", WIDTH, out);
     fputs(segment  ? "  ! xi, eta dimensionless; nothing checked.\n"

@@ -249,6 +249,67 @@ for compiler in "$CC -std=c99 -O3" 'clang -std=c99 -O3' "$CC -std=c99 -O0"; do
     report $((! $?)) "the status of a pole, $compiler"
 done
 
+# A divisor that is never 0, but that rounding makes 0 or turns round: a Gram determinant of nearly parallel vectors.  Its
+# rounding error is known (g); or only its sign, where an input has no range (h).  With status 0, r has the right sign.
+cat > "$work/gram.gen" <<'END'
+footpoint-genome 2
+input x vector u vector v
+range u 1000 2000 1000 2000 1000 2000, v 1000 2000 1000 2000 1000 2000
+let c = cross u v
+require - dot c c 1e-4
+let d = - * dot u u dot v v * dot u v dot u v
+genome g
+r = / 1 d
+end
+genome h
+r = / x d
+end
+END
+cat > "$work/fresh/gram.c" <<'END'
+#include "gram.h"
+static unsigned long long seed = 5;
+static long draw(long n)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (long)(seed >> 33) % n;
+}
+/* Coordinates are whole multiples of 2^-10, so that cross products are exact.  Returns the wrong answers. */
+static int test(long spread, int *answers)
+{
+    long u[3], v[3], c[3];
+    double x[6], r, s, square;
+    int k, known, sign;
+    for (k = 0; k < 3; k++) {
+        u[k] = 1200000 + draw(700000);
+        v[k] = u[k] + draw(2 * spread + 1) - spread;
+        x[k] = (double)u[k] / 1024;
+        x[3 + k] = (double)v[k] / 1024;
+    }
+    for (k = 0; k < 3; k++)
+        c[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    square = ((double)c[0] * (double)c[0] + (double)c[1] * (double)c[1] + (double)c[2] * (double)c[2]) / 1099511627776.0;
+    if (square <= 1e-4)
+        return 0;
+    known = gram_g(1, x[0], x[1], x[2], x[3], x[4], x[5], &r);
+    sign = gram_h(1, x[0], x[1], x[2], x[3], x[4], x[5], &s);
+    *answers += known == FOOTPOINT_OK && sign == FOOTPOINT_OK;
+    return (known == FOOTPOINT_OK && !(r * square > 0.4 && r * square < 2.5)) + (sign == FOOTPOINT_OK && !(s > 0 && s < 1e300));
+}
+int main(void)
+{
+    int i, wrong = 0, near = 0, far = 0;
+    for (i = 0; i < 100000; i++)
+        wrong += test(1, &near) + test(100000, &far);
+    return wrong ? 1 : far < 99990 ? 2 : 0;
+}
+END
+"$BIN/footpoint-codegen" --effort 300 --quiet "$work/gram.gen" --prefix gram -o "$work/fresh/gram.h" &&
+    $CC -std=c99 -O2 "$work/fresh/gram.c" -o "$work/fresh/gram" -lm && "$work/fresh/gram"
+report $((! $?)) 'a divisor that rounding makes 0 or turns round'
+grep -q 'proved free of zeros, |...| >= 9.9e-05; status if <= ' "$work/fresh/gram.h" &&
+    grep -q 'proved free of zeros, |...| >= 9.9e-05; status if computed as 0, not finite' "$work/fresh/gram.h"
+report $((! $?)) 'is in the banner'
+
 # A segment's denominator whose zero a minimum hides: NAME notices all the same.
 cat > "$work/hidden.gen" <<'END'
 footpoint-genome 1

@@ -21,7 +21,10 @@ static struct tested tested_new(const char *ranges, const char *code, const stru
     t.subject = subject_new(text, read_program(t.file, 0, code));
     t.subject.region->known->arithmetic = *a;
     t.hull = hull_new(t.subject.region, t.subject.program, points, 1);
-    bound_errors_on_hull(t.hull, &t.bound);
+    double *error = new_array(t.subject.program->ops, sizeof *error);
+    bound_errors_on_hull(t.hull, error);
+    t.bound = error[t.subject.program->output[0]];
+    free(error);
     return t;
 }
 

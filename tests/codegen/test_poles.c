@@ -76,7 +76,7 @@ static void check_points(const struct subject *s)
         for (size_t k = 0; k < e->denominators; k++) {
             const struct denominator *d = &e->denominator[k];
             if (d->verdict == POLE_FREE)
-                assert_true(fabs(value[d->op]) >= d->least * (1 - 1e-12) - d->threshold);
+                assert_true(fabs(value[d->op]) >= d->least * (1 - 1e-12) - (d->error < INFINITY ? d->error : 0));
         }
     }
     free(input);
@@ -313,11 +313,72 @@ static void test_random_spheres(void **state)
     }
 }
 
+#define NEAR "range a 1 1.000000000001\nrange b 1 1.000000000002\nrequire - - * a a b "
+
+/* Free of zeros is said of exact values: a divisor is safe where its rounding error is below its least value, or where
+ * intervals of computed values have no 0, and else not. */
+static void rounding_may_turn_divisors_round(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *ranges, *code;
+        bool safe, apart;
+        int sign;
+    } row[] = {
+        {"range a 1 2", "*out_r = 1.0 / in_a;", true, true, 1},
+        {UNIT_2, "*out_r = 1.0 / (in_a * in_b - 1.001);", true, true, -1},
+        {"", "*out_r = 1.0 / (1.0 + in_a * in_a);", true, true, 1}, /* no range, no bound */
+        {"range b 1 2", "*out_r = in_a / (in_b + 3.0);", true, true, 1},
+        {UNIT_2, "*out_r = 1.0 / (in_a * in_a - 2.0 * in_a * in_b + in_b * in_b + 0.000001);", true, false, 1},
+        {NEAR "1e-17", "*out_r = 1.0 / (in_a * in_a - in_b);", false, false, 1},
+        {NEAR "1e-17", "*out_r = 1.0 / (in_b - in_a * in_a);", false, false, -1},
+        {NEAR "1e-14", "*out_r = 1.0 / (in_a * in_a - in_b);", true, false, 1},
+        {"range b 1 2\nrange c 1 4\nrequire - - * b b c 0.01", "*out_r = in_a / (in_b * in_b - in_c);", false, false,
+         1},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        struct subject s = examine(row[i].ranges, row[i].code);
+        const struct denominator *d = &s.evidence->denominator[0];
+        if (d->verdict != POLE_FREE || denominator_is_safe(d) != row[i].safe || d->apart != row[i].apart ||
+            d->sign != row[i].sign)
+            fail_msg("%s | %s: %s, least %g, error %g, apart %d, sign %d", row[i].ranges, row[i].code,
+                     verdict_name(d->verdict), d->least, d->error, d->apart, d->sign);
+        subject_free(&s);
+    }
+}
+
+/* A value just below 1 is 1 in float: what float computes is not enclosed by intervals of doubles. */
+static void computed_values_in_float_are_enclosed(void **state)
+{
+    (void)state;
+    struct diag d = {0};
+    static const char text[] = "footpoint-genome 1\ninput a\nrange a 0 0.99999999\ngenome g\nr = / 1 - 1 a\nend\n";
+    struct genome_file *f = genome_parse("test", text, strlen(text), &d);
+    assert_non_null(f);
+    struct program *p = program_read(f, &f->genome[0], "*out_r = 1.0 / (1.0 - 1.0 * in_a);\n", &d);
+    assert_non_null(p);
+    for (int single = 0; single < 2; single++) {
+        const struct evidence_options o = {
+            .arithmetic = single ? &arithmetic_single : &arithmetic_double, .boxes = 100, .samples = 10, .seed = 1};
+        struct evidence *e = evidence_new(f, &f->genome[0], p, &o);
+        assert_int_equal(e->denominator[0].apart, !single);
+        evidence_free(e);
+    }
+    program_free(p);
+    genome_file_free(f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_polynomials), cmocka_unit_test(test_functions),    cmocka_unit_test(test_requires),
-        cmocka_unit_test(test_no_ranges),   cmocka_unit_test(test_denominators), cmocka_unit_test(test_random_spheres),
+        cmocka_unit_test(test_polynomials),
+        cmocka_unit_test(test_functions),
+        cmocka_unit_test(test_requires),
+        cmocka_unit_test(test_no_ranges),
+        cmocka_unit_test(test_denominators),
+        cmocka_unit_test(test_random_spheres),
+        cmocka_unit_test(rounding_may_turn_divisors_round),
+        cmocka_unit_test(computed_values_in_float_are_enclosed),
     };
     return cmocka_run_group_tests_name("poles", tests, NULL, NULL);
 }
