@@ -8,7 +8,7 @@ struct compiled {
     char *text;              /* owned: the statements in C */
     struct program *program; /* owned: as it is read from the text */
     struct operations ops;
-    size_t removed; /* divisions that cancelled: singularities of the genome that the code does not have */
+    struct removed removed; /* what cancelled: singularities of the genome that the code does not have */
 };
 
 /** False with *d filled, and nothing to free, when the genome divides by 0 everywhere or needs a constant that is no

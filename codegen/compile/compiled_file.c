@@ -23,6 +23,22 @@ bool function_is_guarded(const struct function *f)
     return guarded;
 }
 
+char *function_cancelled(const struct function *f)
+{
+    const size_t n[] = {f->code.removed.divisions, f->code.removed.roots};
+    static const char *const name[] = {"division", "root"};
+    char *text = NULL;
+    for (int i = 0; i < 2; i++) {
+        if (n[i] == 0)
+            continue;
+        char *longer =
+            new_format("%s%s%zu %s%s", text ? text : "", text ? " and " : "", n[i], name[i], n[i] == 1 ? "" : "s");
+        free(text);
+        text = longer;
+    }
+    return text;
+}
+
 double unit_threshold(const struct unit *u, const struct denominator *d)
 {
     if (u->file->region || u->file->face)
@@ -176,11 +192,13 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     function->program = c->program;
     if (!prove_equal(f, function->genome, function->program, &function->proof, d))
         return false;
-    if (c->removed) {
+    char *cancelled = function_cancelled(function);
+    if (cancelled) {
         console_line(s->terminal, "");
-        fprintf(stderr, "%s:%d: warning: genome '%s': %zu division%s cancelled (a removed singularity)\n", f->path,
-                function->genome->line, function->genome->name, c->removed, c->removed == 1 ? "" : "s");
+        fprintf(stderr, "%s:%d: warning: genome '%s': %s cancelled (a removed singularity)\n", f->path,
+                function->genome->line, function->genome->name, cancelled);
     }
+    free(cancelled);
     if (!o->evidence)
         return true;
     if (o->precision == PRECISION_FLOAT && !check_float(f, function, d))

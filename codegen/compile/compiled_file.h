@@ -49,6 +49,9 @@ void unit_free(struct unit *u);
 /** True if the function has a denominator that may be 0, or that rounding may make 0 or turn round: it has a status. */
 bool function_is_guarded(const struct function *f);
 
+/** What cancelled, as "2 divisions and 1 root"; NULL if nothing did.  Caller frees. */
+char *function_cancelled(const struct function *f);
+
 /** |D| at or below which a denominator cannot be told from 0 in the unit's precision; 0 if unknown.  Where it is, D is tested
  *  for its sign, if it has one. */
 double unit_threshold(const struct unit *u, const struct denominator *d);

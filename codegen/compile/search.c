@@ -61,8 +61,8 @@ struct search {
     struct lowered best;     /* owned program; NULL until there is one */
     struct candidate winner; /* that it came from */
     double least;
-    double guide;             /* least cost of the programs that steer the search */
-    size_t removing, removed; /* singularities: by the passes under way, by the winner's */
+    double guide;                     /* least cost of the programs that steer the search */
+    struct removed removing, removed; /* singularities: by the passes under way, by the winner's */
     uint64_t random;
     int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
     double work, limit;
@@ -538,7 +538,7 @@ static void explain(struct search *s)
             s->options->cost.name);
 }
 
-size_t search_run(struct search *s, struct lowered *l)
+struct removed search_run(struct search *s, struct lowered *l)
 {
     drop_shapes(s);
     try_first(s);

@@ -32,6 +32,6 @@ const struct dag *search_first(const struct search *s);
 
 /** The cheapest program found with the options' effort, NULL if there is none, and how many singularities it removed.
  *  l->program is the caller's. */
-size_t search_run(struct search *s, struct lowered *l);
+struct removed search_run(struct search *s, struct lowered *l);
 
 #endif

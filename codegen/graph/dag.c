@@ -3,6 +3,7 @@
 #include "dag.h"
 
 #include "../genome/random.h"
+#include "unary.h"
 
 #include <flint/nmod_vec.h>
 #include <math.h>
@@ -85,17 +86,26 @@ struct edge *dag_room(struct dag *g, size_t n)
     return g->pool[g->pools - 1] + g->pool_used - n;
 }
 
+/* A function that is not defined below 0. */
+static bool is_root(enum node_kind kind)
+{
+    return kind >= NODE_UNARY && !unary_of[kind - NODE_UNARY].negative;
+}
+
 int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size_t n)
 {
     grow_array(&g->node, g->nodes, &g->node_room, sizeof *g->node);
     struct node *node = &g->node[g->nodes];
     *node = (struct node){.kind = kind, .edges = n, .divides = kind == NODE_INVERSE};
+    node->partial = node->divides || is_root(kind);
     if (n > 0) {
         node->edge = dag_room(g, n);
         memcpy(node->edge, edge, n * sizeof *edge);
     }
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < n; i++) {
         node->divides |= g->node[edge[i].node].divides;
+        node->partial |= g->node[edge[i].node].partial;
+    }
     return (int)g->nodes++;
 }
 
@@ -134,6 +144,7 @@ void dag_free(struct dag *g)
         free(g->output_name[i]);
     free(g->pool);
     free(g->removed);
+    free(g->lost);
     free(g->node);
     free(g->bucket);
     free(g->output);
@@ -206,10 +217,21 @@ static void collect(struct dag *g, struct edges *list, bool sum)
                 e.power += list->edge[i].power;
         if (sum ? e.coef != ZERO : e.power != 0)
             list->edge[n++] = e;
-        else if (g->node[e.node].divides)
-            dag_remove(g, e.node);
+        else
+            dag_lose(g, e.node);
     }
     list->n = n;
+}
+
+/* A node of a list of operands was looked up: if it is another one of the same value, what the list has may be gone. */
+static void note_replaced(struct dag *g, int made, enum node_kind kind, const struct edges *list)
+{
+    const struct node *n = &g->node[made];
+    bool same = n->kind == kind && n->edges == list->n;
+    for (size_t i = 0; same && i < list->n; i++)
+        same = n->edge[i].node == list->edge[i].node && n->edge[i].power == list->edge[i].power;
+    for (size_t i = 0; !same && i < list->n; i++)
+        dag_lose(g, list->edge[i].node);
 }
 
 struct value dag_sum(struct dag *g, struct edges *terms)
@@ -220,13 +242,10 @@ struct value dag_sum(struct dag *g, struct edges *terms)
         /* the leading term is not the constant 1, so that x + 2 and 2x + 4 are x + 2 times 1 and 2 */
         const rational lead = terms->edge[terms->edge[0].node == 0 && terms->n > 1 ? 1 : 0].coef;
         mp_limb_t mark[PRIMES] = {0};
-        int divides = -1;
         for (size_t i = 0; lead != ONE && i < terms->n; i++)
             terms->edge[i].coef = rational_mul(terms->edge[i].coef, rational_inv(lead));
         for (size_t i = 0; i < terms->n; i++) {
             const struct edge *e = &terms->edge[i];
-            if (g->node[e->node].divides)
-                divides = e->node;
             for (int k = 0; k < PRIMES; k++)
                 mark[k] = nmod_add(mark[k], nmod_mul(rational_mod(e->coef, k), g->node[e->node].mark[k], modulus(k)),
                                    modulus(k));
@@ -235,8 +254,8 @@ struct value dag_sum(struct dag *g, struct edges *terms)
             v = value_of(lead, terms->edge[0].node);
         else if (mark[0] != 0 || mark[1] != 0)
             v = value_of(lead, make(g, NODE_SUM, 0, terms, mark));
-        if (divides >= 0 && !g->node[v.node].divides) /* equal to something that does not divide */
-            dag_remove(g, divides);
+        if (terms->n > 1)
+            note_replaced(g, v.node, NODE_SUM, terms);
     }
     edges_clear(terms);
     return v;
@@ -245,13 +264,17 @@ struct value dag_sum(struct dag *g, struct edges *terms)
 static int invert_node(struct dag *g, int node)
 {
     mp_limb_t mark[PRIMES];
-    if (g->node[node].kind == NODE_INVERSE)
+    if (g->node[node].kind == NODE_INVERSE) {
+        dag_lose(g, node);
         return g->node[node].edge[0].node;
+    }
     struct edge e = {ONE, node, 1};
     const struct edges list = {&e, 1, 1};
     for (int k = 0; k < PRIMES; k++)
         mark[k] = nmod_inv(g->node[node].mark[k], modulus(k));
-    return make(g, NODE_INVERSE, 0, &list, mark);
+    const int made = make(g, NODE_INVERSE, 0, &list, mark);
+    note_replaced(g, made, NODE_INVERSE, &list);
+    return made;
 }
 
 static bool spreads(const struct node *n, int power)
@@ -263,7 +286,7 @@ static bool spreads(const struct node *n, int power)
 }
 
 /* Factors that are inverses or products of their own are spread first; x and 1/x meet in `collect` by their powers. */
-static void spread_factors(const struct dag *g, struct edges *list)
+static void spread_factors(struct dag *g, struct edges *list)
 {
     for (size_t i = 0; i < list->n;) {
         struct edge *e = &list->edge[i];
@@ -272,6 +295,8 @@ static void spread_factors(const struct dag *g, struct edges *list)
         if (n->kept) {
             i++;
         } else if (n->kind == NODE_INVERSE && abs(power) < MOST_POWER) {
+            if (power < 0)
+                dag_lose(g, e->node);
             e->node = n->edge[0].node;
             e->power = -power;
         } else if (n->kind == NODE_PRODUCT && spreads(n, power)) {
@@ -307,12 +332,11 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors)
     mp_limb_t mark[PRIMES] = {1, 1};
     struct edges kept = {0}, below = {0};
     struct value v = {coef, 0};
-    int divides = -1;
+    bool divides = false;
     for (size_t i = 0; i < factors->n; i++)
-        if (factors->edge[i].power < 0 || g->node[factors->edge[i].node].divides)
-            divides = factors->edge[i].node;
+        divides = divides || factors->edge[i].power < 0 || g->node[factors->edge[i].node].divides;
     spread_factors(g, factors);
-    if (divides >= 0) {
+    if (divides) {
         struct edges before = {0};
         for (size_t i = 0; i < factors->n; i++)
             edges_add(&before, ONE, factors->edge[i].node, factors->edge[i].power);
@@ -325,6 +349,8 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors)
         const struct edge *e = &factors->edge[i];
         if (e->node == 0)
             continue;
+        if (coef == ZERO)
+            e->power < 0 ? dag_remove(g, e->node) : dag_lose(g, e->node);
         if (e->power > 0)
             edges_add(&kept, ONE, e->node, e->power);
         else
@@ -343,10 +369,10 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors)
         v = value_of(ZERO, 0);
     else if (kept.n == 1 && kept.edge[0].power == 1)
         v = value_of(coef, kept.edge[0].node);
-    else if (kept.n > 0)
+    else if (kept.n > 0) {
         v = value_of(coef, make(g, NODE_PRODUCT, 0, &kept, mark));
-    if (divides >= 0 && !g->node[v.node].divides)
-        dag_remove(g, divides);
+        note_replaced(g, v.node, NODE_PRODUCT, &kept);
+    }
     edges_clear(&kept);
     edges_clear(&below);
     edges_clear(factors);
@@ -363,10 +389,16 @@ struct value dag_times(struct dag *g, struct value a, struct value b)
 
 struct value dag_inverse(struct dag *g, struct value a)
 {
-    const int inverse = a.node ? invert_node(g, a.node) : 0;
-    if (g->node[a.node].divides && !g->node[inverse].divides)
-        dag_remove(g, a.node);
-    return value_of(rational_inv(a.coef), inverse);
+    return value_of(rational_inv(a.coef), a.node ? invert_node(g, a.node) : 0);
+}
+
+struct value dag_number(struct dag *g, struct value v)
+{
+    rational c;
+    if (v.node == 0 || g->node[v.node].kind != NODE_SUM || !rational_reconstruct(g->node[v.node].mark, &c))
+        return v;
+    dag_lose(g, v.node);
+    return dag_constant(rational_mul(v.coef, c));
 }
 
 bool node_chooses(const struct node *n)
@@ -380,6 +412,35 @@ bool node_is_difference(const struct dag *g, const struct node *n)
            g->node[n->edge[0].node].kind == NODE_INPUT && g->node[n->edge[1].node].kind == NODE_INPUT;
 }
 
+static bool fold_unary(unsigned k, rational c, rational *value)
+{
+    fmpq_t q;
+    fmpq_init(q);
+    fmpq_set(q, rational_value(c));
+    const bool exact = unary_exact(k, q, q);
+    if (exact)
+        *value = rational_intern(q);
+    fmpq_clear(q);
+    return exact;
+}
+
+/* A function of constants, or one that its semantics decide: true if *v is set. */
+static bool fold(struct dag *g, enum node_kind kind, struct value x, struct value y, struct value *v)
+{
+    const bool same = x.node == y.node && x.coef == y.coef, constant = x.node == 0 && y.node == 0;
+    if (kind == NODE_PDIV && (same || y.coef == ZERO)) {
+        dag_lose(g, x.node);
+        *v = dag_constant(ONE);
+    } else if (kind == NODE_PDIV && y.node == 0)
+        *v = value_of(rational_mul(x.coef, rational_inv(y.coef)), x.node);
+    else if ((kind == NODE_MIN || kind == NODE_MAX) && (same || constant)) {
+        const bool less = fmpq_cmp(rational_value(x.coef), rational_value(y.coef)) < 0;
+        *v = less == (kind == NODE_MIN) ? x : y;
+    } else
+        return kind >= NODE_UNARY && x.node == 0 && fold_unary((unsigned)(kind - NODE_UNARY), x.coef, &v->coef);
+    return true;
+}
+
 /* A function that is opaque to the random points takes as its value a hash of its kind and of its arguments' values. */
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b)
 {
@@ -388,6 +449,9 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
     const struct edges list = {edge, two ? 2 : 1, 2};
     mp_limb_t mark[PRIMES];
     rational outside = ONE;
+    struct value folded = {ZERO, 0};
+    if (fold(g, kind, a, b, &folded))
+        return folded;
     if (kind == NODE_ABS) { /* |c a| = |c| |a| */
         outside = rational_abs(a.coef);
         edge[0].coef = ONE;
@@ -446,69 +510,123 @@ int dag_degree(const struct dag *g)
     return degree;
 }
 
-static void note_removed(struct dag *g, int node)
+void dag_lose(struct dag *g, int node)
 {
-    APPEND(g->removed, g->removals, g->removal_room) = g->node[node].mark[0];
+    if (g->node[node].partial)
+        APPEND(g->lost, g->losses, g->loss_room) = node;
+}
+
+/* Calls `note` with the mark of each factor of a divisor. */
+static void each_factor(const struct dag *g, int divisor, void (*note)(void *, mp_limb_t), void *context)
+{
+    const struct node *d = &g->node[divisor];
+    for (size_t k = 0; d->kind == NODE_PRODUCT && k < d->edges; k++)
+        note(context, g->node[d->edge[k].node].mark[0]);
+    if (d->kind != NODE_PRODUCT)
+        note(context, d->mark[0]);
+}
+
+static void note_divisor(void *context, mp_limb_t mark)
+{
+    struct dag *g = context;
+    APPEND(g->removed, g->removals, g->removal_room) = (struct removal){mark, false};
 }
 
 void dag_remove(struct dag *g, int node)
 {
-    const struct node *n = &g->node[node];
-    if (!n->divides)
-        note_removed(g, node);
-    for (size_t i = 0; n->divides && i < n->edges; i++)
-        if (n->kind == NODE_INVERSE || g->node[n->edge[i].node].kind == NODE_INVERSE) {
-            const int below = n->kind == NODE_INVERSE ? n->edge[i].node : g->node[n->edge[i].node].edge[0].node;
-            const struct node *d = &g->node[below];
-            for (size_t k = 0; d->kind == NODE_PRODUCT && k < d->edges; k++)
-                note_removed(g, d->edge[k].node);
-            if (d->kind != NODE_PRODUCT)
-                note_removed(g, below);
-        }
+    dag_lose(g, node);
+    each_factor(g, node, note_divisor, g);
+}
+
+/* Notes in *g what the lost nodes of `from` divide by, and their roots. */
+static void note_lost(struct dag *g, const struct dag *from)
+{
+    bool *lost = new_array(from->nodes, sizeof *lost);
+    for (size_t i = 0; i < from->losses; i++)
+        lost[from->lost[i]] = true;
+    for (size_t n = from->losses ? from->nodes : 0; n-- > 0;) {
+        const struct node *node = &from->node[n];
+        if (!lost[n] || !node->partial)
+            continue;
+        if (node->kind == NODE_INVERSE)
+            each_factor(from, node->edge[0].node, note_divisor, g);
+        else if (is_root(node->kind))
+            APPEND(g->removed, g->removals, g->removal_room) = (struct removal){node->mark[0], true};
+        for (size_t i = 0; i < node->edges; i++)
+            lost[node->edge[i].node] = true;
+    }
+    free(lost);
+}
+
+static int compare_removals(const void *a, const void *b)
+{
+    const struct removal *x = a, *y = b;
+    return x->root != y->root ? (x->root > y->root) - (x->root < y->root) : (x->mark > y->mark) - (x->mark < y->mark);
+}
+
+/* In order, each once. */
+static void sort_removals(struct dag *g)
+{
+    size_t n = 0;
+    if (g->removals > 0)
+        qsort(g->removed, g->removals, sizeof *g->removed, compare_removals);
+    for (size_t i = 0; i < g->removals; i++)
+        if (n == 0 || compare_removals(&g->removed[n - 1], &g->removed[i]) != 0)
+            g->removed[n++] = g->removed[i];
+    g->removals = n;
 }
 
 void dag_inherit_removed(struct dag *g, const struct dag *from)
 {
     for (size_t i = 0; i < from->removals; i++)
         APPEND(g->removed, g->removals, g->removal_room) = from->removed[i];
+    note_lost(g, from);
+    sort_removals(g);
 }
 
-static int compare_marks(const void *a, const void *b)
+/* Sorted removals, and which of them used nodes have. */
+struct presence {
+    const struct dag *all;
+    bool *present; /* owned */
+};
+
+static void note_present(void *context, struct removal r)
 {
-    const mp_limb_t x = *(const mp_limb_t *)a, y = *(const mp_limb_t *)b;
-    return (x > y) - (x < y);
+    struct presence *p = context;
+    const struct removal *found =
+        p->all->removals ? bsearch(&r, p->all->removed, p->all->removals, sizeof r, compare_removals) : NULL;
+    if (found)
+        p->present[found - p->all->removed] = true;
 }
 
-size_t dag_removed(const struct dag *g)
+static void note_used_divisor(void *context, mp_limb_t mark)
 {
-    size_t n = g->removals, different = 0;
+    note_present(context, (struct removal){mark, false});
+}
+
+struct removed dag_removed(const struct dag *g)
+{
+    struct dag all = {0};
+    dag_inherit_removed(&all, g);
+    struct presence p = {&all, new_array(all.removals, sizeof *p.present)};
     int *uses = dag_uses(g);
-    mp_limb_t *mark = new_array(n, sizeof *mark);
-    bool *present = new_array(n, sizeof *present);
-    if (n > 0)
-        memcpy(mark, g->removed, n * sizeof *mark);
-    qsort(mark, n, sizeof *mark, compare_marks);
-    for (size_t i = 0; n > 0 && i < g->nodes; i++) {
-        if (!uses[i] || g->node[i].kind != NODE_INVERSE)
+    for (size_t n = 0; n < g->nodes; n++) {
+        const struct node *node = &g->node[n];
+        if (!uses[n])
             continue;
-        const int below = g->node[i].edge[0].node;
-        const struct edge self = {ONE, below, 1};
-        const bool product = g->node[below].kind == NODE_PRODUCT;
-        for (size_t k = 0; k < (product ? g->node[below].edges : 1); k++) {
-            const mp_limb_t m = g->node[product ? g->node[below].edge[k].node : self.node].mark[0];
-            const mp_limb_t *found = bsearch(&m, mark, n, sizeof m, compare_marks);
-            for (const mp_limb_t *f = found; f && f >= mark && *f == m; f--)
-                present[f - mark] = true;
-            for (const mp_limb_t *f = found; f && f < mark + n && *f == m; f++)
-                present[f - mark] = true;
-        }
+        if (node->kind == NODE_INVERSE) {
+            each_factor(g, node->edge[0].node, note_used_divisor, &p);
+            note_used_divisor(&p, g->node[node->edge[0].node].mark[0]);
+        } else if (is_root(node->kind))
+            note_present(&p, (struct removal){node->mark[0], true});
     }
-    for (size_t i = 0; i < n; i++)
-        different += !present[i] && (i == 0 || mark[i] != mark[i - 1]);
+    struct removed removed = {0, 0};
+    for (size_t i = 0; i < all.removals; i++)
+        *(all.removed[i].root ? &removed.roots : &removed.divisions) += !p.present[i];
     free(uses);
-    free(mark);
-    free(present);
-    return different;
+    free(p.present);
+    free(all.removed);
+    return removed;
 }
 
 int *dag_uses(const struct dag *g)

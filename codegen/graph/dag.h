@@ -37,6 +37,7 @@ struct node {
     size_t edges;
     bool kept;              /* a named value that products leave whole */
     bool divides;           /* it, or what it is made of, divides */
+    bool partial;           /* it, or what it is made of, divides or has a root: it has no value somewhere */
     mp_limb_t mark[PRIMES]; /* values at the random points */
 };
 
@@ -60,9 +61,21 @@ struct dag {
     char **output_name;   /* owned */
     size_t outputs, output_room, output_name_room;
     size_t inputs;
-    mp_limb_t
-        *removed; /* owned: marks of the divisors that cancelled (x/x and the like), in no order, maybe repeated */
+    struct removal *removed; /* owned: those of graphs that this one was made from, in no order, maybe repeated */
     size_t removals, removal_room;
+    int *lost; /* owned: partial nodes that values were made of, and are no more; maybe repeated */
+    size_t losses, loss_room;
+};
+
+/** A singularity of the genome that the code has not, if nothing else has it: a divisor that cancelled, or a root. */
+struct removal {
+    mp_limb_t mark; /* of the divisor, or of the root itself */
+    bool root;
+};
+
+/** How many there are. */
+struct removed {
+    size_t divisions, roots;
 };
 
 /** True for a difference of two inputs. */
@@ -92,20 +105,25 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors);
 struct value dag_times(struct dag *g, struct value a, struct value b);
 /** 1/a; a must not be 0. */
 struct value dag_inverse(struct dag *g, struct value a);
-/** NODE_PDIV, NODE_MIN, NODE_MAX of two values; NODE_UNARY + k of one (b ignored). */
+/** NODE_PDIV, NODE_MIN, NODE_MAX of two values; NODE_UNARY + k of one (b ignored).  A number where the operands are. */
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b);
+
+/** The number that a value is, of whatever form, if it is a short one; or the value. */
+struct value dag_number(struct dag *g, struct value v);
 
 /** A node that is not looked up, with room for its n edges; the caller fills them. */
 int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size_t n);
 /** Room for n edges in the graph's pool. */
 struct edge *dag_room(struct dag *g, size_t n);
 
-/** Notes that the divisors of a node, a quotient, are gone; or the node itself if it is none. */
+/** Notes that a value is no longer made of a node: whatever that divides by, and its roots, may be gone. */
+void dag_lose(struct dag *g, int node);
+/** Notes that a value is no longer divided by a node. */
 void dag_remove(struct dag *g, int node);
 /** What was removed from `from` is removed from g, too. */
 void dag_inherit_removed(struct dag *g, const struct dag *from);
-/** How many different divisors were removed and are none of the used ones any more. */
-size_t dag_removed(const struct dag *g);
+/** How many different divisors and roots were removed and are none of the used ones any more. */
+struct removed dag_removed(const struct dag *g);
 
 /** Greatest |power| with which any used value grows when all inputs are scaled together: what decides at which scale
  *  values leave the range of double. */

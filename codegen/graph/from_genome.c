@@ -5,7 +5,6 @@
 #include "from_genome.h"
 
 #include "constant_text.h"
-#include "unary.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +13,10 @@
  * and is applied late, so that a chain of n operators costs n log n. */
 struct item {
     bool product, flip;
-    fmpq_t coef;        /* of a product; not subject to flip */
-    struct edges edges; /* terms or factors */
+    fmpq_t coef; /* of a product; not subject to flip */
+    struct edges
+        edges; /* terms or factors; of factors the coefficient is ZERO if they were divided by, in the end or not */
+    size_t divided; /* of factors: so many at the beginning are known to be ZERO */
 };
 
 struct builder {
@@ -59,8 +60,13 @@ static struct value make_value(struct builder *b, struct item *it)
 {
     for (size_t i = 0; it->flip && i < it->edges.n; i++)
         flip_edge(it, &it->edges.edge[i]);
+    for (size_t i = 0; it->product && i < it->edges.n; i++)
+        if (it->edges.edge[i].coef == ZERO && it->edges.edge[i].power > 0) /* as y in x / (1 / y) */
+            dag_remove(b->dag, it->edges.edge[i].node);
     it->flip = false;
-    return it->product ? dag_product(b->dag, rational_intern(it->coef), &it->edges) : dag_sum(b->dag, &it->edges);
+    it->divided = 0;
+    return it->product ? dag_product(b->dag, rational_intern(it->coef), &it->edges)
+                       : dag_number(b->dag, dag_sum(b->dag, &it->edges));
 }
 
 /* Pops an item as one value. */
@@ -104,6 +110,7 @@ static void merge(struct item *first, struct item *second)
         const bool flip = first->flip;
         first->flip = second->flip;
         second->flip = flip;
+        first->divided = second->divided;
     }
     for (size_t i = 0; i < second->edges.n; i++) {
         struct edge *e = &second->edges.edge[i];
@@ -135,38 +142,12 @@ static bool multiply(struct builder *b, bool divide)
             return false;
         fmpq_inv(second->coef, second->coef);
         second->flip = !second->flip;
+        for (; second->divided < second->edges.n; second->divided++)
+            second->edges.edge[second->divided].coef = ZERO;
     }
     rational_scale(second->coef, first->coef);
     merge(second, first);
     b->depth--;
-    return true;
-}
-
-static bool fold_unary(unsigned k, rational c, rational *value)
-{
-    fmpq_t q;
-    fmpq_init(q);
-    fmpq_set(q, rational_value(c));
-    const bool exact = unary_exact(k, q, q);
-    if (exact)
-        *value = rational_intern(q);
-    fmpq_clear(q);
-    return exact;
-}
-
-/* A function of constants, or one that its semantics decide: true if *v is set. */
-static bool fold(int gene, struct value x, struct value y, struct value *v)
-{
-    const bool same = x.node == y.node && x.coef == y.coef, constant = x.node == 0 && y.node == 0;
-    if (gene == GENE_PDIV && (same || y.coef == ZERO))
-        *v = dag_constant(ONE);
-    else if (gene == GENE_PDIV && y.node == 0)
-        *v = (struct value){rational_mul(x.coef, rational_inv(y.coef)), x.node};
-    else if ((gene == GENE_MIN || gene == GENE_MAX) && (same || constant)) {
-        const bool less = fmpq_cmp(rational_value(x.coef), rational_value(y.coef)) < 0;
-        *v = less == (gene == GENE_MIN) ? x : y;
-    } else
-        return gene >= GENE_UNARY(0) && x.node == 0 && fold_unary((unsigned)(gene - GENE_UNARY(0)), x.coef, &v->coef);
     return true;
 }
 
@@ -176,12 +157,10 @@ static bool apply_function(struct builder *b, int gene)
 #define NODE(gene, ...) [GENE_##gene] = NODE_##gene,
     static const enum node_kind kind[GENE_OPERATORS] = {CHOICES(NODE) UNARY(NODE)};
 #undef NODE
-    struct value x = pop_value(b), y = {ZERO, 0}, v = {ZERO, 0};
+    struct value x = pop_value(b), y = {ZERO, 0};
     if (gene_arity(gene) == 2)
         y = pop_value(b);
-    if (!fold(gene, x, y, &v))
-        v = dag_function(b->dag, kind[gene], x, y);
-    push_value(b, v);
+    push_value(b, dag_function(b->dag, kind[gene], x, y));
     return gene < GENE_UNARY(0) || unary_of[gene - GENE_UNARY(0)].negative || x.node != 0 || rational_sign(x.coef) >= 0;
 }
 

@@ -8,7 +8,7 @@
 enum keep_lets { KEEP_QUOTIENTS, KEEP_ALL };
 
 /** The graph of the outputs of one genome, or NULL with *d filled when it divides by a value that is identically 0.
- *  g->removed counts the divisions that cancelled. Free with dag_free. */
+ *  dag_removed counts the divisions and roots that cancelled. Free with dag_free. */
 struct dag *simplify_genome(const struct genome_file *f, const struct genome *genome, enum keep_lets keep,
                             struct diag *d);
 

@@ -195,6 +195,10 @@ rational rational_neg(rational a)
 
 rational rational_inv(rational a)
 {
+    if (a == ZERO) {
+        overflow = true;
+        return ONE;
+    }
     if (known[a].inverse < 0) {
         fmpq_t q;
         fmpq_init(q);
@@ -234,4 +238,24 @@ int rational_sign(rational a)
 mp_limb_t rational_mod(rational a, int k)
 {
     return known[a].residue[k];
+}
+
+bool rational_reconstruct(const mp_limb_t residue[PRIMES], rational *a)
+{
+    enum { SHORT = 58 }; /* of numerator and denominator, of the primes' 120 */
+    fmpz_t all, product;
+    fmpq_t q;
+    fmpz_init_set_ui(all, residue[0]);
+    fmpz_init_set_ui(product, rational_prime[0]);
+    fmpq_init(q);
+    fmpz_CRT_ui(all, all, product, residue[1], rational_prime[1], 0);
+    fmpz_mul_ui(product, product, rational_prime[1]);
+    const bool found =
+        fmpq_reconstruct_fmpz(q, all, product) && fmpz_bits(fmpq_numref(q)) + fmpz_bits(fmpq_denref(q)) <= SHORT;
+    if (found)
+        *a = rational_intern(q);
+    fmpz_clear(all);
+    fmpz_clear(product);
+    fmpq_clear(q);
+    return found;
 }

@@ -23,7 +23,7 @@ const fmpq *rational_value(rational r);
 rational rational_mul(rational a, rational b);
 rational rational_add(rational a, rational b);
 rational rational_neg(rational a);
-rational rational_inv(rational a); /* a != 0 */
+rational rational_inv(rational a); /* of 0: an overflow */
 rational rational_abs(rational a);
 rational rational_pow(rational a, int n);
 int rational_sign(rational a);
@@ -34,5 +34,7 @@ void rational_scale(fmpq *q, const fmpq *by);
 bool rational_take_overflow(void);
 /** Residue modulo rational_prime[k]. */
 mp_limb_t rational_mod(rational a, int k);
+/** True, and *a set, if the residues are those of a rational so short that no other value has them but by a chance of 2^-60. */
+bool rational_reconstruct(const mp_limb_t residue[PRIMES], rational *a);
 
 #endif

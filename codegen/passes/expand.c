@@ -235,6 +235,8 @@ static struct fraction add_fractions(struct walk *w, const struct node *n, const
             edges_add(&terms, v.coef, v.node, 1);
     }
     sum.num = dag_sum(w->to, &terms);
+    for (size_t i = 0; sum.num.coef == ZERO && i < sum.den.n; i++)
+        dag_remove(w->to, sum.den.edge[i].node);
     if (sum.num.coef == ZERO)
         edges_clear(&sum.den);
     return sum;

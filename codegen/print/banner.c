@@ -116,12 +116,13 @@ static void print_function(const struct unit *u, const struct function *f, FILE 
     proof_print(&f->proof, proof);
     print_line(banner_about_function("proof", out), proof);
     print_line(banner_about_function("genome_sha256", out), f->sha256);
-    if (f->code.removed) {
+    char *cancelled = function_cancelled(f);
+    if (cancelled) {
         l = banner_about_function("cancelled", out);
-        banner_add(&l, "%zu division%s: the genome is singular where the code is not", f->code.removed,
-                   f->code.removed == 1 ? "" : "s");
+        banner_add(&l, "%s: the genome is singular where the code is not", cancelled);
         banner_end(&l);
     }
+    free(cancelled);
     banner_evidence(u, f, out);
     print_notes(f, out);
 }

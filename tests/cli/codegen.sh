@@ -61,6 +61,23 @@ genome 'input x y' 'genome g' 'r = / * x y x' 's = % x x' 'end'
 expect 'a removed singularity is told' 0 'genome,mul,div,add,sqrt,compare
 g,0,0,0,0,0' "$g:3: warning: genome 'g': 1 division cancelled (a removed singularity)" "$codegen" --count "$g"
 
+for r in '/ x / 1 y' '/ 1 / 1 x' '- min y / y x min y / y x' '* - y y min y / y x' '% / 1 x / 1 x'; do
+    genome 'input x y' 'genome g' "r = $r" 'end'
+    expect "a division lost: $r" 0 '*' "$g:3: warning: genome 'g': 1 division cancelled (a removed singularity)" "$codegen" --count "$g"
+done
+for r in '- sqrt x sqrt x' '* 0 sqrt - x 5' '- max y sqrt x max y sqrt x'; do
+    genome 'input x y' 'genome g' "r = $r" 'end'
+    expect "a root lost: $r" 0 '*' "$g:3: warning: genome 'g': 1 root cancelled (a removed singularity)" "$codegen" --count "$g"
+done
+for r in '% 2 - x v' 'abs - x v' 'min x * y - v x' '/ y - v x'; do
+    genome 'input x y' 'let v = + 2 x' 'genome g' "r = $r" 'end'
+    expect "a number behind a let: $r" 0 '*' '' "$codegen" --quiet "$g" -o "$work/h.h"
+done
+genome 'input x y' 'let v = + 2 x' 'genome g' 'r = sqrt - x v' 'end'
+refused 'a root of a number behind a let' 5:1 "'r' takes the sqrt of a value that is always negative"
+genome 'input x y' 'let v = + 2 x' 'genome g' 'r = / y + -2 abs - x v' 'end'
+refused 'a divisor that is 0 behind a let' 5:1 "'r' divides by a value that is always 0"
+
 genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
 genome 'note evil */ int x; /* \\' 'input x' 'genome g' 'note more */ int y;' 'r = x' 'end'
 "$codegen" "$g" -o "$work/e.h" && echo '#include "e.h"' > "$work/e.c" && ${CC:-gcc} -Wall -Werror -c "$work/e.c" -o "$work/e.o"
