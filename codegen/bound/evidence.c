@@ -79,9 +79,7 @@ static void enclose_computed(struct region *r, struct denominator *d)
 {
     struct interval *box = new_array(r->known->variables, sizeof *box);
     region_box(r, box);
-    const struct interval range = computed_range(r->known, box, region_op(r, d->op));
-    d->apart = !interval_has(range, 0);
-    d->most = interval_most(range);
+    d->apart = !interval_has(computed_range(r->known, box, region_op(r, d->op)), 0);
     free(box);
 }
 
@@ -108,16 +106,12 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
     free(pole.witness);
 }
 
-/* The errors of divisors, by a part of the work; then by the rest, where there is no pole, of the outputs.  A threshold has at
- * least half the digits of the largest values right: a bound with fewer does not tell a denominator from 0. */
+/* The errors of divisors, by a part of the work; then by the rest, where there is no pole, of the outputs. */
 static void bound_errors(struct search *s, struct evidence *e, const struct program *p, bool outputs)
 {
     struct region *r = s->region;
-    for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
-        struct denominator *d = &e->denominator[i];
-        d->error = find_error(s, region_op(r, d->op), 2 * (e->denominators + p->outputs));
-        d->threshold = d->error < sqrt(r->known->arithmetic.unit) * d->most ? d->error : 0;
-    }
+    for (size_t i = 0; i < e->denominators && s->work > 0; i++)
+        e->denominator[i].error = find_error(s, region_op(r, e->denominator[i].op), 2 * (e->denominators + p->outputs));
     for (size_t i = 0; outputs && evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
         e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
 }
@@ -235,6 +229,15 @@ static bool can_bound(const struct known *x)
     return x->complete && origin;
 }
 
+/* A bound with fewer than half the digits right, of the largest values, does not tell a denominator from 0. */
+static void choose_thresholds(struct evidence *e, const struct arithmetic *a)
+{
+    for (size_t i = 0; i < e->denominators; i++) {
+        struct denominator *d = &e->denominator[i];
+        d->threshold = d->error < sqrt(a->unit) * d->most ? d->error : 0;
+    }
+}
+
 /* Worst |computed - exact| of each output at random points, of doubles with and without contraction.  A bound above the
  * outputs themselves is none. */
 static void sample_errors(struct evidence *e, struct computed *c, struct region *r, const struct evidence_options *o)
@@ -271,6 +274,10 @@ static void sample_errors(struct evidence *e, struct computed *c, struct region 
                 const double far = isfinite(computed) ? fabs(arf_get_d(arb_midref(error), ARF_RND_NEAR)) : INFINITY;
                 e->error[i].sampled = fmax(e->error[i].sampled, far);
                 largest[i] = fmax(largest[i], fabs(computed));
+            }
+            for (size_t i = 0; i < e->denominators; i++) {
+                struct denominator *d = &e->denominator[i];
+                d->most = fmax(d->most, fabs(c->single ? (double)c->single[d->op] : c->value[d->op]));
             }
         }
     }
@@ -313,6 +320,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     struct computed c = computed_new(f, p, options->arithmetic);
     if (e->region)
         sample_errors(e, &c, r, options);
+    choose_thresholds(e, &r->known->arithmetic);
     computed_free(&c);
     region_free(r);
     return e;

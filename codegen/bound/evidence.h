@@ -16,8 +16,8 @@ struct denominator {
     double error;     /* above |computed - exact| over the region; +infinity: unknown */
     double hull;      /* the same, on the hull of the values at random points (hull.h); +infinity: unknown */
     bool apart;       /* no computed value is 0 or of another sign: intervals of computed values show it */
-    double most;      /* the largest computed |D|, at most: by the same intervals */
-    double threshold; /* |D| <= threshold is indistinguishable from 0; 0 if unknown, or too large for the size of D */
+    double most;      /* the largest |D| computed at random points */
+    double threshold; /* |D| <= threshold is indistinguishable from 0; 0 if unknown, or too large beside `most` */
 };
 
 /** Rounding error of one output. */

@@ -85,7 +85,7 @@ static void add_witness(struct banner_line *l, const struct genome_file *f, cons
 }
 
 /* Adds the rounding error of a denominator without zeros, and if that is not harmless, when the status reports it. */
-static void add_rounding(struct banner_line *l, const struct unit *u, const struct denominator *d)
+static void add_rounding(struct banner_line *l, const struct unit *u, const struct denominator *d, const char *name)
 {
     char number[NUMBER];
     const double threshold = unit_threshold(u, d);
@@ -98,7 +98,7 @@ static void add_rounding(struct banner_line *l, const struct unit *u, const stru
     if (d->hull < d->least)
         banner_add(l, "(rounding error <= %s on the hull);", rounded(d->hull, 1, number));
     if (threshold > 0)
-        banner_add(l, "status if <= %s, which is its rounding error", rounded(threshold, 1, number));
+        banner_add(l, "status if |%s| <= %s, the rounding error", name, rounded(threshold, 1, number));
     else if (u->file->segment || d->sign == 0)
         banner_add(l, "status if computed as 0 or not finite");
     else
@@ -117,10 +117,10 @@ static void print_denominator(const struct unit *u, const struct program *p, con
     else if (d->verdict == POLE_REQUIRED)
         banner_add(&l, "no zero where the region's requires hold, by no proved margin");
     else {
-        const bool word = d->name[strcspn(d->name, " (")] == '\0';
-        banner_add(&l, "proved free of zeros, |%s| >= %s%s", word ? d->name : "...", rounded(d->least, -1, number),
+        const char *name = d->name[strcspn(d->name, " (")] ? "..." : d->name;
+        banner_add(&l, "proved free of zeros, |%s| >= %s%s", name, rounded(d->least, -1, number),
                    denominator_is_safe(d) || d->hull < d->least ? "" : ";");
-        add_rounding(&l, u, d);
+        add_rounding(&l, u, d, name);
     }
     banner_end(&l);
 }

@@ -306,7 +306,7 @@ END
 "$BIN/footpoint-codegen" --effort 300 --quiet "$work/gram.gen" --prefix gram -o "$work/fresh/gram.h" &&
     $CC -std=c99 -O2 "$work/fresh/gram.c" -o "$work/fresh/gram" -lm && "$work/fresh/gram"
 report $((! $?)) 'a divisor that rounding makes 0 or turns round'
-grep -q 'proved free of zeros, |...| >= 9.9e-05; status if <= ' "$work/fresh/gram.h" &&
+grep -q 'proved free of zeros, |...| >= 9.9e-05; status if |...| <= ' "$work/fresh/gram.h" &&
     grep -q 'proved free of zeros, |...| >= 9.9e-05; status if computed as 0, not finite' "$work/fresh/gram.h"
 report $((! $?)) 'is in the banner'
 
