@@ -86,18 +86,12 @@ struct edge *dag_room(struct dag *g, size_t n)
     return g->pool[g->pools - 1] + g->pool_used - n;
 }
 
-/* A function that is not defined below 0. */
-static bool is_root(enum node_kind kind)
-{
-    return kind >= NODE_UNARY && !unary_of[kind - NODE_UNARY].negative;
-}
-
 int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size_t n)
 {
     grow_array(&g->node, g->nodes, &g->node_room, sizeof *g->node);
     struct node *node = &g->node[g->nodes];
     *node = (struct node){.kind = kind, .edges = n, .divides = kind == NODE_INVERSE};
-    node->partial = node->divides || is_root(kind);
+    node->partial = node->divides || node_is_root(kind);
     if (n > 0) {
         node->edge = dag_room(g, n);
         memcpy(node->edge, edge, n * sizeof *edge);
@@ -401,6 +395,11 @@ struct value dag_number(struct dag *g, struct value v)
     return dag_constant(rational_mul(v.coef, c));
 }
 
+bool node_is_root(enum node_kind kind)
+{
+    return kind >= NODE_UNARY && !unary_of[kind - NODE_UNARY].negative;
+}
+
 bool node_chooses(const struct node *n)
 {
     return n->kind == NODE_PDIV || n->kind == NODE_MIN || n->kind == NODE_MAX;
@@ -508,125 +507,6 @@ int dag_degree(const struct dag *g)
     free(low);
     free(high);
     return degree;
-}
-
-void dag_lose(struct dag *g, int node)
-{
-    if (g->node[node].partial)
-        APPEND(g->lost, g->losses, g->loss_room) = node;
-}
-
-/* Calls `note` with the mark of each factor of a divisor. */
-static void each_factor(const struct dag *g, int divisor, void (*note)(void *, mp_limb_t), void *context)
-{
-    const struct node *d = &g->node[divisor];
-    for (size_t k = 0; d->kind == NODE_PRODUCT && k < d->edges; k++)
-        note(context, g->node[d->edge[k].node].mark[0]);
-    if (d->kind != NODE_PRODUCT)
-        note(context, d->mark[0]);
-}
-
-static void note_divisor(void *context, mp_limb_t mark)
-{
-    struct dag *g = context;
-    APPEND(g->removed, g->removals, g->removal_room) = (struct removal){mark, false};
-}
-
-void dag_remove(struct dag *g, int node)
-{
-    dag_lose(g, node);
-    each_factor(g, node, note_divisor, g);
-}
-
-/* Notes in *g what the lost nodes of `from` divide by, and their roots. */
-static void note_lost(struct dag *g, const struct dag *from)
-{
-    bool *lost = new_array(from->nodes, sizeof *lost);
-    for (size_t i = 0; i < from->losses; i++)
-        lost[from->lost[i]] = true;
-    for (size_t n = from->losses ? from->nodes : 0; n-- > 0;) {
-        const struct node *node = &from->node[n];
-        if (!lost[n] || !node->partial)
-            continue;
-        if (node->kind == NODE_INVERSE)
-            each_factor(from, node->edge[0].node, note_divisor, g);
-        else if (is_root(node->kind))
-            APPEND(g->removed, g->removals, g->removal_room) = (struct removal){node->mark[0], true};
-        for (size_t i = 0; i < node->edges; i++)
-            lost[node->edge[i].node] = true;
-    }
-    free(lost);
-}
-
-static int compare_removals(const void *a, const void *b)
-{
-    const struct removal *x = a, *y = b;
-    return x->root != y->root ? (x->root > y->root) - (x->root < y->root) : (x->mark > y->mark) - (x->mark < y->mark);
-}
-
-/* In order, each once. */
-static void sort_removals(struct dag *g)
-{
-    size_t n = 0;
-    if (g->removals > 0)
-        qsort(g->removed, g->removals, sizeof *g->removed, compare_removals);
-    for (size_t i = 0; i < g->removals; i++)
-        if (n == 0 || compare_removals(&g->removed[n - 1], &g->removed[i]) != 0)
-            g->removed[n++] = g->removed[i];
-    g->removals = n;
-}
-
-void dag_inherit_removed(struct dag *g, const struct dag *from)
-{
-    for (size_t i = 0; i < from->removals; i++)
-        APPEND(g->removed, g->removals, g->removal_room) = from->removed[i];
-    note_lost(g, from);
-    sort_removals(g);
-}
-
-/* Sorted removals, and which of them used nodes have. */
-struct presence {
-    const struct dag *all;
-    bool *present; /* owned */
-};
-
-static void note_present(void *context, struct removal r)
-{
-    struct presence *p = context;
-    const struct removal *found =
-        p->all->removals ? bsearch(&r, p->all->removed, p->all->removals, sizeof r, compare_removals) : NULL;
-    if (found)
-        p->present[found - p->all->removed] = true;
-}
-
-static void note_used_divisor(void *context, mp_limb_t mark)
-{
-    note_present(context, (struct removal){mark, false});
-}
-
-struct removed dag_removed(const struct dag *g)
-{
-    struct dag all = {0};
-    dag_inherit_removed(&all, g);
-    struct presence p = {&all, new_array(all.removals, sizeof *p.present)};
-    int *uses = dag_uses(g);
-    for (size_t n = 0; n < g->nodes; n++) {
-        const struct node *node = &g->node[n];
-        if (!uses[n])
-            continue;
-        if (node->kind == NODE_INVERSE) {
-            each_factor(g, node->edge[0].node, note_used_divisor, &p);
-            note_used_divisor(&p, g->node[node->edge[0].node].mark[0]);
-        } else if (is_root(node->kind))
-            note_present(&p, (struct removal){node->mark[0], true});
-    }
-    struct removed removed = {0, 0};
-    for (size_t i = 0; i < all.removals; i++)
-        *(all.removed[i].root ? &removed.roots : &removed.divisions) += !p.present[i];
-    free(uses);
-    free(p.present);
-    free(all.removed);
-    return removed;
 }
 
 int *dag_uses(const struct dag *g)

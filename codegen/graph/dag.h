@@ -41,6 +41,9 @@ struct node {
     mp_limb_t mark[PRIMES]; /* values at the random points */
 };
 
+/** True for a function that is not defined below 0. */
+bool node_is_root(enum node_kind kind);
+
 /** True for a minimum, a maximum or a protected quotient: what a compiler may make a jump of. */
 bool node_chooses(const struct node *n);
 
@@ -69,7 +72,7 @@ struct dag {
 
 /** A singularity of the genome that the code has not, if nothing else has it: a divisor that cancelled, or a root. */
 struct removal {
-    mp_limb_t mark; /* of the divisor, or of the root itself */
+    mp_limb_t mark[PRIMES]; /* of the divisor, or of what the root is of */
     bool root;
 };
 

@@ -1,6 +1,7 @@
 /* Genome to graph: every value once, whatever its form; exact rationals, and their text. */
 #include "../../codegen/graph/constant_text.h"
 #include "../../codegen/graph/from_genome.h"
+#include "../../codegen/graph/rewrite.h"
 #include "../support/graph_text.h"
 
 static void test_values(void **state)
@@ -91,6 +92,10 @@ static void test_removed(void **state)
         {"- * 2 sqrt x sqrt x", 0, 0},
         {"+ - sqrt x sqrt x sqrt x", 0, 0},
         {"/ sqrt x sqrt x", 1, 1},
+        /* the divisor is another multiple of the same sum once z is made before y */
+        {"genome g\nr = z\nq = + * 0 / x + * 2 y z / a + * 2 y z", 0, 0},
+        {"genome g\nr = z\nq = + * 0 sqrt + * 2 y z sqrt + * 2 y z", 0, 0},
+        {"genome g\nr = z\nq = + * 0 sqrt + * 2 y z sqrt - * -2 y z", 0, 1},
         {"- sqrt / y x sqrt / y x", 1, 1},
         {"- max x sqrt y max x sqrt y", 0, 1},
         {"+ - abs x abs x min x x", 0, 0},
@@ -99,12 +104,16 @@ static void test_removed(void **state)
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         struct genome_file *f = row_file(row[i].genome);
         struct dag *g = row_graph(f);
-        const struct removed removed = dag_removed(g);
-        if (removed.divisions != row[i].divisions || removed.roots != row[i].roots) {
+        struct dag *again = walk_again(g);
+        for (int k = 0; k < 2; k++) {
+            const struct removed removed = dag_removed(k ? again : g);
+            if (removed.divisions == row[i].divisions && removed.roots == row[i].roots)
+                continue;
             print_message("%s: %zu divisions and %zu roots cancelled, not %zu and %zu\n", row[i].genome,
                           removed.divisions, removed.roots, row[i].divisions, row[i].roots);
             wrong++;
         }
+        dag_free(again);
         dag_free(g);
         genome_file_free(f);
     }
