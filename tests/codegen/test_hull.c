@@ -46,6 +46,25 @@ static double worst_on_hull(struct tested *t)
     return worst;
 }
 
+/* Divisors have a bound on the hull, too, and none is off by more at its points. */
+static void check_divisors(struct tested *t)
+{
+    struct program *p = t->subject.program;
+    const int output = p->output[0];
+    double *error = new_array(p->ops, sizeof *error), worst;
+    bound_errors_on_hull(t->hull, error);
+    t->subject.hull = t->hull;
+    for (size_t i = 0; i < p->ops; i++) {
+        if (p->op[i].kind != OP_DIV)
+            continue;
+        p->output[0] = p->op[i].b;
+        worst_errors(&t->subject, &worst);
+        assert_true(error[p->op[i].b] >= worst && error[p->op[i].b] < INFINITY);
+    }
+    p->output[0] = output;
+    free(error);
+}
+
 /* The root x of x x + p x = q by Newton's steps from q / (p + 1): on the hull of the values at points neither many steps nor
  * a divisor that is kept from 0 by a maximum make bounds large. */
 static void test_steps(void **state)
@@ -63,6 +82,7 @@ static void test_steps(void **state)
     snprintf(code + strlen(code), sizeof code - strlen(code), "*out_r = w%d;\n", STEPS + 1);
     struct tested t = tested_new("input p q\nrange p 0 3\nrange q 0.1 5\n", code, &arithmetic_double, 2000);
     assert_true(t.bound < 30 * worst_on_hull(&t));
+    check_divisors(&t);
     tested_free(&t);
 }
 
