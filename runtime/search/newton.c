@@ -56,6 +56,14 @@ static int step(const struct surface *f, int gauss_newton, double xi, double eta
     return number_finite(move[0]) && number_finite(move[1]);
 }
 
+/* Whether one of the triangles at the corners has an area. */
+static int has_area(const double xA[3], const double xB[3], const double xC[3], const double xD[3])
+{
+    double n[3];
+    return footpoint_normal(xA, xB, xD, n) == FOOTPOINT_OK || footpoint_normal(xB, xC, xA, n) == FOOTPOINT_OK ||
+           footpoint_normal(xC, xD, xB, n) == FOOTPOINT_OK || footpoint_normal(xD, xA, xC, n) == FOOTPOINT_OK;
+}
+
 int footpoint_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      int max_iterations, double tolerance, double loc[2], double *gap, int *iterations)
 {
@@ -67,19 +75,18 @@ int footpoint_newton(const double xA[3], const double xB[3], const double xC[3],
     const struct surface f = surface_of(xA, xB, xC, xD, xS);
     for (int n = 1; n <= max_iterations; n++) {
         if (!step(&f, n <= GAUSS_NEWTON_STEPS, xi, eta, move))
-            return n == 1 ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_ERR_NO_CONVERGENCE;
+            break;
         xi += move[0];
         eta += move[1];
         if (fabs(move[0]) > tolerance || fabs(move[1]) > tolerance)
             continue;
-        const int status = footpoint_quad4_gap(xA, xB, xC, xD, xS, xi, eta, gap);
-        if (status != FOOTPOINT_OK)
-            return status;
+        if (footpoint_quad4_gap(xA, xB, xC, xD, xS, xi, eta, gap) != FOOTPOINT_OK)
+            break;
         loc[0] = xi;
         loc[1] = eta;
         if (iterations)
             *iterations = n;
         return FOOTPOINT_OK;
     }
-    return FOOTPOINT_ERR_NO_CONVERGENCE;
+    return has_area(xA, xB, xC, xD) ? FOOTPOINT_ERR_NO_CONVERGENCE : FOOTPOINT_ERR_DEGENERATE;
 }

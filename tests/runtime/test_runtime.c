@@ -268,6 +268,30 @@ static void test_newton_statuses(void **state)
 #undef NEWTON
 }
 
+/* A segment with an area is never degenerate: slave nodes far away, corners collapsed and edges crossed. */
+static void test_newton_degenerate(void **state)
+{
+    (void)state;
+    for (uint64_t i = 0; i < 20 * SEGMENTS; i++) {
+        struct quad q = quad_draw(&quad_ordinary, i);
+        const double far = ldexp(1.0, (int)(i % 1000));
+        for (int k = 0; k < 3; k++) {
+            q.xs[k] *= far;
+            if (i % 3 == 1)
+                q.x[2][k] = q.x[3][k];
+            const double b = q.x[1][k];
+            if (i % 3 == 2) {
+                q.x[1][k] = q.x[2][k];
+                q.x[2][k] = b;
+            }
+        }
+        double loc[2] = {UNTOUCHED, UNTOUCHED}, gap = UNTOUCHED;
+        const int status = footpoint_newton(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, 20, 1e-12, loc, &gap, NULL);
+        assert_true(status == FOOTPOINT_OK || status == FOOTPOINT_ERR_NO_CONVERGENCE);
+        assert_true(status == FOOTPOINT_OK || (loc[0] == UNTOUCHED && loc[1] == UNTOUCHED && gap == UNTOUCHED));
+    }
+}
+
 static void test_strerror(void **state)
 {
     (void)state;
@@ -483,6 +507,7 @@ int main(void)
                                        cmocka_unit_test(test_collapsed),
                                        cmocka_unit_test(test_corners_without_area),
                                        cmocka_unit_test(test_newton_statuses),
+                                       cmocka_unit_test(test_newton_degenerate),
                                        cmocka_unit_test(test_strerror),
                                        cmocka_unit_test(test_pairs),
                                        cmocka_unit_test(test_pairs_refused),
