@@ -148,11 +148,13 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
                     double fm[4][3]);
 
 /** Contact forces that balance whatever (xi,eta) is: along the offset d = xS - r(xi,eta) itself, fs = -k d on the slave
- *  node if d . n < 0 with the segment's normal n there, and fm[i] = -phi_i(xi,eta) fs.  To rounding, the five forces
+ *  node if it is behind the segment there, and fm[i] = -phi_i(xi,eta) fs.  To rounding, the five forces
  *  add up to zero and so do their moments about any point, at an approximate foot point as at the exact one, and at a
  *  point clamped to an edge.  (With footpoint_force the moments add up to zero only if m is parallel to d, as the
  *  segment's normal at the exact foot point is, but not (6).)  At the exact foot point d = gap n, and these are (10),
- *  (11) with that normal, and the gradients of the energy k gap^2/2.  All forces are zero where d . n >= 0.
+ *  (11) with that normal, and the gradients of the energy k gap^2/2.
+ *  The slave node is behind the segment if d . n < -1e-12 |d|, with the segment's unit normal n there; otherwise all forces
+ *  are zero.  So a node in the plane of a flat segment, but beside it, gives no forces.
  *  @param[in]  loc        {xi, eta}
  *  @param[in]  stiffness  k >= 0, force per mesh length
  *  @param[out] fs, fm     as in footpoint_force

@@ -53,6 +53,12 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
     return act(gap < 0.0 ? -gap * stiffness : 0.0, m, loc, fs, fm);
 }
 
+/* Whether d points behind the plane with the unit normal n, clearly: of a vector within the plane, d . n is rounding. */
+static int is_behind(const double d[3], const double n[3])
+{
+    return vector_dot(d, n) < -1e-12 * hypot(hypot(d[0], d[1]), d[2]);
+}
+
 int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                              const double xS[3], const double loc[2], double stiffness, double fs[3], double fm[4][3])
 {
@@ -66,5 +72,5 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
     if (status != FOOTPOINT_OK)
         return status;
     footpoint_quad4_offset(xA, xB, xC, xD, xS, loc[0], loc[1], d);
-    return act(vector_dot(d, n) < 0.0 ? -stiffness : 0.0, d, loc, fs, fm);
+    return act(is_behind(d, n) ? -stiffness : 0.0, d, loc, fs, fm);
 }

@@ -130,6 +130,45 @@ static void test_force_open(void **state)
     }
 }
 
+static double uniform(uint64_t *stream)
+{
+    *stream = *stream * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*stream >> 11) * 0x1p-53;
+}
+
+/* A parallelogram of any position and slave nodes in its plane, 1e-3 to 10 edges beside it: no forces.  Moved behind the
+ * plane by 1e-9, they give some. */
+static void test_force_beside(void **state)
+{
+    uint64_t stream = 20246;
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        double a[3], b[3], n[3], x[4][3], r[3], xs[3], fs[3], fm[4][3], forces = 0;
+        for (int k = 0; k < 3; k++) {
+            a[k] = uniform(&stream) - 0.5;
+            b[k] = uniform(&stream) - 0.5;
+        }
+        if (footpoint_normal((const double[3]){0, 0, 0}, a, b, n) != FOOTPOINT_OK ||
+            fabs(n[0] * (a[1] * b[2] - a[2] * b[1]) + n[1] * (a[2] * b[0] - a[0] * b[2]) +
+                 n[2] * (a[0] * b[1] - a[1] * b[0])) < 0.05)
+            continue;
+        const int side = i % 4, along = side % 2;
+        double at[2], far = pow(10, 4 * uniform(&stream) - 3), behind = i % 5 ? 0 : 1e-9 * far;
+        at[along] = 2 * uniform(&stream) - 1;
+        at[!along] = side < 2 ? -1 : 1;
+        for (int k = 0; k < 3; k++) {
+            for (int c = 0; c < 4; c++)
+                x[c][k] = (c == 1 || c == 2 ? a[k] : -a[k]) + (c > 1 ? b[k] : -b[k]);
+            r[k] = at[0] * a[k] + at[1] * b[k];
+            xs[k] = r[k] + at[!along] * far * (along ? a[k] : b[k]) - behind * n[k];
+        }
+        assert_int_equal(footpoint_force_balanced(x[0], x[1], x[2], x[3], xs, at, 1e6, fs, fm), FOOTPOINT_OK);
+        for (int k = 0; k < 15; k++)
+            forces += fabs(k < 3 ? fs[k] : fm[k / 3 - 1][k % 3]);
+        assert_true((forces > 0) == (behind > 0));
+    }
+}
+
 static void test_force_refused(void **state)
 {
     const double m[3] = {0, 0, 1}, loc[2] = {0.5, -0.5}, nan = (double)NAN;
@@ -247,6 +286,7 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_normal),        cmocka_unit_test(test_parallel),
                                        cmocka_unit_test(test_gap),           cmocka_unit_test(test_forces_balance),
                                        cmocka_unit_test(test_force_open),    cmocka_unit_test(test_force_refused),
+                                       cmocka_unit_test(test_force_beside),
                                        cmocka_unit_test(test_select_inside), cmocka_unit_test(test_select_ties),
                                        cmocka_unit_test(test_select_turned), cmocka_unit_test(test_select_refused)};
     return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
