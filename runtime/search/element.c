@@ -3,7 +3,7 @@
 #include "../footpoint.h"
 #include "../geometry/vector.h"
 
-enum { MOST_COORDINATES = 30 };
+enum { MOST_NODES = 9, MOST_COORDINATES = 3 * (MOST_NODES + 1) };
 
 static int all_finite(const double *x, int n)
 {
@@ -24,9 +24,9 @@ static double largest(const double *x, int n)
 int footpoint_element_normal(int nodes, double gap, const double *d_gap, const double *hessian, double stiffness,
                              double multiplier, double *pressure, double *force, double *tangent)
 {
-    const int n = 3 * (nodes + 1);
-    if (nodes < 3 || n > MOST_COORDINATES || !(stiffness >= 0.0))
+    if (nodes < 3 || nodes > MOST_NODES || !(stiffness >= 0.0))
         return FOOTPOINT_ERR_ARGUMENT;
+    const int n = 3 * (nodes + 1);
     if (!number_finite(gap) || !number_finite(stiffness) || !number_finite(multiplier) || !all_finite(d_gap, n) ||
         !all_finite(hessian, n * (n + 1) / 2))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -107,11 +107,11 @@ int footpoint_element_friction(int nodes, const double *x, const double *phi, co
                                const double *d_normal, double pressure, double stiffness, double friction,
                                double tangential, double slip[2], double *force, double *tangent)
 {
-    const int n = 3 * (nodes + 1);
-    double way[3] = {0, 0, 0}, change[2];
+    double way[3] = {0, 0, 0}, change[2], most = 0.0, f[MOST_COORDINATES], dt[MOST_COORDINATES][3];
     struct traction y;
-    if (nodes < 3 || n > MOST_COORDINATES || !(stiffness >= 0.0 && friction >= 0.0 && tangential > 0.0))
+    if (nodes < 3 || nodes > MOST_NODES || !(stiffness >= 0.0 && friction >= 0.0 && tangential > 0.0))
         return FOOTPOINT_ERR_ARGUMENT;
+    const int n = 3 * (nodes + 1);
     for (int k = 1; k <= nodes; k++)
         for (int i = 0; i < 3; i++)
             way[i] += weight(phi, nodes, k) * (x[3 * k + i] - x[i]);
@@ -123,21 +123,28 @@ int footpoint_element_friction(int nodes, const double *x, const double *phi, co
     for (int i = 0; i < 3; i++)
         y.s[i] = way[i] - height * normal[i];
     cut_down(&y, friction * pressure, tangential);
+    if (!number_finite(y.length))
+        return FOOTPOINT_ERR_NOT_FINITE;
     if (!slip_of(&y, tangential, r_xi, r_eta, change))
         return FOOTPOINT_ERR_DEGENERATE;
     for (int c = 0; c < n; c++) {
-        double ds[3], dm[3], dt[3];
+        double ds[3], dm[3];
         for (int i = 0; i < 3; i++)
             dm[i] = d_normal[n * i + c];
         const double w = weight(phi, nodes, c / 3), turned = w * normal[c % 3] + vector_dot(way, dm);
         for (int i = 0; i < 3; i++)
             ds[i] = (i == c % 3 ? w : 0.0) - normal[i] * turned - height * dm[i];
-        change_of(&y, ds, -friction * stiffness * d_gap[c], dt);
-        force[c] = -w * y.factor * y.s[c % 3];
-        for (int r = 0; r < n; r++)
-            tangent[n * r + c] = -weight(phi, nodes, r / 3) * dt[r % 3];
+        change_of(&y, ds, -friction * stiffness * d_gap[c], dt[c]);
+        f[c] = -w * y.factor * y.s[c % 3];
+        most = fabs(w) > most ? fabs(w) : most;
     }
-    slip[0] = change[0];
-    slip[1] = change[1];
+    if (!all_finite(change, 2) || !all_finite(f, n) || !all_finite(dt[0], 3 * n) ||
+        !number_finite(most * largest(dt[0], 3 * n)))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    memcpy(slip, change, sizeof change);
+    memcpy(force, f, (size_t)n * sizeof *f);
+    for (int r = 0; r < n; r++)
+        for (int c = 0; c < n; c++)
+            tangent[n * r + c] = -weight(phi, nodes, r / 3) * dt[c][r % 3];
     return FOOTPOINT_OK;
 }

@@ -3,6 +3,7 @@
 #include "../../runtime/footpoint_face.h"
 #include "../support/quad_precision.h"
 
+#include <limits.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -266,6 +267,64 @@ static void friction_takes_any_unit(void **state)
     assert_int_equal(drag(0, 1e-11, slip, force, tangent), FOOTPOINT_ERR_DEGENERATE);
 }
 
+static double uniform(uint64_t *stream)
+{
+    *stream = *stream * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*stream >> 11) * 0x1p-53;
+}
+
+/* Sizes and stiffnesses up to 1e305: every output is finite, or none is written. */
+static void friction_is_finite_or_refused(void **state)
+{
+    static double force[15], tangent[225];
+    uint64_t stream = 20247;
+    int answers = 0;
+    (void)state;
+    for (int sample = 0; sample < 20000; sample++) {
+        const double size = pow(10, 610 * uniform(&stream) - 305), phi[4] = {0.1, 0.2, 0.3, 0.4}, normal[3] = {0, 0, 1},
+                     r_xi[3] = {size, 0, 0}, r_eta[3] = {0, size, 0};
+        double x[15], d_gap[15], d_normal[45], slip[2] = {77.25, 77.25};
+        for (int i = 0; i < 45; i++) {
+            x[i % 15] = size * (2 * uniform(&stream) - 1);
+            d_gap[i % 15] = 2 * uniform(&stream) - 1;
+            d_normal[i] = (2 * uniform(&stream) - 1) / size;
+            tangent[i] = force[i % 15] = 77.25;
+        }
+        const double pressure = pow(10, 610 * uniform(&stream) - 305), tangential = pow(10, 610 * uniform(&stream) - 305);
+        const int status =
+            footpoint_element_friction(4, x, phi, r_xi, r_eta, normal, d_gap, d_normal, pressure, pressure / size,
+                                       sample % 7 ? 0.3 : 1e250, tangential, slip, force, tangent);
+        if (status == FOOTPOINT_OK) {
+            int finite = isfinite(slip[0]) && isfinite(slip[1]);
+            for (int i = 0; i < 225; i++)
+                finite = finite && isfinite(force[i % 15]) && isfinite(tangent[i]);
+            assert_true(finite);
+            answers++;
+        } else {
+            assert_int_equal(status, FOOTPOINT_ERR_NOT_FINITE);
+            for (int i = 0; i < 45; i++)
+                assert_true(tangent[i] == 77.25 && force[i % 15] == 77.25 && slip[i % 2] == 77.25);
+        }
+    }
+    assert_in_range(answers, 5000, 19000);
+}
+
+/* No number of nodes passes by overflow: 3 (1431655765 + 1) is 2 modulo 2^32. */
+static void nodes_are_counted(void **state)
+{
+    static double zero[C * C], out[C * C], pressure, slip[2];
+    static const int wrong[] = {INT_MIN, -1431655766, -1, 0, 2, 10, 715827882, 1431655765, INT_MAX};
+    const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0}, c[3] = {0, 0, 1};
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_int_equal(footpoint_element_normal(wrong[i], 0, zero, zero, 1, 0, &pressure, out, out),
+                         FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_element_friction(wrong[i], zero, zero, a, b, c, zero, zero, 1, 1, 1, 1, slip, out,
+                                                    out),
+                         FOOTPOINT_ERR_ARGUMENT);
+    }
+}
+
 static void arguments_are_checked(void **state)
 {
     static double many[C * C], out[C * C], pressure, slip[2];
@@ -305,7 +364,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tangents_are_derivatives), cmocka_unit_test(balanced_forces_have_the_same_tangent),
         cmocka_unit_test(newton_is_quadratic),      cmocka_unit_test(friction_takes_any_unit),
-        cmocka_unit_test(arguments_are_checked),
+        cmocka_unit_test(arguments_are_checked),    cmocka_unit_test(friction_is_finite_or_refused),
+        cmocka_unit_test(nodes_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
