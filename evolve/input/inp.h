@@ -203,7 +203,7 @@ struct inp_model {
     } * surface; /* owned */
     size_t surfaces, surface_room;
     struct inp_pair {
-        int slave, master; /* indices into inp_names.name */
+        int slave, master; /* indices into inp_names.name; equal for self contact */
         struct inp_place at;
     } * pair; /* owned */
     size_t pairs, pair_room;
@@ -222,9 +222,9 @@ struct inp_list {
 };
 
 /** Nodes of a contact pair's slave surface, of nodes or, where there is none, of faces: positions in the sorted node
- *  table.  An element whose faces are not known lends all its nodes.  *nodes empty on entry.  False with the diagnostic
- *  filled: surface, set or number not defined, or nothing in it. */
-bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes);
+ *  table.  An element whose faces are not known lends all its nodes.  *faces: the surface's faces, numbered as below.  Both
+ *  lists empty on entry.  False with the diagnostic filled: surface, set or number not defined, or nothing in it. */
+bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes, struct inp_list *faces);
 
 /** Faces of a contact pair's master surface: INP_MAX_FACES * position in the sorted element table + face.  Errors as
  *  above, a surface made of nodes, and elements whose faces are not known. */

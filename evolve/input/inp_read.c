@@ -339,13 +339,16 @@ static bool begin_pair(struct reader *r)
     return true;
 }
 
+/* Two surfaces, or one in contact with itself. */
 static bool read_pair(struct reader *r)
 {
     struct inp_model *m = r->m;
     struct inp_text slave, master;
     struct inp_pair pair = {.at = m->lines.place};
-    if (!inp_field(&m->lines, &slave) || !inp_field(&m->lines, &master) || slave.n == 0 || master.n == 0)
-        return FAIL(r, "contact pair needs a slave and a master surface");
+    if (!inp_field(&m->lines, &slave) || slave.n == 0)
+        return FAIL(r, "contact pair needs a slave and a master surface, or one surface for self contact");
+    if (!inp_field(&m->lines, &master) || master.n == 0)
+        master = slave;
     if (!read_name(r, slave, &pair.slave) || !read_name(r, master, &pair.master))
         return false;
     APPEND(m->pair, m->pairs, m->pair_room) = pair;

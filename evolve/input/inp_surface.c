@@ -224,23 +224,21 @@ static void add_nodes(struct set_walk *nodes, const struct inp_list *faces)
     }
 }
 
-bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes)
+bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes, struct inp_list *faces)
 {
     const struct inp_surface *s = surface_of(m, pair->slave, INP_NODE, pair->at);
     if (!s)
         return false;
     struct set_walk walk = walk_new(m, INP_NODE);
-    struct inp_list faces = {0};
     bool done = true;
     if (s->what == INP_ELEMENT) {
-        done = surface_faces(m, s, &walk, &faces);
-        add_nodes(&walk, &faces);
+        done = surface_faces(m, s, &walk, faces);
+        add_nodes(&walk, faces);
     } else
         for (size_t i = 0; i < s->items.n && done; i++)
             done = find(&walk, &s->items.item[i]);
     *nodes = walk.found;
     walk.found = (struct inp_list){0};
     walk_clear(&walk);
-    free(faces.index);
     return done && finish(m, pair->slave, s, nodes);
 }

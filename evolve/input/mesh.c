@@ -18,11 +18,20 @@ static void copy_nodes(const struct inp_model *m, struct mesh *mesh)
     }
 }
 
-static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct mesh_pair *to)
+static void mark_faces(const struct inp_list *faces, unsigned char *carries)
 {
-    struct inp_list slaves = {0}, masters = {0};
-    const bool done = inp_slave_nodes(m, pair, &slaves) && inp_master_faces(m, pair, &masters);
+    for (size_t i = 0; i < faces->n; i++)
+        carries[faces->index[i] / INP_MAX_FACES] = 1;
+}
+
+/* carries: 1 for elements that a face of the pair belongs to, by position. */
+static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct mesh_pair *to, unsigned char *carries)
+{
+    struct inp_list slaves = {0}, faces = {0}, masters = {0};
+    const bool done = inp_slave_nodes(m, pair, &slaves, &faces) && inp_master_faces(m, pair, &masters);
     if (done) {
+        mark_faces(&faces, carries);
+        mark_faces(&masters, carries);
         to->slave = new_array(slaves.n, sizeof *to->slave);
         to->master = new_array(masters.n, sizeof *to->master);
         for (to->slaves = 0; to->slaves < slaves.n; to->slaves++)
@@ -33,8 +42,43 @@ static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct m
         }
     }
     free(slaves.index);
+    free(faces.index);
     free(masters.index);
     return done;
+}
+
+enum { IS_SLAVE = 1, IS_MASTER = 2 };
+
+/* IS_SLAVE and IS_MASTER by node. */
+static unsigned char *contact_nodes(const struct mesh *mesh)
+{
+    unsigned char *is = new_array(mesh->nodes, sizeof *is);
+    for (const struct mesh_pair *p = mesh->pair; p < mesh->pair + mesh->pairs; p++) {
+        for (size_t i = 0; i < p->slaves; i++)
+            is[p->slave[i]] |= IS_SLAVE;
+        for (size_t k = 0; k < p->masters; k++)
+            for (int i = 0; i < p->master[k].nodes; i++)
+                is[p->master[k].node[i]] |= IS_MASTER;
+    }
+    return is;
+}
+
+static void copy_elements(const struct inp_model *m, const unsigned char *carries, struct mesh *mesh)
+{
+    unsigned char *is = contact_nodes(mesh);
+    size_t room = 0;
+    for (size_t at = 0; at < m->elements.n; at++) {
+        const struct inp_element *e = &m->element[m->elements.entry[at].order];
+        struct mesh_element copy = {.nodes = carries[at] ? e->nodes : 0};
+        int both = 0;
+        for (int i = 0; i < copy.nodes; i++) {
+            copy.node[i] = m->connectivity[e->first + (size_t)i];
+            both |= is[copy.node[i]];
+        }
+        if (both == (IS_SLAVE | IS_MASTER))
+            APPEND(mesh->element, mesh->elements, room) = copy;
+    }
+    free(is);
 }
 
 struct mesh *mesh_read(const char *path, struct diag *d)
@@ -46,8 +90,12 @@ struct mesh *mesh_read(const char *path, struct diag *d)
     bool done = m->pairs > 0 || diag_at(d, path, 0, 0, "no contact pair: *CONTACT PAIR expected");
     copy_nodes(m, mesh);
     mesh->pair = new_array(m->pairs, sizeof *mesh->pair);
+    unsigned char *carries = new_array(m->elements.n, 1);
     for (mesh->pairs = 0; done && mesh->pairs < m->pairs; mesh->pairs++)
-        done = copy_pair(m, &m->pair[mesh->pairs], &mesh->pair[mesh->pairs]);
+        done = copy_pair(m, &m->pair[mesh->pairs], &mesh->pair[mesh->pairs], carries);
+    if (done)
+        copy_elements(m, carries, mesh);
+    free(carries);
     mesh->file = new_array(m->lines.files, sizeof *mesh->file);
     for (; mesh->files < m->lines.files; mesh->files++)
         mesh->file[mesh->files] = new_text(m->lines.file[mesh->files].path, strlen(m->lines.file[mesh->files].path));
@@ -101,6 +149,7 @@ void mesh_free(struct mesh *m)
     free(m->xyz);
     free(m->label);
     free(m->pair);
+    free(m->element);
     for (size_t i = 0; i < m->files; i++)
         free(m->file[i]);
     free(m->file);

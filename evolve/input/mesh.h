@@ -12,6 +12,14 @@ struct mesh_face {
     int node[9]; /* indices into xyz */
 };
 
+enum { MESH_ELEMENT_NODES = 27 };
+
+/** An element under a contact surface. */
+struct mesh_element {
+    int nodes;
+    int node[MESH_ELEMENT_NODES]; /* indices into xyz */
+};
+
 /** The slave nodes and the master faces of all contact pairs of a model. */
 struct mesh {
     double (*xyz)[3]; /* owned; nodes x 3, mesh length */
@@ -24,6 +32,9 @@ struct mesh {
         size_t masters;
     } * pair; /* owned */
     size_t pairs;
+    struct mesh_element
+        *element; /* owned: elements under contact surfaces that hold both slave nodes and nodes of masters */
+    size_t elements;
     char **file; /* owned: the paths that it was read from, included files, too */
     size_t files;
 };

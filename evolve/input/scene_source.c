@@ -137,7 +137,8 @@ static void add(SHA2_CTX *sum, const void *data, size_t bytes)
         SHA256Update(sum, data, bytes);
 }
 
-/* What the mesh contributes to the scene's digest: its nodes and contact pairs, whatever files they stand in. */
+/* What the mesh contributes to the scene's digest: its nodes, contact pairs and the elements that join slave nodes to
+ * masters, whatever files they stand in. */
 static void add_mesh(SHA2_CTX *sum, const struct mesh *m)
 {
     add(sum, m->xyz, m->nodes * sizeof *m->xyz);
@@ -147,6 +148,8 @@ static void add_mesh(SHA2_CTX *sum, const struct mesh *m)
         for (size_t k = 0; k < p->masters; k++)
             add(sum, p->master[k].node, (size_t)p->master[k].nodes * sizeof *p->master[k].node);
     }
+    for (size_t i = 0; i < m->elements; i++)
+        add(sum, m->element[i].node, (size_t)m->element[i].nodes * sizeof *m->element[i].node);
 }
 
 /* The scene's kind of segment is the one that it names, or what all master faces are. */

@@ -1,10 +1,12 @@
 /* Samples of a user's own mesh.  Real pairs: every slave node with every master face whose certain foot point lies
  * within the face, or up to a tenth of it outside, and nearer than the scene's distance; one half, chosen by seed,
  * trains, the other is held out.  Beside them random slave nodes over the master faces, from one stream for training
- * and another for the held-out set.  Slave nodes are sorted by x, so that a face meets only those of its own slab. */
+ * and another for the held-out set.  Slave nodes are sorted by x, so that a face meets only those of its own slab.  Nodes
+ * of the face and of elements around it are no slave nodes of it: mesh_neighbours.h. */
 #include "../common/stream.h"
 #include "../input/mesh.h"
 #include "../surface/surface.h"
+#include "mesh_neighbours.h"
 #include "samples.h"
 
 #include <gsl/gsl_randist.h>
@@ -70,7 +72,8 @@ static double negative_part(int nodes)
     return nodes > 4 ? 1.3 : 2 * MESH_OVERHANG * (1 + MESH_OVERHANG); /* nine nodes: 1.27 at the corners */
 }
 
-static void search(const struct scene *scene, const struct mesh *mesh, const struct mesh_pair *p, struct pairs *found)
+static void search(const struct scene *scene, const struct mesh *mesh, const struct mesh_pair *p,
+                   struct neighbours *around, struct pairs *found)
 {
     const struct surface *surface = surface_find(scene->segment);
     const double distance = scene->mesh.distance;
@@ -89,12 +92,14 @@ static void search(const struct scene *scene, const struct mesh *mesh, const str
             least = fmin(least, pair.s.x[i][0]);
             most = fmax(most, pair.s.x[i][0]);
         }
+        neighbours_of(around, &p->master[f]);
         const double margin = distance + negative_part(p->master[f].nodes) * (most - least);
         for (size_t i = first_from(slave, p->slaves, least - margin); i < p->slaves && slave[i].x <= most + margin;
              i++) {
             pair.slave = slave[i].node;
             memcpy(pair.s.xs, mesh->xyz[pair.slave], sizeof pair.s.xs);
-            if (!surface->foot(surface, &pair.s, lo, hi) || !(fabs(pair.s.gap) < distance))
+            if (neighbours_has(around, pair.slave) || !surface->foot(surface, &pair.s, lo, hi) ||
+                !(fabs(pair.s.gap) < distance))
                 continue;
             APPEND(found->pair, found->n, found->room) = pair;
         }
@@ -118,11 +123,14 @@ static void remove_repeated(struct pairs *found)
 static bool find_pairs(const struct scene *scene, const struct mesh *mesh, struct pairs *found, struct diag *d)
 {
     const char *file = scene->mesh.file;
+    struct neighbours *around = neighbours_new(mesh);
     for (size_t i = 0; i < mesh->pairs; i++)
-        search(scene, mesh, &mesh->pair[i], found);
+        search(scene, mesh, &mesh->pair[i], around, found);
+    neighbours_free(around);
     remove_repeated(found);
     if (found->n == 0)
-        return diag_at(d, file, 0, 0, "no slave node within a distance of %g over a master face", scene->mesh.distance);
+        return diag_at(d, file, 0, 0, "no slave node within a distance of %g over a master face%s",
+                       scene->mesh.distance, mesh->elements > 0 ? ", but for nodes of elements around it" : "");
     return true;
 }
 

@@ -95,3 +95,57 @@ run -o "$work/o.gen" --front "$work/f.gen" --members 1 --generations 0 > "$work/
 expect 'members without generations' 0 1 '' grep -c '^genome' "$work/f.gen"
 expect 'samples of a checkpoint' 2 '' 'footpoint-evolve: error: --resume and --samples exclude each other' \
     "$evolve" --resume x --samples y.csv
+
+# ---- self contact: a strip of shells folded onto itself, its layers 1/8 apart; all names of one surface mean the same ----
+strip() { # strip TYPE: two elements wide, six long, one element round the bend, six back
+    awk -v type="$1" 'BEGIN {
+        print "*NODE"
+        for (i = 0; i <= 26; i++)
+            for (j = 0; j <= 4; j++) {
+                x = i <= 12 ? i / 2 : i == 13 ? 6 : 6 - 0.46 * (i - 14); z = i <= 12 ? 0 : i == 13 ? 0.0625 : 0.125
+                printf "%d, %.15g, %.15g, %.15g\n", 1 + 5 * i + j, x, j / 2, z
+            }
+        print "*ELEMENT, TYPE=" type ", ELSET=E"
+        for (i = 0; i < 26; i += 2)
+            for (j = 0; j < 4; j += 2) {
+                a = 1 + 5 * i + j; b = a + 10; c = b + 2; d = a + 2; ab = a + 5; bc = b + 1; cd = d + 5; da = a + 1; m = a + 6
+                if (type == "S4") print ++e ", " a ", " b ", " c ", " d
+                if (type == "S8") print ++e ", " a ", " b ", " c ", " d ", " ab ", " bc ", " cd ", " da
+                if (type == "S9") print ++e ", " a ", " b ", " c ", " d ", " ab ", " bc ", " cd ", " da ", " m
+                if (type == "S3") { print ++e ", " a ", " b ", " c; print ++e ", " a ", " c ", " d }
+                if (type == "S6") { print ++e ", " a ", " b ", " c ", " ab ", " bc ", " m; print ++e ", " a ", " c ", " d ", " m ", " cd ", " da }
+            }
+        print "*SURFACE, NAME=M\nE, SPOS\n*SURFACE, NAME=S\nE, SPOS\n*NSET, NSET=N, ELSET=E\n*CONTACT PAIR"
+    }'
+}
+# Held-out samples: how many, and whether all slave nodes are 1/8 above the face, and none of its nodes.
+gaps() {
+    awk -F, '/^heldout,/ { n++; z = $4; for (i = 2; i < NF - 4; i += 3) if ($(i + 2) != z || $(NF - 2) == z) bad++ } END { print n, bad + 0 }' "$1"
+}
+for row in S4 S8 S9 S3 S6; do
+    echo 'training = 10; heldout = 10; mesh: { file = "strip.inp"; distance = 0.2; };' > "$work/s.scene"
+    for pair in 'M, M' M 'M,' 'S, M'; do
+        { strip "$row"; echo "$pair"; } > "$work/strip.inp"
+        "$evolve" --scene "$work/s.scene" --samples "$work/strip.csv" || break
+        grep '^heldout,' "$work/strip.csv" > "$work/samples.${pair%%,*}"
+        [ "$pair" = 'M, M' ] && cp "$work/strip.csv" "$work/first.csv"
+        grep '^heldout,' "$work/first.csv" | cmp -s - "$work/samples.${pair%%,*}"; report $((! $?)) "self contact of $row: $pair"
+    done
+    gaps "$work/first.csv" > "$work/gaps"
+    awk -v type=$row '{ exit !((type == "S4" ? $1 == 26 : $1 > 20) && $2 == 0) }' "$work/gaps" # 26: counted by hand
+    report $((! $?)) "self contact of $row: across the gap only"
+done
+
+# A block one element thick, in contact with itself: its back is no slave of its front.
+{
+    awk 'BEGIN {
+        print "*NODE"
+        for (k = 0; k < 2; k++) for (i = 0; i < 4; i++) for (j = 0; j < 4; j++) print ++n ", " i ", " j ", " 0.125 * k
+        print "*ELEMENT, TYPE=C3D8, ELSET=E"
+        for (i = 0; i < 3; i++) for (j = 0; j < 3; j++) {
+            a = 1 + 4 * i + j; print ++e ", " a ", " a + 4 ", " a + 5 ", " a + 1 ", " a + 16 ", " a + 20 ", " a + 21 ", " a + 17
+        }
+        print "*SURFACE, NAME=M\nE, S1\nE, S2\n*CONTACT PAIR\nM, M"
+    }'
+} > "$work/strip.inp"
+refused 'a thin block' "$work/strip.inp: error: no slave node within a distance of 0.2 over a master face, but for nodes of elements around it"

@@ -97,8 +97,10 @@ static const struct {
 
     {MODEL SLAVE "*CONTACT PAIR\n", "model.inp:12: error: *CONTACT PAIR names no surfaces"},
     {MODEL SLAVE "*CONTACT PAIR\n*STEP\n", "model.inp:12: error: *CONTACT PAIR names no surfaces"},
-    {MODEL SLAVE "*CONTACT PAIR\nS\n", "model.inp:13: error: contact pair needs a slave and a master surface"},
-    {MODEL SLAVE "*CONTACT PAIR\n, M\n", "model.inp:13: error: contact pair needs a slave and a master surface"},
+    {MODEL SLAVE "*CONTACT PAIR\nS\n",
+     "model.inp:13: error: master surface 'S' is made of nodes; it must be made of element faces"},
+    {MODEL SLAVE "*CONTACT PAIR\n, M\n",
+     "model.inp:13: error: contact pair needs a slave and a master surface, or one surface for self contact"},
     {MODEL SLAVE "*CONTACT PAIR\nT, M\n", "model.inp:13: error: surface 'T' is not defined"},
     {MODEL SLAVE "*CONTACT PAIR\nS, E\n", "model.inp:13: error: surface 'E' is not defined"},
     {MODEL SLAVE "*CONTACT PAIR\nM, S\n",
