@@ -2,7 +2,9 @@
  *   NAME:    one pair, with a status; where the quick way does not tell, once more in another unit of length;
  *   NAME_n:  many pairs, from columns of coordinates;
  *   FOOTPOINT_KIND_GENOME_OF(search): a macro that defines the two joined with a search, search_GENOME and search_GENOME_n.
- * The row `require` is not written: its elements are > 0 where there is an answer. */
+ * The row `require` is not written: its elements are > 0 where there is an answer.
+ * The quick way is for moderate numbers, of which all rows are finite; of others they are computed in the other unit of
+ * length and checked one by one, and so are tangents that might be rounding. */
 #include "header_place.h"
 
 #include "../genome/text.h"
@@ -26,6 +28,11 @@ struct rows {
     struct row row[MOST_ROWS];
     size_t n, required; /* of the row `require` */
 };
+
+static bool row_is(const struct row *r, const char *name)
+{
+    return r->length == strlen(name) && strncmp(r->name, name, r->length) == 0;
+}
 
 /* An output that is 0 in any unit of length. */
 static bool is_zero(const struct program *p, size_t output)
@@ -67,9 +74,9 @@ static bool is_one_of(const char *const *list, const char *name, size_t length)
 /* Names of the emitted functions' variables, and words of C and C++. */
 static bool is_taken(const struct unit *u, const char *name, size_t length)
 {
-    static const char *const own[] = {"xi",     "eta",   "loc",      "n",      "i",       "p",    "x",
-                                      "y",      "at",    "row",      "step",   "always",  "flaw", "zero",
-                                      "status", "shape", "distance", "search", "require", NULL};
+    static const char *const own[] = {"xi",    "eta",      "loc",    "n",       "i",     "p",     "x",    "y",
+                                      "at",    "row",      "step",   "always",  "again", "flaw",  "zero", "status",
+                                      "shape", "distance", "search", "require", "space", "value", NULL};
     static const char *const word[] = {
         "auto",    "bool",      "break",    "case",     "catch",   "char",      "class",    "const",    "continue",
         "default", "delete",    "do",       "double",   "else",    "enum",      "explicit", "export",   "extern",
@@ -129,15 +136,25 @@ bool place_check(const struct unit *u, struct diag *d)
     return true;
 }
 
-/* Vectors that the program reads; those alone that require or a divisor depends on, whose flaws show there. */
-static bool *vectors_read(const struct unit *u, const struct function *f, bool shown)
+enum { ROLE_REQUIRE = 1, ROLE_GAP = 2, ROLE_OTHER = 4, ROLE_ANY = 7 };
+
+static int role_of(const char *name)
+{
+    const size_t length = strcspn(name, "[");
+    if (length == strlen("require") && strncmp(name, "require", length) == 0)
+        return ROLE_REQUIRE;
+    return length == strlen("gap") && strncmp(name, "gap", length) == 0 ? ROLE_GAP : ROLE_OTHER;
+}
+
+/* By vector: rows of these roles depend on it.  Divisors are tested as ROLE_REQUIRE is, so that its flaws show there. */
+static bool *vectors_read(const struct unit *u, const struct function *f, int roles)
 {
     const struct program *p = f->program;
     bool *read = new_array(p->ops, sizeof *read),
          *vector = new_array(segment_vectors(u->file->segment) + 1, sizeof *vector);
     for (size_t k = 0; k < p->outputs; k++)
-        read[p->output[k]] = !shown || strncmp(f->genome->out[k].name, "require", 7) == 0;
-    for (size_t i = 0; f->evidence && i < f->evidence->denominators; i++)
+        read[p->output[k]] = read[p->output[k]] || (roles & role_of(f->genome->out[k].name));
+    for (size_t i = 0; (roles & ROLE_REQUIRE) && f->evidence && i < f->evidence->denominators; i++)
         read[f->evidence->denominator[i].op] = true;
     for (size_t i = p->ops; i-- > p->inputs;)
         for (int h = 0; read[i] && h < 2; h++)
@@ -147,6 +164,21 @@ static bool *vectors_read(const struct unit *u, const struct function *f, bool s
         vector[i / 3] = vector[i / 3] || read[i];
     free(read);
     return vector;
+}
+
+/* The slave node is read by rows of these roles. */
+static bool slave_read(const struct unit *u, const struct function *f, int roles)
+{
+    bool *read = vectors_read(u, f, roles);
+    const bool slave = read[segment_vectors(u->file->segment)];
+    free(read);
+    return slave;
+}
+
+/* Only the row `gap` depends on the slave node. */
+static bool gap_alone(const struct unit *u, const struct function *f)
+{
+    return slave_read(u, f, ROLE_GAP) && !slave_read(u, f, ROLE_REQUIRE | ROLE_OTHER);
 }
 
 /* The vectors and rows by the names that statements have for them. */
@@ -168,7 +200,7 @@ static void print_names(const struct unit *u, const struct rows *r, FILE *out)
 
 static void print_unused(const struct unit *u, const struct function *f, FILE *out)
 {
-    bool *reads = vectors_read(u, f, false);
+    bool *reads = vectors_read(u, f, ROLE_ANY);
     for (size_t i = 0; i < segment_vectors(u->file->segment); i++) {
         char name[4];
         segment_vector_name(u->file->segment, i, name);
@@ -200,6 +232,35 @@ static void print_row(const struct rows *r, size_t row, const char *statements, 
     fputs("    }\n", out);
 }
 
+/* The value that statements give the row `gap`; NULL if there is none. */
+static char *gap_value(const struct rows *r, const char *statements)
+{
+    for (const char *t = statements, *end; *t; t = end + 2) {
+        end = strstr(t, ";\n");
+        const char *text = t + strspn(t, " "), *value = strstr(text, "= ") + 2;
+        const size_t row = row_of(r, text);
+        if (row < r->n && row_is(&r->row[row], "gap"))
+            return new_text(value, (size_t)(end - value));
+    }
+    return NULL;
+}
+
+/* The row `gap` if only it depends on the slave node: its value is tested in place of the slave node. */
+static void print_gap(const struct unit *u, const struct rows *r, const char *statements, FILE *out)
+{
+    char *value = gap_value(r, statements);
+    char *text = new_format("    if (always || gap) {\n        const REAL value = %s;\n"
+                            "        flaw |= again ? 0 : footpoint_detail_infinite(value);\n"
+                            "        if (!always && flaw >> REAL_TOP)\n            return flaw;\n"
+                            "        gap[0 * step] = value;\n    } else {\n"
+                            "        flaw |= footpoint_detail_infinite(xS[0] + xS[1] + xS[2]);\n"
+                            "        if (flaw >> REAL_TOP)\n            return flaw;\n    }\n",
+                            value);
+    c_print(text, u->options.precision, out);
+    free(text);
+    free(value);
+}
+
 static void print_others(const struct rows *r, const char *statements, FILE *out)
 {
     for (const char *t = statements, *end; *t; t = end + 2) {
@@ -209,27 +270,58 @@ static void print_others(const struct rows *r, const char *statements, FILE *out
     }
 }
 
-static void print_flaw(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+/* The nodes that no test depends on, " | footpoint_detail_infinite(xF[0] + xF[1] + xF[2])". */
+static void add_hidden_nodes(const struct unit *u, const struct function *f, FILE *out)
 {
-    char *flaw = c_flaw(u, f, false);
-    struct memory *m = memory_open();
-    fprintf(m->stream, "    flaw = %s", flaw);
-    for (size_t i = 0; i < r->required; i++)
-        fprintf(m->stream, " | footpoint_detail_not_above(require[%zu])", i);
-    bool *reads = vectors_read(u, f, false), *shown = vectors_read(u, f, true);
+    bool *reads = vectors_read(u, f, ROLE_ANY), *shown = vectors_read(u, f, ROLE_REQUIRE);
     for (size_t i = 0; i < segment_vectors(u->file->segment); i++) {
         char name[4];
         segment_vector_name(u->file->segment, i, name);
         if (reads[i] && !shown[i])
-            fprintf(m->stream, " | footpoint_detail_infinite(%s[0] + %s[1] + %s[2])", name, name, name);
+            fprintf(out, " | footpoint_detail_infinite(%s[0] + %s[1] + %s[2])", name, name, name);
     }
-    fputs(" | footpoint_detail_infinite(xS[0] + xS[1] + xS[2] + xi + eta);", m->stream);
     free(reads);
     free(shown);
+}
+
+/* What the quick way is not for: places far away, and slave nodes whose distance might take rows beyond all numbers.  On
+ * faces whose tangents have no slopes but a twist, only the gap does. */
+static char *far_text(const struct unit *u, const struct function *f, const struct rows *r, const char *statements)
+{
+    const struct segment_kind *kind = u->file->segment;
+    const size_t nodes = strlen(kind->nodes);
+    char *gap = nodes > 4 || *kind->normals ? NULL : gap_value(r, statements);
+    struct memory *m = memory_open();
+    fprintf(m->stream, "        flaw |= footpoint_detail_far(%s)",
+            nodes % 3 == 0 && nodes < 9 ? "xi, eta" : "0.5 * xi, 0.5 * eta");
+    if (slave_read(u, f, ROLE_REQUIRE | ROLE_OTHER))
+        fprintf(m->stream, " | footpoint_detail_above(%s, FOOTPOINT_DETAIL_MOST)",
+                gap ? gap : "fabs(xS[0]) + fabs(xS[1]) + fabs(xS[2])");
+    else if (!gap_alone(u, f))
+        fputs(" | footpoint_detail_infinite(xS[0] + xS[1] + xS[2])", m->stream);
+    fputs(";", m->stream);
+    free(gap);
+    return memory_close(m);
+}
+
+static void print_flaw(const struct unit *u, const struct function *f, const struct rows *r, const char *statements,
+                       FILE *out)
+{
+    char *flaw = c_flaw(u, f, false), *far = far_text(u, f, r, statements);
+    struct memory *m = memory_open();
+    fprintf(m->stream, "    flaw = %s", flaw);
+    for (size_t i = 0; i < r->required; i++)
+        fprintf(m->stream, " | footpoint_detail_not_above(require[%zu])", i);
+    add_hidden_nodes(u, f, m->stream);
+    fputs(";", m->stream);
     char *text = memory_close(m);
     c_print_broken(text, out);
-    c_print("    if (!always && flaw >> REAL_TOP)\n        return flaw;\n", u->options.precision, out);
+    fputs("    if (!again)\n", out);
+    c_print_broken(far, out);
+    if (!gap_alone(u, f))
+        c_print("    if (!always && flaw >> REAL_TOP)\n        return flaw;\n", u->options.precision, out);
     free(text);
+    free(far);
     free(flaw);
 }
 
@@ -243,25 +335,20 @@ static void print_place(const struct unit *u, const struct function *f, const st
     const int column = fprintf(out, "footpoint_detail_%s(", f->name);
     c_print("const REAL *const *x, REAL xi, REAL eta,\n", u->options.precision, out);
     fprintf(out, "%*s", column, "");
-    c_print("REAL *const *row, size_t step, int always)\n{\n", u->options.precision, out);
+    c_print("REAL *const *row, size_t step, int always, int again)\n{\n", u->options.precision, out);
     c_print(head, u->options.precision, out);
     print_unused(u, f, out);
     print_others(r, statements, out);
-    print_flaw(u, f, r, out);
+    print_flaw(u, f, r, statements, out);
+    const bool gap = gap_alone(u, f);
+    if (gap)
+        print_gap(u, r, statements, out);
     for (size_t i = 0; i < r->n; i++)
-        print_row(r, i, statements, out);
+        if (!gap || !row_is(&r->row[i], "gap"))
+            print_row(r, i, statements, out);
     fputs("    return flaw;\n}\n", out);
     free(head);
     free(statements);
-}
-
-/* "const int shape[6] = {15, -1, 15, -1, 15, 0};": sizes and degrees. */
-static void print_shape(const struct rows *r, const char *indent, FILE *out)
-{
-    fprintf(out, "%sconst int shape[%zu] = {", indent, 2 * r->n);
-    for (size_t i = 0; i < r->n; i++)
-        fprintf(out, "%s%zu, %d", i ? ", " : "", r->row[i].size, r->row[i].degree);
-    fputs("};\n", out);
 }
 
 /* "double *const row[3] = {d_xi, d_eta, d_gap};", the elements of pair i. */
@@ -273,13 +360,45 @@ static void print_rows(const struct unit *u, const struct rows *r, const char *i
     fputs("};\n", out);
 }
 
-/* "footpoint_detail_place_again(NAME, x, 4, 5, XI, ETA, row, STEP, 3, shape);" */
-static void print_again(const struct unit *u, const struct function *f, const struct rows *r, const char *x,
-                        const char *place, FILE *out)
+/* The first function, no later than f, that gives tangents, rows r_xi and r_eta; *row: the number of r_xi.  NULL: none. */
+static const struct function *tangents_of(const struct unit *u, const struct function *f, size_t *row)
 {
-    c_print("footpoint_detail_place_again(", u->options.precision, out);
-    fprintf(out, "\n                footpoint_detail_%s, %s, %zu, %zu, %s, %zu, shape);\n", f->name, x,
-            strlen(u->file->segment->nodes), segment_vectors(u->file->segment) + 1, place, r->n);
+    for (const struct function *g = u->function; g <= f; g++) {
+        const struct rows r = find_rows(u, g);
+        for (*row = 0; *row + 1 < r.n; ++*row)
+            if (row_is(&r.row[*row], "r_xi") && row_is(&r.row[*row + 1], "r_eta"))
+                return g;
+    }
+    return NULL;
+}
+
+/* The power of xi and eta that tangents grow with. */
+static int tangent_degree(const struct segment_kind *kind)
+{
+    const size_t nodes = strlen(kind->nodes);
+    return *kind->normals ? 5 : nodes == 9 ? 3 : nodes == 8 ? 2 : nodes == 3 ? 0 : 1;
+}
+
+/* A function of its own, so that callers stay small: of each row "size, degree", and room for all of them. */
+static void print_again(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+{
+    const char *real = lines_real(u);
+    size_t row = 0, size = 0;
+    const struct function *g = tangents_of(u, f, &row);
+    const int column = fprintf(out, "\nFOOTPOINT_COLD int footpoint_detail_%s_again(", f->name) - 1;
+    fprintf(out, "const %s *const *x, %s xi, %s eta,\n%*s%s *const *row, size_t step)\n{\n", real, real, real, column,
+            "", real);
+    fprintf(out, "    const int shape[%zu] = {", 2 * r->n);
+    for (size_t i = 0; i < r->n; size += r->row[i++].size)
+        fprintf(out, "%s%zu, %d", i ? ", " : "", r->row[i].size, r->row[i].degree);
+    fprintf(out, "};\n    %s space[%zu];\n    return footpoint_detail_place_again(footpoint_detail_%s,\n        ", real,
+            size, f->name);
+    if (g)
+        fprintf(out, "footpoint_detail_%s, %zu, %d,", g->name, row, tangent_degree(u->file->segment));
+    else
+        fputs("0, 0, 0,", out);
+    fprintf(out, "\n        x, %zu, %zu, xi, eta, row, step, %zu, shape, space);\n}\n\n",
+            strlen(u->file->segment->nodes), segment_vectors(u->file->segment) + 1, r->n);
 }
 
 /* Joined with a search: what goes before the same of NAME alone. */
@@ -301,17 +420,15 @@ static void print_one(const struct unit *u, const struct function *f, const stru
         c_print("    REAL xi, eta;\n    REAL_BITS flaw = ", precision, out);
         fprintf(out, "footpoint_detail_##search(%s, ", names);
         c_print("0.0, &xi, &eta);\n", precision, out);
-        fprintf(out, "    flaw |= footpoint_detail_%s(x, xi, eta, row, 1, 0);\n", f->name);
+        fprintf(out, "    flaw |= footpoint_detail_%s(x, xi, eta, row, 1, 0, 0);\n", f->name);
         c_print("    if (flaw >> REAL_TOP) {\n        REAL distance;\n", precision, out);
         fprintf(out, "        const int status = search(%s, loc, &distance);\n", names);
         fprintf(out, "        if (status != FOOTPOINT_OK)\n            return status;\n");
     } else {
-        fprintf(out, "    if (footpoint_detail_%s(x, loc[0], loc[1], row, 1, 0) >> ", f->name);
+        fprintf(out, "    if (footpoint_detail_%s(x, loc[0], loc[1], row, 1, 0, 0) >> ", f->name);
         c_print("REAL_TOP) {\n", precision, out);
     }
-    print_shape(r, "        ", out);
-    fputs("        return ", out);
-    print_again(u, f, r, "x", "loc[0], loc[1], row, 1", out);
+    fprintf(out, "        return footpoint_detail_%s_again(x, loc[0], loc[1], row, 1);\n", f->name);
     fputs(joined ? "    }\n    loc[0] = xi;\n    loc[1] = eta;\n" : "    }\n", out);
     fputs("    return FOOTPOINT_OK;\n}\n", out);
     free(last);
@@ -344,7 +461,6 @@ static void print_loop(const struct unit *u, const struct function *f, const str
     for (size_t i = 0; i < r->n; i++)
         fprintf(out, "%*s%s *FOOTPOINT_RESTRICT %.*s,\n", column, "", real, (int)r->row[i].length, r->row[i].name);
     fprintf(out, "%*sint *FOOTPOINT_RESTRICT status)\n{\n", column, "");
-    print_shape(r, "    ", out);
     if (joined)
         c_print("    const REAL zero = footpoint_detail_zero();\n", u->options.precision, out);
     fputs("    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n", out);
@@ -353,7 +469,7 @@ static void print_loop(const struct unit *u, const struct function *f, const str
     if (joined) {
         c_print("        REAL at[2];\n        REAL_BITS flaw = ", u->options.precision, out);
         fprintf(out, "footpoint_detail_##search(%s, zero, &at[0], &at[1]);\n", vectors);
-        fprintf(out, "        flaw |= footpoint_detail_%s(y, at[0], at[1], row, n, 1);\n", f->name);
+        fprintf(out, "        flaw |= footpoint_detail_%s(y, at[0], at[1], row, n, 1, 0);\n", f->name);
         fputs("        xi[i] = at[0];\n        eta[i] = at[1];\n        status[i] = FOOTPOINT_ERR_DEGENERATE * "
               "(int)(flaw >> ",
               out);
@@ -361,7 +477,7 @@ static void print_loop(const struct unit *u, const struct function *f, const str
         fprintf(
             out,
             "        status[i] = FOOTPOINT_ERR_DEGENERATE *\n            (int)(footpoint_detail_%s(y, xi[i], eta[i], "
-            "row, n, 1) >> ",
+            "row, n, 1, 0) >> ",
             f->name);
     c_print("REAL_TOP);\n    }\n    for (i = 0; i < n; i++)\n        if (status[i] != FOOTPOINT_OK) {\n",
             u->options.precision, out);
@@ -374,8 +490,7 @@ static void print_loop(const struct unit *u, const struct function *f, const str
             "            xi[i] = at[0];\n            eta[i] = at[1];\n            if (status[i] == FOOTPOINT_OK)\n    ",
             out);
     }
-    fputs("            status[i] = ", out);
-    print_again(u, f, r, "y", "xi[i], eta[i], row, n", out);
+    fprintf(out, "            status[i] = footpoint_detail_%s_again(y, xi[i], eta[i], row, n);\n", f->name);
     fputs("        }\n}\n", out);
     free(vectors);
     free(name);
@@ -419,7 +534,7 @@ void place_print(const struct unit *u, const struct function *f, FILE *out)
 {
     const struct rows r = find_rows(u, f);
     print_place(u, f, &r, out);
-    fputc('\n', out);
+    print_again(u, f, &r, out);
     print_one(u, f, &r, false, out);
     print_loop(u, f, &r, false, out);
     print_joined(u, f, &r, out);

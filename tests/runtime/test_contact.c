@@ -286,8 +286,8 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_normal),        cmocka_unit_test(test_parallel),
                                        cmocka_unit_test(test_gap),           cmocka_unit_test(test_forces_balance),
                                        cmocka_unit_test(test_force_open),    cmocka_unit_test(test_force_refused),
-                                       cmocka_unit_test(test_force_beside),
-                                       cmocka_unit_test(test_select_inside), cmocka_unit_test(test_select_ties),
-                                       cmocka_unit_test(test_select_turned), cmocka_unit_test(test_select_refused)};
+                                       cmocka_unit_test(test_force_beside),  cmocka_unit_test(test_select_inside),
+                                       cmocka_unit_test(test_select_ties),   cmocka_unit_test(test_select_turned),
+                                       cmocka_unit_test(test_select_refused)};
     return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
 }

@@ -290,7 +290,8 @@ static void friction_is_finite_or_refused(void **state)
             d_normal[i] = (2 * uniform(&stream) - 1) / size;
             tangent[i] = force[i % 15] = 77.25;
         }
-        const double pressure = pow(10, 610 * uniform(&stream) - 305), tangential = pow(10, 610 * uniform(&stream) - 305);
+        const double pressure = pow(10, 610 * uniform(&stream) - 305),
+                     tangential = pow(10, 610 * uniform(&stream) - 305);
         const int status =
             footpoint_element_friction(4, x, phi, r_xi, r_eta, normal, d_gap, d_normal, pressure, pressure / size,
                                        sample % 7 ? 0.3 : 1e250, tangential, slip, force, tangent);
@@ -319,9 +320,9 @@ static void nodes_are_counted(void **state)
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         assert_int_equal(footpoint_element_normal(wrong[i], 0, zero, zero, 1, 0, &pressure, out, out),
                          FOOTPOINT_ERR_ARGUMENT);
-        assert_int_equal(footpoint_element_friction(wrong[i], zero, zero, a, b, c, zero, zero, 1, 1, 1, 1, slip, out,
-                                                    out),
-                         FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(
+            footpoint_element_friction(wrong[i], zero, zero, a, b, c, zero, zero, 1, 1, 1, 1, slip, out, out),
+            FOOTPOINT_ERR_ARGUMENT);
     }
 }
 
