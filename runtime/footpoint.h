@@ -93,7 +93,8 @@ size_t footpoint_locate_pairs(size_t n, const double *xyz, size_t nodes, const i
  *  @param[in]  tolerance       > 0, finite: done when neither xi nor eta moves by more; 1e-12 suits most segments
  *  @param[out] loc, gap        as in footpoint_locate
  *  @param[out] iterations      steps taken, or NULL
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_NO_CONVERGENCE,
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (the segment has no area),
+ *          FOOTPOINT_ERR_NO_CONVERGENCE (as well if a step or the normal fails on a segment with an area),
  *          FOOTPOINT_ERR_ARGUMENT */
 int footpoint_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      int max_iterations, double tolerance, double loc[2], double *gap, int *iterations);
@@ -193,7 +194,8 @@ int footpoint_element_normal(int nodes, double gap, const double *d_gap, const d
  *  @param[out] slip        {xi, eta}: to be added to (xi0, eta0) when the step is done, to first order; 0 where it sticks
  *  @param[out] force       3 (nodes + 1): on all nodes
  *  @param[out] tangent     -d force / dx, not symmetric where it slides: element (r, c) is [3 (nodes + 1) r + c]
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (no area), FOOTPOINT_ERR_ARGUMENT */
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (a result, too), FOOTPOINT_ERR_DEGENERATE (no area),
+ *          FOOTPOINT_ERR_ARGUMENT */
 int footpoint_element_friction(int nodes, const double *x, const double *phi, const double r_xi[3],
                                const double r_eta[3], const double normal[3], const double *d_gap,
                                const double *d_normal, double pressure, double stiffness, double friction,
@@ -258,8 +260,9 @@ struct footpoint_derivatives {
  *  rounding, if loc is a foot point; if it is off by e, so are they, to first order.
  *  @param[in]  loc  {xi, eta} as a search returned them, inside the segment or not, but no closest point on its edge
  *  @param[out] out  all of it
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE,
- *          FOOTPOINT_ERR_DEGENERATE (no normal; or no derivative, as xS lies at a centre of curvature) */
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (a result, too),
+ *          FOOTPOINT_ERR_DEGENERATE (no normal, or none beyond rounding, as far outside; or no derivative, as xS lies at a
+ *          centre of curvature) */
 int footpoint_differentiate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                             const double xS[3], const double loc[2], struct footpoint_derivatives *out);
 

@@ -37,7 +37,8 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_flat(const REAL a[3], const REAL b[3], R
 {
     const REAL far = 0.5 * (xi * xi + eta * eta), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
     const REAL bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
-    const REAL x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+    const REAL x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2],
+               z = a[0] * b[1] - a[1] * b[0];
     REAL most = REAL_FLAT * (aa + bb);
     for (; degree > 0 && far > 1.0; degree--)
         most *= far;
@@ -59,10 +60,12 @@ FOOTPOINT_FN int footpoint_detail_rescale(REAL *x, int n, int exponent)
 /* Once more, in a unit of length in which the segment is about 1 long; row k has shape[2 k] elements, which go with the
  * power shape[2 k + 1] of lengths, and space is for all of them.  tangents: 0, or what gives r_xi and r_eta as rows `first`
  * and the next, which grow with xi and eta to the power `degree`. */
-FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, footpoint_detail_place *tangents,
-                                                int first, int degree, const REAL *const *x, int nodes,
+FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
+                                                footpoint_detail_place *tangents, int first,
+                                                int degree, const REAL *const *x, int nodes,
                                                 int vectors, REAL xi, REAL eta, REAL *const *row,
-                                                size_t step, int rows, const int *shape, REAL *space)
+                                                size_t step, int rows, const int *shape,
+                                                REAL *space)
 {
     REAL y[10][3], r[2][3], *own[16];
     const REAL *z[10];
@@ -84,7 +87,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, f
     if (place(z, xi, eta, own, 1, 0, 1) >> REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
     for (k = 0; k < rows; k++)
-        finite = finite && (!own[k] || footpoint_detail_rescale(own[k], shape[2 * k], exponent * shape[2 * k + 1]));
+        finite = finite && (!own[k] || footpoint_detail_rescale(own[k], shape[2 * k],
+                                                                exponent * shape[2 * k + 1]));
     if (!finite)
         return FOOTPOINT_ERR_NOT_FINITE;
     for (k = 0; k < rows; k++)
