@@ -289,11 +289,9 @@ static void add_hidden_nodes(const struct unit *u, const struct function *f, FIL
 static char *far_text(const struct unit *u, const struct function *f, const struct rows *r, const char *statements)
 {
     const struct segment_kind *kind = u->file->segment;
-    const size_t nodes = strlen(kind->nodes);
-    char *gap = nodes > 4 || *kind->normals ? NULL : gap_value(r, statements);
+    char *gap = strlen(kind->nodes) > 4 || *kind->normals ? NULL : gap_value(r, statements);
     struct memory *m = memory_open();
-    fprintf(m->stream, "        flaw |= footpoint_detail_far(%s)",
-            nodes % 3 == 0 && nodes < 9 ? "xi, eta" : "0.5 * xi, 0.5 * eta");
+    fputs("        flaw |= footpoint_detail_far(xi, eta)", m->stream);
     if (slave_read(u, f, ROLE_REQUIRE | ROLE_OTHER))
         fprintf(m->stream, " | footpoint_detail_above(%s, FOOTPOINT_DETAIL_MOST)",
                 gap ? gap : "fabs(xS[0]) + fabs(xS[1]) + fabs(xS[2])");
