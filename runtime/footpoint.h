@@ -223,8 +223,9 @@ int footpoint_certify(const double xA[3], const double xB[3], const double xC[3]
  *  @param[out] loc   {xi, eta}, in [-1,1]
  *  @param[out] dist  |xS - r|, mesh length; with the sign of (xS - r) . n, n = r_xi x r_eta: > 0 open, < 0 behind; > 0
  *                    where there is no normal.  At a foot point inside the segment this is the gap.
- *  @return FOOTPOINT_OK (the foot point);
- *          with loc and dist written: FOOTPOINT_OUTSIDE (the closest point, which lies on the edge of the segment),
+ *  @return FOOTPOINT_OK (the foot point, strictly inside: |xi| < 1 and |eta| < 1);
+ *          with loc and dist written: FOOTPOINT_OUTSIDE (the closest point lies on the edge of the segment, xi or eta
+ *          being -1 or 1; it may be a foot point all the same),
  *          FOOTPOINT_NOT_UNIQUE (another point, elsewhere in space, is as near to 1e-10 of the longest edge; dist is
  *          right to that), FOOTPOINT_NO_AREA (the segment has none: its closest point, with dist > 0),
  *          FOOTPOINT_UNPROVED (the nearest point found: rounding hides whether it is the nearest of all);

@@ -57,18 +57,19 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
  *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long */
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
-/** Closest point of the face, whatever face and slave node, with certainty: from the answer of footpoint_face_locate by
- *  Newton's method to a minimum of the distance, then a proof that no point of the face is nearer, by bounds over the
- *  whole face, or over ever smaller parts of it; where one is nearer, on from there.  Of quad4 it is footpoint_robust,
- *  whose distance has the sign of the normal at the point itself.
+/** Finds the closest point of the face with certainty, whatever the face and the slave node: of tri3 in closed form, of
+ *  quad4 by footpoint_robust.  Of a curved face, Newton's method leads from the answer of footpoint_face_locate to a minimum
+ *  of the distance.  Bounds over the whole face, or over ever smaller parts of it, then prove that no point is nearer, or
+ *  find one to go on from.
  *  The distance is right to 1e-10 of the largest difference of a coordinate of xS and a node's, rounding included, with
  *  and without fused operations: loc is a point that far away, and no point of the face is nearer by more.
  *  @param[out] loc, distance, region  as of footpoint_face_closest; distance > 0 where there is no normal
- *  @return FOOTPOINT_OK (the closest point is inside, and no other is as near), FOOTPOINT_OUTSIDE (it lies on an edge, and
- *          no other is as near);
- *          with all written: FOOTPOINT_NOT_UNIQUE (another may be as near: the distance is right, as above),
- *          FOOTPOINT_NO_AREA (nodes on a line; likewise), FOOTPOINT_UNPROVED (20,000 parts did not tell, as of most faces
- *          but quad4 whose nodes are on a line, or rounding hides it: no more is certain than that loc is that far away);
+ *  @return FOOTPOINT_OK (region 0: the closest point is strictly inside), FOOTPOINT_OUTSIDE (another region: loc lies on an
+ *          edge or corner).  No other point is as near.  With the largest difference L of coordinates, as above,
+ *          points within 2e-10 L + 3e-5 sqrt(L distance) of each other count as one (of quad4 see footpoint_robust);
+ *          with all written: FOOTPOINT_NOT_UNIQUE (another may be as near: the distance is right, as above; never of tri3),
+ *          FOOTPOINT_NO_AREA (nodes on a line, to rounding: the distance is right, as above), FOOTPOINT_UNPROVED (20,000
+ *          parts did not suffice, or rounding hides the answer: loc is that far away, no more is certain; never of tri3);
  *          with none: FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT, FOOTPOINT_ERR_DOMAIN (the distance is no
  *          number, or of quad4: xS is farther away than 1e12 edges) */
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);

@@ -3,7 +3,7 @@
 #include "quadratic.h"
 #include "ieee.h"
 
-enum { STEPS = 40, HALVINGS = 30, STARTS = 50, TURNS = 3, MOST_BOXES = 20000, MOST_NODES = 9 };
+enum { STEPS = 40, HALVINGS = 30, STARTS = 50, TURNS = 3, MOST_NODES = 9 };
 
 #define SETTLED 0x1p-46 /* of a and b: steps below change no digit of the distance */
 #define FLAT 0x1p-84    /* squares of areas below: nodes may be on a line */
@@ -17,8 +17,9 @@ static double control(double low, double middle, double high)
     return 2.0 * middle - 0.5 * (low + high);
 }
 
-/* To a unit in which the largest is from 1/2 to 1. */
-static void scale(double *x, int n, int *exponent)
+/* To a unit in which the largest is from 1/2 to 1.
+ *  @return the largest */
+static double scale(double *x, int n, int *exponent)
 {
     double most = 0.0;
     int e;
@@ -29,11 +30,13 @@ static void scale(double *x, int n, int *exponent)
     if (e < -1000) { /* the factor would be too large */
         for (int i = 0; i < n; i++)
             x[i] *= 0x1p1000;
+        most *= 0x1p1000;
         e += 1000;
     }
     const double by = ldexp(1.0, -e);
     for (int i = 0; i < n; i++)
         x[i] *= by;
+    return ldexp(most, -e);
 }
 
 static void square_of(int nodes, const double y[][3], struct quadratic *f)
@@ -56,17 +59,14 @@ static void square_of(int nodes, const double y[][3], struct quadratic *f)
     }
 }
 
-/* Corner `first` becomes A.  A triangle of three nodes has its others halfway. */
-static void triangle_of(int nodes, const double y[][3], int first, struct quadratic *f)
+/* Corner `first` becomes A. */
+static void triangle_of(const double y[][3], int first, struct quadratic *f)
 {
     const double *const A = y[first], *const B = y[(first + 1) % 3], *const C = y[(first + 2) % 3];
     for (int k = 0; k < 3; k++) {
-        double ab = 0.5 * (A[k] + B[k]), bc = 0.5 * (B[k] + C[k]), ca = 0.5 * (C[k] + A[k]);
-        if (nodes == 6) {
-            ab = control(A[k], y[3 + first][k], B[k]);
-            bc = control(B[k], y[3 + (first + 1) % 3][k], C[k]);
-            ca = control(C[k], y[3 + (first + 2) % 3][k], A[k]);
-        }
+        const double ab = control(A[k], y[3 + first][k], B[k]);
+        const double bc = control(B[k], y[3 + (first + 1) % 3][k], C[k]);
+        const double ca = control(C[k], y[3 + (first + 2) % 3][k], A[k]);
         const double mixed = A[k] - ab - ca + bc; /* half the factor of u v */
         f->net[0][k] = A[k];
         f->net[3][k] = ab;
@@ -80,19 +80,28 @@ static void triangle_of(int nodes, const double y[][3], int first, struct quadra
     }
 }
 
-static void face_of(int nodes, const double y[][3], int first, int exponent, struct quadratic *f)
+/* Of nodes y, the largest component of which is `span`. */
+static void face_of(int nodes, const double y[][3], double span, int first, int exponent, struct quadratic *f)
 {
-    f->triangle = nodes == 3 || nodes == 6;
+    f->triangle = nodes == 6;
     f->exponent = exponent;
     if (f->triangle)
-        triangle_of(nodes, y, first, f);
+        triangle_of(y, first, f);
     else
         square_of(nodes, y, f);
-    scale(f->net[0], 27, &f->exponent);
+    (void)scale(f->net[0], 27, &f->exponent);
+    f->tolerance = QUADRATIC_TOLERANCE * ldexp(span, exponent - f->exponent);
+    f->extent[0] = f->extent[1] = 0.0;
+    for (int i = 0; i < 6; i++)
+        for (int k = 0; k < 3; k++) {
+            const double *const p = f->net[i], *const q = f->net[i + i / 2];
+            f->extent[0] = quadratic_larger(f->extent[0], fabs(p[9 + k] - p[k]));
+            f->extent[1] = quadratic_larger(f->extent[1], fabs(q[3 + k] - q[k]));
+        }
 }
 
 /* x - xS in a unit in which the largest is about 1, and what a distance of 1 is. */
-static int differences_of(int nodes, const double *x, double y[][3], int *exponent)
+static int differences_of(int nodes, const double *x, double y[][3], double *span, int *exponent)
 {
     const double *const xS = x + 3 * nodes;
     double sum = 0.0, most = 0.0;
@@ -106,7 +115,7 @@ static int differences_of(int nodes, const double *x, double y[][3], int *expone
     for (int i = 0; i < 3 * nodes; i++)
         y[i / 3][i % 3] = by * x[i] - by * xS[i % 3];
     *exponent = by < 1.0 ? 10 : 0;
-    scale(y[0], 3 * nodes, exponent);
+    *span = scale(y[0], 3 * nodes, exponent);
     return FOOTPOINT_OK;
 }
 
@@ -131,26 +140,39 @@ static int all_on_a_line(const struct quadratic *f)
 
 /* ---- a local minimum ---- */
 
-/* A parabola's coefficients around t. */
-static inline void expand(double low, double middle, double high, double t, double c[3])
+/* A parabola's value at t. */
+static inline double value_at(double low, double middle, double high, double t)
 {
-    const double first = low + t * (middle - low), second = middle + t * (high - middle);
-    c[0] = first + t * (second - first);
-    c[1] = 2.0 * (second - first);
-    c[2] = (high - middle) - (middle - low);
+    const double first = middle - low, second = high - middle;
+    return low + t * (first + (first + t * (second - first)));
 }
 
+/* Its coefficients around t, by differences: those of slim faces are exact. */
+static inline void expand(double low, double middle, double high, double t, double c[3])
+{
+    const double first = middle - low, second = high - middle, slope = first + t * (second - first);
+    c[0] = low + t * (first + slope);
+    c[1] = 2.0 * slope;
+    c[2] = second - first;
+}
+
+/* Mixed coefficients come from the shorter differences. */
 void footpoint_quadratic_taylor(const struct quadratic *f, double u, double v, struct quadratic_taylor *t)
 {
+    const int wide = f->extent[1] > f->extent[0], step = wide ? 1 : 3, next = 4 - step;
+    const double at = wide ? v : u, other = wide ? u : v;
     for (int k = 0; k < 3; k++) {
-        double along[3][3];
-        for (int j = 0; j < 3; j++)
-            expand(f->net[j][k], f->net[3 + j][k], f->net[6 + j][k], u, along[j]);
-        for (int i = 0; i < 3; i++) {
-            double c[3];
-            expand(along[0][i], along[1][i], along[2][i], v, c);
-            for (int j = 0; j < 3; j++)
-                t->c[i][j][k] = c[j];
+        double row[3][3], c[3];
+        for (int i = 0; i < 3; i++)
+            expand(f->net[i * next][k], f->net[i * next + step][k], f->net[i * next + 2 * step][k], at, row[i]);
+        for (int m = 0; m < 3; m++)
+            (wide ? t->c[0][m] : t->c[m][0])[k] = value_at(row[0][m], row[1][m], row[2][m], other);
+        for (int i = 0; i < 3; i++)
+            expand(f->net[i * step][k], f->net[i * step + next][k], f->net[i * step + 2 * next][k], other, row[i]);
+        for (int m = 1; m < 3; m++) {
+            expand(row[0][m], row[1][m], row[2][m], at, c);
+            for (int n = 0; n < 3; n++)
+                (wide ? t->c[m][n] : t->c[n][m])[k] = c[n];
         }
     }
 }
@@ -160,25 +182,67 @@ static void taylor_at(const struct quadratic *f, const double at[2], struct quad
     footpoint_quadratic_taylor(f, quadratic_u(f, at), at[1], t);
 }
 
-/* Gradient and Hessian of half the square of the distance by a and b. */
+/* Gradient and Hessian of half the square of the distance by a and b; and by y and b, a = y + skew b + bow b^2 from here, or
+ * y and a likewise, where r_b and r_bb have nothing along r_y: on slim faces, only these show where the least is. */
 struct slopes {
     double g[2], h11, h12, h22, gauss[2]; /* gauss: what takes the place of h11 and h22 where they are not positive */
+    double skew, bow, g_skew, h_along, h_mixed, h_skew, det;
+    int along; /* 0: a begins with y, 1: b does */
 };
+
+/* r_a, r_b, r_aa, r_ab, r_bb */
+struct curve {
+    double a[3], b[3], aa[3], ab[3], bb[3];
+};
+
+static void curve_of(const struct quadratic *f, const double at[2], const struct quadratic_taylor *t, struct curve *c)
+{
+    const double by = f->triangle ? 1.0 - at[1] : 1.0, to = f->triangle ? at[0] : 0.0; /* u_a, -u_b */
+    for (int k = 0; k < 3; k++) {
+        const double u = t->c[1][0][k], v = t->c[0][1][k], uu = 2.0 * t->c[2][0][k], uv = t->c[1][1][k],
+                     vv = 2.0 * t->c[0][2][k];
+        c->a[k] = by * u;
+        c->b[k] = v - to * u;
+        c->aa[k] = by * by * uu;
+        c->ab[k] = by * (uv - to * uu) - (f->triangle ? u : 0.0);
+        c->bb[k] = vv - to * (2.0 * uv - to * uu);
+    }
+}
 
 static void slopes_of(const struct quadratic *f, const double at[2], const struct quadratic_taylor *t, struct slopes *m)
 {
-    const double *const r = t->c[0][0], *const r_u = t->c[1][0], *const r_v = t->c[0][1];
-    const double g = vector_dot(r, r_u), uu = vector_dot(r_u, r_u), uv = vector_dot(r_u, r_v),
-                 vv = vector_dot(r_v, r_v);
-    const double h11 = uu + 2.0 * vector_dot(r, t->c[2][0]), h12 = uv + vector_dot(r, t->c[1][1]);
-    const double by = f->triangle ? 1.0 - at[1] : 1.0, to = f->triangle ? at[0] : 0.0; /* u_a, -u_b */
-    m->g[0] = by * g;
-    m->g[1] = vector_dot(r, r_v) - to * g;
-    m->h11 = by * by * h11;
-    m->h12 = by * (h12 - to * h11) - (f->triangle ? g : 0.0);
-    m->h22 = vv + 2.0 * vector_dot(r, t->c[0][2]) - to * (2.0 * h12 - to * h11);
-    m->gauss[0] = by * by * uu;
-    m->gauss[1] = vv - to * (2.0 * uv - to * uu);
+    struct curve c;
+    curve_of(f, at, t, &c);
+    const double *const r = t->c[0][0], aa = vector_dot(c.a, c.a), bb = vector_dot(c.b, c.b), ab = vector_dot(c.a, c.b);
+    m->g[0] = vector_dot(r, c.a);
+    m->g[1] = vector_dot(r, c.b);
+    m->h11 = aa + vector_dot(r, c.aa);
+    m->h12 = ab + vector_dot(r, c.ab);
+    m->h22 = bb + vector_dot(r, c.bb);
+    m->gauss[0] = aa;
+    m->gauss[1] = bb;
+    m->along = bb > aa;
+    m->skew = aa + bb > 0.0 ? -ab / quadratic_larger(aa, bb) : 0.0;
+    const double *const way = m->along ? c.b : c.a, *const other = m->along ? c.a : c.b;
+    const double *const bend = m->along ? c.bb : c.aa, *const bend_other = m->along ? c.aa : c.bb;
+    double across[3], mixed[3], bend_across[3];
+    for (int k = 0; k < 3; k++) {
+        across[k] = other[k] + m->skew * way[k];
+        mixed[k] = c.ab[k] + m->skew * bend[k];
+        bend_across[k] = bend_other[k] + m->skew * (c.ab[k] + mixed[k]);
+    }
+    m->g_skew = vector_dot(r, across);
+    m->h_along = m->along ? m->h22 : m->h11;
+    m->h_mixed = vector_dot(way, across) + vector_dot(r, mixed);
+    m->bow = aa + bb > 0.0 ? -0.5 * vector_dot(way, bend_across) / quadratic_larger(aa, bb) : 0.0;
+    m->h_skew = vector_dot(across, across) + vector_dot(r, bend_across) + 2.0 * m->bow * m->g[m->along];
+    m->det = m->h_along * m->h_skew - m->h_mixed * m->h_mixed;
+    if (m->h_along > 0.0 && m->det > 0x1p-40 * m->h_along * m->h_skew)
+        return;
+    m->h_along = m->gauss[m->along]; /* Gauss and Newton's, of which the mixed one is 0 */
+    m->h_skew = vector_dot(across, across);
+    m->h_mixed = 0.0;
+    m->det = m->h_along * m->h_skew;
 }
 
 static double clamp(double x)
@@ -193,23 +257,45 @@ static double least_of(double at, double slope, double bend, double gauss)
     return by > 0.0 ? clamp(at - slope / by) : at;
 }
 
-/* Where a step leads; what it leaves as it is holds in `at`. */
-static void step_from(const struct slopes *m, const double at[2], double to[2])
+/* The x next to 0 where skew x + bow x^2 = to; not a number if there is none. */
+static double where_bent(double skew, double bow, double to)
 {
-    const double *const g = m->g, det = m->h11 * m->h22 - m->h12 * m->h12;
+    return 2.0 * to / (skew + copysign(sqrt(skew * skew + 4.0 * bow * to), skew));
+}
+
+/* Where a step leads; what it leaves as it is holds in `at`.  Its first part goes along the parabola at + s (to - at - bow)
+ * + s^2 bow, s from 0 to 1. */
+static void step_from(const struct slopes *m, const double at[2], double to[2], double bow[2])
+{
+    const double *const g = m->g;
     const int held[2] = {(at[0] <= 0.0 && g[0] >= 0.0) || (at[0] >= 1.0 && g[0] <= 0.0),
                          (at[1] <= 0.0 && g[1] >= 0.0) || (at[1] >= 1.0 && g[1] <= 0.0)};
     to[0] = held[0] ? at[0] : least_of(at[0], g[0], m->h11, m->gauss[0]);
     to[1] = held[1] ? at[1] : least_of(at[1], g[1], m->h22, m->gauss[1]);
-    if (held[0] || held[1] || !(m->h11 > 0.0 && det > 0x1p-40 * m->h11 * m->h22))
+    bow[0] = bow[1] = 0.0;
+    const int way = m->along, other = !way;
+    if (held[0] || held[1])
         return;
-    const double a = at[0] - (m->h22 * g[0] - m->h12 * g[1]) / det, b = at[1] - (m->h11 * g[1] - m->h12 * g[0]) / det;
-    to[0] = clamp(a);
-    to[1] = clamp(b);
-    if (to[0] != a && to[1] == b)
-        to[1] = least_of(at[1], g[1] + m->h12 * (to[0] - at[0]), m->h22, m->gauss[1]);
-    else if (to[1] != b && to[0] == a)
-        to[0] = least_of(at[0], g[0] + m->h12 * (to[1] - at[1]), m->h11, m->gauss[0]);
+    if (!(m->det > 0.0)) {
+        to[other] = at[other];
+        return;
+    }
+    to[other] = clamp(at[other] + (m->h_mixed * g[way] - m->h_along * m->g_skew) / m->det);
+    double across = to[other] - at[other];
+    const double y = -(g[way] + m->h_mixed * across) / m->h_along;
+    const double along = at[way] + y + (m->skew + m->bow * across) * across;
+    to[way] = clamp(along);
+    if (to[way] != along) {
+        const double part = where_bent(m->skew, m->bow, to[way] - at[way] - y) / across;
+        if (!(part > 0.0 && part < 1.0)) {
+            to[other] =
+                least_of(at[other], g[other] + m->h12 * (to[way] - at[way]), way ? m->h11 : m->h22, m->gauss[other]);
+            return;
+        }
+        across *= part;
+        to[other] = at[other] + across;
+    }
+    bow[way] = m->bow * across * across;
 }
 
 /* Moves `at` to a local minimum, to rounding; t is the expansion there. */
@@ -220,9 +306,9 @@ static void descend(const struct quadratic *f, double at[2], struct quadratic_ta
     for (int n = 0; n < STEPS; n++) {
         struct slopes m;
         struct quadratic_taylor there;
-        double to[2];
+        double to[2], bow[2];
         slopes_of(f, at, t, &m);
-        step_from(&m, at, to);
+        step_from(&m, at, to, bow);
         const double move = quadratic_larger(fabs(to[0] - at[0]), fabs(to[1] - at[1]));
         if (move < SETTLED || (move < SHORT && move > 0.5 * last))
             return;
@@ -232,8 +318,10 @@ static void descend(const struct quadratic *f, double at[2], struct quadratic_ta
         for (int k = 0; move > SHORT && !(vector_dot(there.c[0][0], there.c[0][0]) < here); k++) {
             if (k == HALVINGS)
                 return;
-            to[0] = 0.5 * (at[0] + to[0]);
-            to[1] = 0.5 * (at[1] + to[1]);
+            for (int i = 0; i < 2; i++) {
+                bow[i] *= 0.25;
+                to[i] = clamp(0.5 * (at[i] + to[i]) - bow[i]);
+            }
             taylor_at(f, to, &there);
         }
         at[0] = to[0];
@@ -253,19 +341,12 @@ static void normal_beside(const struct quadratic *f, const double at[2], double 
     vector_cross(t.c[1][0], t.c[0][1], n);
 }
 
-/* (xi,eta) and edges of a place of the face that begins at a corner `first`. */
-static void write_place(const struct quadratic *f, int first, const double at[2], struct quadratic_answer *answer)
+/* Computes (xi,eta) from a place of the face that begins at a corner `first`. */
+static void write_place(const struct quadratic *f, int first, const double at[2], double loc[2])
 {
-    const int low = at[0] <= 0.0, high = at[0] >= 1.0, bottom = at[1] <= 0.0, top = at[1] >= 1.0;
-    answer->edges = bottom | high << 1 | top << 2 | low << 3;
-    answer->loc[0] = 2.0 * at[0] - 1.0;
-    answer->loc[1] = 2.0 * at[1] - 1.0;
-    if (f->triangle) {
-        const double part[3] = {(1.0 - at[0]) * (1.0 - at[1]), at[0] * (1.0 - at[1]), at[1]};
-        answer->edges = bottom << first | (high | top) << (1 + first) % 3 | (low | top) << (2 + first) % 3;
-        answer->loc[0] = part[(4 - first) % 3];
-        answer->loc[1] = part[(5 - first) % 3];
-    }
+    const double part[3] = {(1.0 - at[0]) * (1.0 - at[1]), at[0] * (1.0 - at[1]), at[1]};
+    loc[0] = f->triangle ? part[(4 - first) % 3] : 2.0 * at[0] - 1.0;
+    loc[1] = f->triangle ? part[(5 - first) % 3] : 2.0 * at[1] - 1.0;
 }
 
 /* Into [0,1], to an end of it where rounding may have led away from that. */
@@ -289,43 +370,44 @@ static int place_of(int triangle, const double loc[2], double at[2])
     return first;
 }
 
-int footpoint_quadratic_closest(int nodes, const double *x, const double start[2], struct quadratic_answer *answer)
+int footpoint_quadratic_closest(int nodes, const double *x, const double start[2], double loc[2], double *distance,
+                                int *boxes)
 {
     struct quadratic f;
     struct quadratic_taylor t;
-    double y[MOST_NODES][3], at[2];
-    int exponent, boxes = MOST_BOXES, status = FOOTPOINT_UNPROVED;
-    const int triangle = nodes == 3 || nodes == 6, wrong = differences_of(nodes, x, y, &exponent);
+    double y[MOST_NODES][3], span, at[2], place[2] = {start[0], start[1]};
+    int exponent, status = FOOTPOINT_UNPROVED;
+    const int triangle = nodes == 6, wrong = differences_of(nodes, x, y, &span, &exponent);
     if (wrong)
         return wrong;
-    answer->loc[0] = start[0];
-    answer->loc[1] = start[1];
     for (int starts = 0, turns = 0;; turns++) {
         double nearer[2];
-        const int first = place_of(triangle, answer->loc, at);
-        face_of(nodes, (const double(*)[3])y, first, exponent, &f);
+        const int first = place_of(triangle, place, at);
+        face_of(nodes, (const double(*)[3])y, span, first, exponent, &f);
         descend(&f, at, &t);
-        write_place(&f, first, at, answer);
+        write_place(&f, first, at, place);
         if (triangle && turns < TURNS && (1.0 - at[0]) * (1.0 - at[1]) < 0.25)
             continue;
-        const enum quadratic_proof proof = footpoint_quadratic_prove(&f, at, &t, &boxes, nearer);
+        const enum quadratic_proof proof = footpoint_quadratic_prove(&f, at, &t, boxes, nearer);
         if (proof == QUADRATIC_NEARER && starts++ < STARTS) {
-            write_place(&f, first, nearer, answer);
+            write_place(&f, first, nearer, place);
             turns = -1;
             continue;
         }
         if (proof == QUADRATIC_PROVED)
-            status = answer->edges ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+            status = FOOTPOINT_OK;
         else if (proof == QUADRATIC_TIED)
             status = FOOTPOINT_NOT_UNIQUE;
         break;
     }
-    const double *const r = t.c[0][0], distance = ldexp(sqrt(vector_dot(r, r)), f.exponent);
-    if (!isfinite(distance))
+    const double *const r = t.c[0][0], length = ldexp(sqrt(vector_dot(r, r)), f.exponent);
+    if (!isfinite(length))
         return FOOTPOINT_ERR_DOMAIN;
     double n[3];
     normal_beside(&f, at, n);
     const int on_a_line = !(vector_dot(n, n) > FLAT) && all_on_a_line(&f);
-    answer->distance = !on_a_line && vector_dot(n, r) > 0.0 ? -distance : distance;
+    loc[0] = place[0];
+    loc[1] = place[1];
+    *distance = !on_a_line && vector_dot(n, r) > 0.0 ? -length : length;
     return on_a_line && status != FOOTPOINT_UNPROVED ? FOOTPOINT_NO_AREA : status;
 }

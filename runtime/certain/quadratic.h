@@ -1,5 +1,5 @@
-/* Faces of degree 2 in each of two coordinates u and v from 0 to 1, for quadratic.c and subdivide.c alone: those of four,
- * eight and nine nodes, with xi = 2 u - 1 and eta = 2 v - 1, and triangles of three and six, with xi = u and eta = v.
+/* Faces of degree 2 in each of two coordinates u and v from 0 to 1, for quadratic.c and subdivide.c: those of eight and
+ * nine nodes, with xi = 2 u - 1 and eta = 2 v - 1, and triangles of six, with xi = u and eta = v.
  *     r - xS = sum b_ij B_i(u) B_j(v)
  * with Bernstein's polynomials B of degree 2 and the control points b_ij.  So that all faces are the square of a and b
  * from 0 to 1, u = a (1 - b) and v = b of a triangle, which is turned so that the point in question is nearest to its
@@ -15,24 +15,19 @@
 #include "../footpoint.h"
 #include "../geometry/vector.h"
 
-/* Distances are right to that: 6.2e-11 of the largest difference of a coordinate of xS and a node's, as components of control
- * points are at most 17 times that, and the unit of length at most twice as large as they are. */
-#define QUADRATIC_TOLERANCE 0x1p-39
+/* Distances are right to that, over the largest difference of a coordinate of xS and a node's. */
+#define QUADRATIC_TOLERANCE 0x1.8p-34
 
 struct quadratic {
     double net[9][3]; /* b_ij at 3 i + j */
+    double extent[2]; /* largest component of b_i+1,j - b_ij, of b_i,j+1 - b_ij */
+    double tolerance; /* of distances, in this unit */
     int triangle, exponent;
 };
 
 /* Coefficients [i][j] of s^i t^j of r - xS around a point, s and t being the way from there in u and v. */
 struct quadratic_taylor {
     double c[3][3][3];
-};
-
-/* The closest point: on which edges it lies, bit k being edge k in the order AB, BC, CD, DA, or AB, BC, CA. */
-struct quadratic_answer {
-    double loc[2], distance;
-    int edges;
 };
 
 enum quadratic_proof { QUADRATIC_PROVED, QUADRATIC_TIED, QUADRATIC_NEARER, QUADRATIC_GIVEN_UP };
@@ -52,15 +47,18 @@ static inline double quadratic_u(const struct quadratic *f, const double at[2])
 #pragma GCC visibility push(hidden)
 #endif
 
-/** The closest point of the face, with certainty.
- *  @param[in] nodes  3, 6, 8 or 9
- *  @param[in] x      their coordinates and xS's
- *  @param[in] start  {xi, eta} to begin from
- *  @return as footpoint_face_robust */
-int footpoint_quadratic_closest(int nodes, const double *x, const double start[2], struct quadratic_answer *answer);
+/** Finds the closest point of the face, with certainty.
+ *  @param[in]  nodes          6, 8 or 9
+ *  @param[in]  x              their coordinates and xS's
+ *  @param[in]  start          {xi, eta} to begin from
+ *  @param[out] loc, distance  as of footpoint_face_robust
+ *  @param[in,out] boxes       how many parts of the face may be looked at; how many are left
+ *  @return as footpoint_face_robust, but FOOTPOINT_OK on edges, too */
+int footpoint_quadratic_closest(int nodes, const double *x, const double start[2], double loc[2], double *distance,
+                                int *boxes);
 
-/** Errors are at most 20 u of c00; 44 u of c10, 64 u of c01; 48 u of c20 and c02; 144 u of c11, 128 u of c21, 112 u of
- *  c12, 64 u of c22; but for them it is the face that the control points as they are make. */
+/** Let U and V be the extents, and W the smaller of them.  Errors are at most 54 u of c00, in terms of the largest
+ *  component of a control point; 70 u U of c10 and c20; 70 u V of c01 and c02; 256 u W of all others. */
 void footpoint_quadratic_taylor(const struct quadratic *f, double u, double v, struct quadratic_taylor *t);
 
 /** That no point of the face is nearer than the local minimum `at`, where the expansion is t, by more than half of the

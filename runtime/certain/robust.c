@@ -184,9 +184,11 @@ static void nearest_of_edge_widely(const double *const x[5], const struct biline
 static int list_all(const double *const x[5], const struct bilinear *f, struct candidate c[])
 {
     struct stationary_point point[STATIONARY_MOST];
-    const int inside = footpoint_bilinear_stationary(x, f, point);
     for (int k = 0; k < EDGES; k++)
         nearest_of_edge_widely(x, f, k, &c[k]);
+    if (!footpoint_bilinear_has_area(f))
+        return EDGES; /* which cover the line that it is on */
+    const int inside = footpoint_bilinear_stationary(x, f, point);
     for (int k = 0; k < inside; k++) {
         struct candidate *const to = &c[EDGES + k];
         to->loc[0] = point[k].z[0];
@@ -248,7 +250,7 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
             return FOOTPOINT_NOT_UNIQUE;
     if (c[best].reach > SAME_POINT)
         return c[best].several || c[best].flat ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_UNPROVED; /* of its place */
-    return c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+    return FOOTPOINT_OK;
 }
 
 /* All corners are one. */
@@ -267,6 +269,11 @@ static int nearest_of_point(const double xA[3], const double xS[3], double loc[2
     return FOOTPOINT_NO_AREA;
 }
 
+static int is_on_edge(const double loc[2])
+{
+    return fabs(loc[0]) >= 1.0 || fabs(loc[1]) >= 1.0;
+}
+
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *dist)
 {
@@ -281,8 +288,8 @@ int footpoint_robust(const double xA[3], const double xB[3], const double xC[3],
     double xi = 0.0, eta = 0.0;
     if (f.exponent == 0)
         footpoint_quad4_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
-    if (!find_foot(&f, xi, eta, &answer))
-        status = find_edge(&f, &answer) ? FOOTPOINT_OUTSIDE : compare_all(x, &f, &answer);
+    if (!find_foot(&f, xi, eta, &answer) && !find_edge(&f, &answer))
+        status = compare_all(x, &f, &answer);
     if (f.exponent != 0)
         answer.dist = ldexp(answer.dist, f.exponent);
     if (!isfinite(answer.dist))
@@ -290,5 +297,5 @@ int footpoint_robust(const double xA[3], const double xB[3], const double xC[3],
     loc[0] = answer.loc[0];
     loc[1] = answer.loc[1];
     *dist = answer.dist;
-    return status;
+    return status == FOOTPOINT_OK && is_on_edge(loc) ? FOOTPOINT_OUTSIDE : status;
 }

@@ -1,24 +1,26 @@
-/* That a local minimum p of the distance to a face of degree 2 is the least: by subdivision with bounds.
+/* Proof that a local minimum p of the distance to a face of degree 2 is the least: by subdivision with bounds.
  *
- * With g = r(p) - xS, z = (s,t) the way from p in u and v, and c_ij as in quadratic.h, r - xS = g + L z + y,
+ * With g = r(p) - xS, z = (s,t) the way in u and v from p, and c_ij as in quadratic.h, r - xS = g + L z + y,
  * L z = c10 s + c01 t, and y is all of degree 2 and more.  So
  *     |r - xS|^2 - |g|^2 = 2 g . L z + |L z|^2 + 2 (g + L z) . y + |y|^2,
  * where the first term is not negative, as no direction leads down from p, and the last one is not.  Over a range of s and t
  * what is left is at least h11 s^2 - e |s t| + h22 t^2 with bounds on the factors, whose terms are polynomials of s and t
  * alone.  If that form is positive, no point of the range is nearer, nor as near: a question to be asked for the whole
- * face, which on ordinary ones settles it.
+ * face, which on ordinary ones settles it.  On slim faces c10 and c01 are nearly parallel, and nearly all of y is, too: there
+ * it is asked in s - k t - l t^2 and t instead, with k and l for which no more than c10 is along c10.
  *
  * Elsewhere boxes of (a,b) are halved.  The square of the distance is a polynomial of degree 4 in a and in b, nowhere less
  * than the least of its Bernstein coefficients; these are formed for each box from its own control points, so that their
- * errors are of the size of the box and its distance.  A box is dropped if it is settled as above, or if its bound says
- * that it is farther away than p, or nearer by less than the tolerance. */
+ * errors are of the size of the box and its distance.  Nor is the distance less than that of a plane beyond which all of
+ * these control points lie: of slim boxes, one along them.  A box is dropped if it is settled as above, or if a bound
+ * proves that it is farther away than p, or nearer by less than the tolerance. */
 #include "ieee.h"
 #include "quadratic.h"
 
 #include <float.h>
 #include <string.h>
 
-enum { DEPTH = 80 };
+enum { DEPTH = 80, DOUBTS = 64 /* boxes that may be as near are halved, so often */ };
 
 #define UNIT (0.5 * DBL_EPSILON)
 
@@ -26,16 +28,21 @@ enum { DEPTH = 80 };
  * of at most DEPTH halvings and 8 u for a triangle's folding in, in each of three coordinates; and of the distance of p. */
 #define ASTRAY (1024.0 * UNIT)
 
-/* Bounds on rounding errors of g . c10 and g . c01, and of h11, h12 and e with |s|, |t| <= 1: from those of c_ij in
- * quadratic.h, as |c_ij| <= 2^(i + j) in each coordinate, at most 330 u and, of e, 33,000 u; 10,000 u of e from its own
- * products and sums. */
-#define SLOPE_ERROR (512.0 * UNIT)
-#define FORM_ERROR 0x1p-37
+/* Rounding errors of coefficients, as in quadratic.h; of a product of two, beyond what they bring along. */
+#define VALUE_ERROR (54.0 * UNIT)
+#define PURE_ERROR (70.0 * UNIT)
+#define CROSSED_ERROR (256.0 * UNIT)
+#define SUM_ERROR (64.0 * UNIT)
 #define PRODUCT_ERROR 0x1p-48 /* relative, of the determinant and what it is compared with */
 #define RANGE_ERROR 0x1p-50   /* of ends of boxes, in u and v */
 
 /* Of a coefficient: 27 products, their sums and factors, over the largest square of a control point. */
 #define COEFFICIENT_ERROR (64.0 * UNIT)
+
+#define PLANE_ERROR (32.0 * UNIT) /* of the distance of a plane */
+
+#define NEARLY 64.0    /* squares of lengths that differ by less are nearly equal */
+#define NEARER 0x1p-41 /* what is nearer by that is better */
 
 #define LEAST_EXTENT 0x1p-50 /* smaller boxes are not halved */
 
@@ -43,12 +50,25 @@ struct box {
     double net[9][3], low[2], wide[2]; /* (a,b) from low to low + wide */
 };
 
-/* What is asked of p: factors of s^i t^j beyond the first degree; slopes as far as they lead down, and up into the face. */
+enum { DEGREE = 6, TERMS = DEGREE + 2 };
+
+/* What |r - xS|^2 gains from p on, in y = s - k t - l t^2 and z = t, or y = t - k s - l s^2 and z = s. */
 struct form {
-    double u, v, q[4][4];
-    double down[2], up[2], room;   /* of the square of the distance */
+    double q[4][TERMS], slack[4][TERMS]; /* factors of y^i z^j beyond the first degree; their rounding errors */
+    double down[2], up[2];               /* slopes in y and z, halved, as far as they lead down; and up into the face */
+    double skew, bow;                    /* k, l */
+    int first;                           /* y begins with: 0 s, 1 t */
+};
+
+/* What is asked of p. */
+struct question {
+    double at[2];                  /* u, v */
+    double room;                   /* of the square of the distance */
     double nearer, farther, alone; /* squares of distances: below, a point is nearer; above, none is; none is as near */
-    int touching;                  /* p is xS, to the tolerance: other points may be as near, not nearer */
+    double point[3], same;         /* r - xS at p, and the square of the distance within which others are that point */
+    int into[2];                   /* u and v may: 1 only grow, -1 only fall, 0 do both */
+    struct form form[2];           /* by s and t; at right angles */
+    int forms;                     /* how many are known */
 };
 
 static double smaller(double a, double b)
@@ -56,45 +76,144 @@ static double smaller(double a, double b)
     return a < b ? a : b;
 }
 
-static double product(const struct quadratic_taylor *t, int i, int j, int m, int n)
+/* ---- around p ---- */
+
+/* A coefficient of r - xS, its largest component and the error of that. */
+struct term {
+    double c[3], size, error;
+};
+
+static double size_of(const double c[3])
 {
-    return 2.0 * vector_dot(t->c[i][j], t->c[m][n]);
+    return quadratic_larger(quadratic_larger(fabs(c[0]), fabs(c[1])), fabs(c[2]));
 }
 
-static void form_of(const struct quadratic *f, const double at[2], const struct quadratic_taylor *t, struct form *m)
+static double error_of(const struct quadratic *f, int i, int j)
 {
-    const double slope[2] = {product(t, 0, 0, 1, 0), product(t, 0, 0, 0, 1)};
-    const int starts[2] = {at[0] <= 0.0, at[1] <= 0.0}, ends[2] = {at[0] >= 1.0, at[1] >= 1.0};
-    for (int k = 0; k < 2; k++) {
-        const double into = starts[k] ? slope[k] : ends[k] && !f->triangle ? -slope[k] : -fabs(slope[k]);
-        m->up[k] = quadratic_larger(into - 2.0 * SLOPE_ERROR, 0.0);
-        m->down[k] = m->up[k] > 0.0 ? 0.0 : 0.5 * quadratic_larger(-into, 0.0) + SLOPE_ERROR;
+    const double U = f->extent[0], V = f->extent[1];
+    return i + j == 0 ? VALUE_ERROR : j == 0 ? PURE_ERROR * U : i == 0 ? PURE_ERROR * V : CROSSED_ERROR * smaller(U, V);
+}
+
+/* Adds twice the product of two terms to a factor. */
+static void add_product(struct form *m, int i, int j, const struct term *a, const struct term *b)
+{
+    m->q[i][j] += 2.0 * vector_dot(a->c, b->c);
+    m->slack[i][j] += 6.0 * (a->size * b->error + b->size * a->error + SUM_ERROR * (a->size * b->size));
+}
+
+/* Adds a part of a term to another one. */
+static void add_part(const struct term *from, double by, struct term *to)
+{
+    for (int n = 0; n < 3; n++)
+        to->c[n] += by * from->c[n];
+    to->error += fabs(by) * (from->error + 16.0 * UNIT * from->size);
+}
+
+/* The coefficients of r - xS in y and z, those of s^i being those of (y + k z + l z^2)^i; likewise of t^i.
+ *  @return up to which power of z */
+static int terms_of(const struct quadratic *f, const struct quadratic_taylor *t, const struct form *m,
+                    struct term to[3][DEGREE + 1])
+{
+    const double k = m->skew, l = m->bow;
+    const double power[3][3][5] = {
+        {{1.0}}, {{0.0, k, l}, {1.0}}, {{0.0, 0.0, k * k, 2.0 * k * l, l * l}, {0.0, 2.0 * k, 2.0 * l}, {1.0}}};
+    const int straight = k == 0.0 && l == 0.0;
+    struct term given[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            struct term *const at = straight ? &to[i][j] : &given[i][j];
+            memcpy(at->c, m->first ? t->c[j][i] : t->c[i][j], sizeof at->c);
+            at->size = size_of(at->c);
+            at->error = m->first ? error_of(f, j, i) : error_of(f, i, j);
+        }
+    if (straight)
+        return 2;
+    memset(to, 0, 3 * sizeof to[0]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            for (int y = 0; y <= i; y++)
+                for (int z = i - y; z <= 2 * (i - y); z++)
+                    add_part(&given[i][j], power[i][y][z], &to[y][j + z]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= DEGREE; j++)
+            to[i][j].size = size_of(to[i][j].c);
+    return DEGREE;
+}
+
+/* The slope of g by c, in a coordinate that may grow or fall as `into` says. */
+static void add_slope(struct form *m, int k, int into, const struct term *g, const struct term *c)
+{
+    const double slope = 2.0 * vector_dot(g->c, c->c), up = into ? into * slope : -fabs(slope);
+    const double error = 3.0 * (g->size * c->error + c->size * g->error + SUM_ERROR * (g->size * c->size));
+    m->up[k] = quadratic_larger(up - 2.0 * error, 0.0);
+    m->down[k] = m->up[k] > 0.0 ? 0.0 : 0.5 * quadratic_larger(-up, 0.0) + error;
+}
+
+/* Fills what follows from first, skew and bow.  If s or t is held, a form that is skew knows nothing more of it. */
+static void form_of(const struct quadratic *f, const struct quadratic_taylor *t, const struct question *of,
+                    struct form *m)
+{
+    struct term c[3][DEGREE + 1];
+    memset(m->q, 0, sizeof m->q);
+    memset(m->slack, 0, sizeof m->slack);
+    const int most = terms_of(f, t, m, c);
+    add_slope(m, 0, m == of->form ? of->into[m->first] : 0, &c[0][0], &c[1][0]);
+    add_slope(m, 1, of->into[!m->first], &c[0][0], &c[0][1]);
+    if (m != of->form && of->form[0].up[m->first] > 0.0) {
+        m->up[0] = m->down[0] = 0.0;
+        m->up[1] = of->form[0].up[!m->first];
+        m->down[1] = of->form[0].down[!m->first];
     }
-    m->u = quadratic_u(f, at);
-    m->v = at[1];
-    m->q[2][0] = 0.5 * product(t, 1, 0, 1, 0) + product(t, 0, 0, 2, 0);
-    m->q[1][1] = product(t, 1, 0, 0, 1) + product(t, 0, 0, 1, 1);
-    m->q[0][2] = 0.5 * product(t, 0, 1, 0, 1) + product(t, 0, 0, 0, 2);
-    m->q[3][0] = product(t, 1, 0, 2, 0);
-    m->q[2][1] = product(t, 0, 0, 2, 1) + product(t, 1, 0, 1, 1) + product(t, 0, 1, 2, 0);
-    m->q[1][2] = product(t, 0, 0, 1, 2) + product(t, 0, 1, 1, 1) + product(t, 1, 0, 0, 2);
-    m->q[0][3] = product(t, 0, 1, 0, 2);
-    m->q[3][1] = product(t, 1, 0, 2, 1);
-    m->q[2][2] = product(t, 0, 0, 2, 2) + product(t, 1, 0, 1, 2) + product(t, 0, 1, 2, 1);
-    m->q[1][3] = product(t, 0, 1, 1, 2);
-    m->q[3][2] = product(t, 1, 0, 2, 2);
-    m->q[2][3] = product(t, 0, 1, 2, 2);
-    const double distance = sqrt(vector_dot(t->c[0][0], t->c[0][0]));
-    const double far = quadratic_larger(distance, QUADRATIC_TOLERANCE);
-    const double near = far - 0.25 * QUADRATIC_TOLERANCE, floor = far - QUADRATIC_TOLERANCE + 2.0 * ASTRAY;
-    m->touching = distance < QUADRATIC_TOLERANCE;
-    m->room = 0.5 * QUADRATIC_TOLERANCE * far;
+    add_product(m, 2, 0, &c[1][0], &c[1][0]);
+    add_product(m, 0, 2, &c[0][1], &c[0][1]);
+    m->q[2][0] *= 0.5;
+    m->q[0][2] *= 0.5;
+    add_product(m, 1, 1, &c[1][0], &c[0][1]);
+    for (int i = 0; i < 3; i++)
+        for (int j = i < 2 ? 2 - i : 0; j <= most; j++)
+            if (c[i][j].size + c[i][j].error > 0.0) {
+                add_product(m, i, j, &c[0][0], &c[i][j]);
+                add_product(m, i + 1, j, &c[1][0], &c[i][j]);
+                add_product(m, i, j + 1, &c[0][1], &c[i][j]);
+            }
+}
+
+/* The form by the longer one of r_u and r_v, or by one that is nearly as long and not held, and by what the other one and
+ * the bend along that have at right angles to it. */
+static void skew_form_of(const struct quadratic *f, const struct quadratic_taylor *t, struct question *m)
+{
+    struct form *const to = &m->form[1];
+    const double *const u = t->c[1][0], *const v = t->c[0][1], uu = vector_dot(u, u), vv = vector_dot(v, v);
+    to->first = vv * (m->into[0] ? NEARLY : 1.0) > uu * (m->into[1] ? NEARLY : 1.0);
+    const double *const e = to->first ? v : u, ee = to->first ? vv : uu, per = ee > 0.0 ? 1.0 / ee : 0.0;
+    const double *const along = to->first ? t->c[0][2] : t->c[2][0];
+    const double *const across = to->first ? t->c[2][0] : t->c[0][2];
+    to->skew = -per * vector_dot(u, v);
+    to->bow =
+        m->form[0].up[to->first] > 0.0
+            ? 0.0
+            : -per * (vector_dot(e, across) + to->skew * (vector_dot(e, t->c[1][1]) + to->skew * vector_dot(e, along)));
+    form_of(f, t, m, to);
+}
+
+static void ask(const struct quadratic *f, const double at[2], const struct quadratic_taylor *t, struct question *m)
+{
+    const double *const g = t->c[0][0];
+    for (int k = 0; k < 2; k++)
+        m->into[k] = at[k] <= 0.0 ? 1 : at[k] >= 1.0 && !f->triangle ? -1 : 0;
+    m->at[0] = quadratic_u(f, at);
+    m->at[1] = at[1];
+    const double distance = sqrt(vector_dot(g, g));
+    const double near = distance - NEARER, floor = distance - f->tolerance + 2.0 * ASTRAY;
+    m->room = 0.5 * f->tolerance * distance;
     m->nearer = near * near;
     m->farther = floor * floor;
     m->alone = (distance + 2.0 * ASTRAY) * (distance + 2.0 * ASTRAY);
+    m->same = f->tolerance * (4.0 * f->tolerance + 8.0 * distance);
+    memcpy(m->point, g, sizeof m->point);
+    m->form[0].skew = m->form[0].bow = 0.0;
+    m->form[0].first = m->forms = 0;
 }
-
-/* ---- around p ---- */
 
 /* The least of factor x over a range. */
 static double least(double factor, const double range[2])
@@ -107,22 +226,57 @@ static double widest(const double range[2])
     return quadratic_larger(fabs(range[0]), fabs(range[1]));
 }
 
-/* Whether no point of the box is nearer than p, nor as near. */
-static int is_settled(const struct quadratic *f, const struct form *m, const struct box *x)
+/* Whether h11 y^2 - e |y z| + h22 z^2 is positive, and what it loses by less 2 (p |y| + q |z|) is small. */
+static int is_positive(double h11, double e, double h22, double p, double q, double room)
 {
-    const double *const low = x->low, b = low[1] + x->wide[1];
-    const double first = f->triangle ? low[0] * (1.0 - b) : low[0];
-    const double last = (low[0] + x->wide[0]) * (f->triangle ? 1.0 - low[1] : 1.0);
-    const double s[2] = {first - m->u - RANGE_ERROR, last - m->u + RANGE_ERROR}, S = widest(s);
-    const double t[2] = {low[1] - m->v - RANGE_ERROR, b - m->v + RANGE_ERROR}, T = widest(t);
-    const double h11 = m->q[2][0] + least(m->q[3][0], s) + least(m->q[2][1], t) + m->up[0] / S - FORM_ERROR;
-    const double h22 = m->q[0][2] + least(m->q[0][3], t) + least(m->q[1][2], s) + m->up[1] / T - FORM_ERROR;
-    const double e = fabs(m->q[1][1]) + S * S * (fabs(m->q[3][1]) + T * fabs(m->q[3][2])) + S * T * fabs(m->q[2][2]) +
-                     T * T * (fabs(m->q[1][3]) + S * fabs(m->q[2][3])) + FORM_ERROR;
     const double det = (1.0 - PRODUCT_ERROR) * (h11 * h22) - 0.25 * (e * e);
-    const double p = m->down[0], q = m->down[1]; /* what the form less 2 (p |s| + q |t|) loses must be small: */
     return h11 > 0.0 && h22 > 0.0 && det > 0.0 &&
-           h22 * (p * p) + e * (p * q) + h11 * (q * q) <= (1.0 - PRODUCT_ERROR) * (m->room * det);
+           h22 * (p * p) + e * (p * q) + h11 * (q * q) <= (1.0 - PRODUCT_ERROR) * (room * det);
+}
+
+/* The range of y. */
+static void range_of(const struct form *f, const double range[2][2], double y[2])
+{
+    const double *const s = range[f->first], *const z = range[!f->first], Z = widest(z);
+    const double square = Z * Z, bow[2] = {smaller(f->bow, 0.0) * square, quadratic_larger(f->bow, 0.0) * square};
+    const double skew[2] = {least(f->skew, z), -least(-f->skew, z)};
+    const double error =
+        f->skew == 0.0 && f->bow == 0.0 ? 0.0 : RANGE_ERROR * (1.0 + fabs(f->skew) * Z + fabs(f->bow) * square);
+    y[0] = s[0] - skew[1] - bow[1] - error;
+    y[1] = s[1] - skew[0] - bow[0] + error;
+}
+
+/* A bound on the factor of |y z|, but for those of y^2 z and y z^2. */
+static double mixed_of(const struct form *f, double Y, double Z)
+{
+    double e = 0.0;
+    for (int i = 3; i > 0; i--) {
+        double sum = 0.0;
+        for (int j = TERMS - 1; j > 0; j--)
+            sum = sum * Z + (i + j == 3 ? 0.0 : fabs(f->q[i][j]) + f->slack[i][j]);
+        e = e * Y + sum;
+    }
+    return e;
+}
+
+/* Whether the form says that no point of a range of s and t is nearer than p, nor as near.  What has y^2 z counts with y^2
+ * or with |y z|, and what has y z^2 with z^2 or |y z|: the latter on slim faces. */
+static int is_settled(const struct form *f, double room, const double range[2][2])
+{
+    const double *const z = range[!f->first], p = f->down[0], q = f->down[1];
+    double y[2], high = 0.0;
+    range_of(f, range, y);
+    const double Y = widest(y), Z = widest(z), e = mixed_of(f, Y, Z);
+    for (int j = TERMS - 1; j > 3; j--)
+        high = (high + fabs(f->q[0][j]) + f->slack[0][j]) * Z;
+    const double h11 = f->q[2][0] - f->slack[2][0] + least(f->q[3][0], y) - f->slack[3][0] * Y + f->up[0] / Y;
+    const double h22 = f->q[0][2] - f->slack[0][2] + least(f->q[0][3], z) - (f->slack[0][3] + high) * Z + f->up[1] / Z;
+    const double with_h11 = least(f->q[2][1], z) - f->slack[2][1] * Z;
+    const double with_h22 = least(f->q[1][2], y) - f->slack[1][2] * Y;
+    const double with_e[2] = {Y * (fabs(f->q[2][1]) + f->slack[2][1]), Z * (fabs(f->q[1][2]) + f->slack[1][2])};
+    return is_positive(h11 + with_h11, e, h22 + with_h22, p, q, room) ||
+           is_positive(h11 + with_h11, e + with_e[1], h22, p, q, room) ||
+           is_positive(h11, e + with_e[0], h22 + with_h22, p, q, room);
 }
 
 /* ---- boxes ---- */
@@ -197,9 +351,44 @@ static void halve(struct box *x, int along, struct box *other)
         }
 }
 
+/* Whether no point of the box is nearer than p, nor as near. */
+static int is_box_settled(const struct quadratic *f, const struct quadratic_taylor *t, struct question *m,
+                          const struct box *x)
+{
+    const double *const low = x->low, b = low[1] + x->wide[1];
+    const double first = f->triangle ? low[0] * (1.0 - b) : low[0];
+    const double last = (low[0] + x->wide[0]) * (f->triangle ? 1.0 - low[1] : 1.0);
+    const double range[2][2] = {{first - m->at[0] - RANGE_ERROR, last - m->at[0] + RANGE_ERROR},
+                                {low[1] - m->at[1] - RANGE_ERROR, b - m->at[1] + RANGE_ERROR}};
+    for (int k = 0; k < 2; k++) {
+        if (k == m->forms) {
+            if (k == 0)
+                form_of(f, t, m, &m->form[0]);
+            else
+                skew_form_of(f, t, m);
+            m->forms++;
+        }
+        if (is_settled(&m->form[k], m->room, range))
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether all points of the box are p, in space. */
+static int is_same(const struct question *m, const struct box *x)
+{
+    for (int i = 0; i < 9; i++) {
+        double apart[3];
+        vector_sub(x->net[i], m->point, apart);
+        if (!(vector_dot(apart, apart) < m->same))
+            return 0;
+    }
+    return 1;
+}
+
 /* Corners of a box: one that is nearer than p, and which is p itself, as a coefficient. */
-static int has_nearer(const struct form *m, const double at[2], const struct box *x, double c[5][5], double start[2],
-                      int *own)
+static int has_nearer(const struct question *m, const double at[2], const struct box *x, double c[5][5],
+                      double start[2], int *own)
 {
     double best = m->nearer;
     *own = -1;
@@ -227,13 +416,40 @@ static double bound_of(double c[5][5], int own, double error)
     return lowest - error;
 }
 
+static double square_of(double x)
+{
+    return x > 0.0 ? x * x : 0.0;
+}
+
+/* What no point of the box is below: the distance of a plane along its length that its control points are beyond.  Slim
+ * boxes lie alongside xS where the square of the distance is next to constant along them. */
+static double bound_along(const double net[9][3])
+{
+    double a[3], b[3], n[3], least = HUGE_VAL;
+    for (int k = 0; k < 3; k++) {
+        a[k] = (net[6][k] - net[0][k]) + (net[7][k] - net[1][k]) + (net[8][k] - net[2][k]);
+        b[k] = (net[2][k] - net[0][k]) + (net[5][k] - net[3][k]) + (net[8][k] - net[6][k]);
+    }
+    const double *const e = vector_dot(a, a) > vector_dot(b, b) ? a : b, square = vector_dot(e, e);
+    const double by = square > 0.0 ? vector_dot(net[4], e) / square : 0.0;
+    for (int k = 0; k < 3; k++)
+        n[k] = net[4][k] - by * e[k];
+    const double length = sqrt(vector_dot(n, n));
+    for (int i = 0; i < 9 && length > 0.0; i++)
+        least = smaller(least, vector_dot(n, net[i]) / length);
+    return length > 0.0 ? least - PLANE_ERROR : 0.0;
+}
+
 enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const double at[2],
                                                const struct quadratic_taylor *t, int *boxes, double start[2])
 {
     struct box stack[DEPTH + 1];
-    struct form m;
+    struct question m;
     enum quadratic_proof proof = QUADRATIC_PROVED;
-    form_of(f, at, t, &m);
+    if (vector_dot(t->c[0][0], t->c[0][0]) <= f->tolerance * f->tolerance)
+        return proof; /* no point is nearer by more, and those that are as near are one in space */
+    int doubts = 0;
+    ask(f, at, t, &m);
     box_of(f, &stack[0]);
     for (int top = 0; top >= 0; --*boxes) {
         struct box *const x = &stack[top];
@@ -242,23 +458,24 @@ enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const 
         if (*boxes <= 0)
             return QUADRATIC_GIVEN_UP;
         top--;
-        if (is_settled(f, &m, x))
+        if (is_box_settled(f, t, &m, x))
             continue;
         const double error = coefficients_of((const double(*)[3])x->net, c);
-        if (has_nearer(&m, at, x, c, start, &own)) {
-            if (!m.touching)
-                return QUADRATIC_NEARER;
+        if (has_nearer(&m, at, x, c, start, &own))
+            return QUADRATIC_NEARER;
+        double bound = bound_of(c, own, error);
+        if (bound < m.farther)
+            bound = square_of(bound_along((const double(*)[3])x->net));
+        const int is_farther = bound >= m.farther;
+        if (is_farther && (bound > m.alone || is_same(&m, x)))
+            continue;
+        const int along = !is_bent_along_a(c);
+        const int is_last = top + 2 > DEPTH || x->wide[along] < LEAST_EXTENT;
+        if (is_farther && (is_last || doubts++ >= DOUBTS)) {
             proof = QUADRATIC_TIED;
             continue;
         }
-        const double bound = bound_of(c, own, error);
-        if (bound >= m.farther) {
-            if (bound <= m.alone)
-                proof = QUADRATIC_TIED;
-            continue;
-        }
-        const int along = !is_bent_along_a(c);
-        if (top + 2 > DEPTH || x->wide[along] < LEAST_EXTENT)
+        if (is_last)
             return QUADRATIC_GIVEN_UP;
         struct box other;
         halve(x, along, &other);

@@ -1,5 +1,6 @@
 /* Faces of every kind; see footpoint_face.h. */
 #include "../certain/quadratic.h"
+#include "../certain/triangle.h"
 #include "../footpoint_face.h"
 #include "face_table.h"
 
@@ -60,9 +61,12 @@ int footpoint_face_closest(enum footpoint_face face, const double *x, double loc
     return f->closest(r.x, r.s, loc, distance, region);
 }
 
-/* Edges that a place is on, bit by bit, as a region of footpoint_face.h. */
-static int region_of(int corners, int edges)
+/* The region of footpoint_face.h that a place of the face is in: 0 if it is strictly inside. */
+static int region_of(int corners, const double loc[2])
 {
+    const double u = loc[0], v = loc[1];
+    const int edges = corners == 3 ? (v <= 0.0) | (u + v >= 1.0) << 1 | (u <= 0.0) << 2
+                                   : (v <= -1.0) | (u >= 1.0) << 1 | (v >= 1.0) << 2 | (u <= -1.0) << 3;
     for (int k = 0; k < corners; k++)
         if (edges >> k & edges >> (k + corners - 1) % corners & 1)
             return 1 + corners + k;
@@ -72,34 +76,34 @@ static int region_of(int corners, int edges)
     return 0;
 }
 
+enum { MOST_BOXES = 20000 };
+
+static int closest_with_certainty(const struct face *f, enum footpoint_face face, const double *x, double loc[2],
+                                  double *distance)
+{
+    const struct rows r = rows_of(f, x);
+    const double middle = face == FOOTPOINT_TRI6 ? 1.0 / 3.0 : 0.0;
+    double start[2] = {middle, middle}, guess;
+    int boxes = MOST_BOXES;
+    if (face == FOOTPOINT_TRI3)
+        return footpoint_triangle_closest(x, loc, distance);
+    if (face == FOOTPOINT_QUAD4)
+        return footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, loc, distance);
+    (void)f->pairs.locate(r.x, r.s, start, &guess);
+    return footpoint_quadratic_closest(f->pairs.nodes, x, start, loc, distance, &boxes);
+}
+
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region)
 {
     const struct face *const f = face_of(face);
-    const int triangle = face == FOOTPOINT_TRI3 || face == FOOTPOINT_TRI6;
-    struct quadratic_answer answer;
-    int status;
+    const int corners = face == FOOTPOINT_TRI3 || face == FOOTPOINT_TRI6 ? 3 : 4;
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
-    const struct rows r = rows_of(f, x);
-    if (face == FOOTPOINT_QUAD4) {
-        double *const at = answer.loc;
-        status = footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, at, &answer.distance);
-        if (status >= FOOTPOINT_OK)
-            answer.edges = (at[1] <= -1.0) | (at[0] >= 1.0) << 1 | (at[1] >= 1.0) << 2 | (at[0] <= -1.0) << 3;
-        if (status == FOOTPOINT_OK && answer.edges)
-            status = FOOTPOINT_OUTSIDE; /* a foot point on an edge is OK there */
-    } else {
-        double start[2] = {triangle ? 1.0 / 3.0 : 0.0, triangle ? 1.0 / 3.0 : 0.0}, guess;
-        (void)f->pairs.locate(r.x, r.s, start, &guess);
-        status = footpoint_quadratic_closest(f->pairs.nodes, x, start, &answer);
-    }
+    const int status = closest_with_certainty(f, face, x, loc, distance);
     if (status < FOOTPOINT_OK)
         return status;
-    loc[0] = answer.loc[0];
-    loc[1] = answer.loc[1];
-    *distance = answer.distance;
-    *region = region_of(triangle ? 3 : 4, answer.edges);
-    return status;
+    *region = region_of(corners, loc);
+    return status == FOOTPOINT_OK && *region ? FOOTPOINT_OUTSIDE : status;
 }
 
 int footpoint_face_place(enum footpoint_face face, const double *x, const double loc[2], double *phi, double *r_xi,

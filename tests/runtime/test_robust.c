@@ -1,5 +1,6 @@
 /* Answers with a proof: footpoint_certify, footpoint_robust, footpoint_stationary, footpoint_differentiate, and what
  * footpoint_locate says of its answers.  Hard cases against extended precision are in tests/hard/, see cli/hard.sh. */
+#include "../../runtime/footpoint_face.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 #include "../support/ordinary_quad.h"
 
@@ -99,7 +100,7 @@ static void test_square(void **state)
                 const double true_dist = sqrt((s[0] - x) * (s[0] - x) + (s[1] - y) * (s[1] - y) + s[2] * s[2]);
                 double loc[2], dist;
                 const int status = footpoint_robust(q.x[0], q.x[1], q.x[2], q.x[3], s, loc, &dist);
-                assert_int_equal(status, x == s[0] && y == s[1] ? FOOTPOINT_OK : FOOTPOINT_OUTSIDE);
+                assert_int_equal(status, fabs(x) < 1 && fabs(y) < 1 ? FOOTPOINT_OK : FOOTPOINT_OUTSIDE);
                 assert_true(fabs(loc[0] - x) < 1e-15 && fabs(loc[1] - y) < 1e-15);
                 assert_true(fabs(dist - (s[2] < 0 ? -true_dist : true_dist)) < 1e-15);
             }
@@ -222,6 +223,50 @@ static void test_not_finite(void **state)
         assert_true(loc[0] == UNTOUCHED && loc[1] == UNTOUCHED && dist == UNTOUCHED);
         assert_true(rho[0] == UNTOUCHED && rho[1] == UNTOUCHED && count == -7);
     }
+}
+
+static int is_on_edge(int corners, const double loc[2])
+{
+    if (corners == 3)
+        return loc[0] <= 0 || loc[1] <= 0 || loc[0] + loc[1] >= 1;
+    return fabs(loc[0]) >= 1 || fabs(loc[1]) >= 1;
+}
+
+/* Slave nodes over edges, or next to it by less than rounding: OUTSIDE, and a region, if and only if loc is on an edge. */
+static void statuses_say_where_loc_is(void **state)
+{
+    static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
+    static const double three[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
+    uint64_t stream = 3;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++)
+        for (int i = 0; i < 10 * SEGMENTS; i++) {
+            const int nodes = footpoint_face_nodes(face), corners = face <= FOOTPOINT_TRI6 ? 3 : 4, a = i % corners;
+            double x[30], loc[2], at[2], dist, d, part[2];
+            int region;
+            for (int k = 0; k < 2; k++) {
+                stream = stream * 6364136223846793005u + 1442695040888963407u;
+                part[k] = (double)(stream >> 11) * 0x1p-53;
+            }
+            for (int n = 0; n < nodes; n++) {
+                const double *const p = corners == 3 ? three[n] : square[n];
+                x[3 * n] = p[0] + 0.2 * p[1];
+                x[3 * n + 1] = p[1] - 0.1 * p[0];
+                x[3 * n + 2] = i % 2 ? 0.05 * p[0] * p[1] : 0;
+            }
+            const double off = i % 3 ? ldexp(part[1] - 0.5, -20 - i % 37) : 0;
+            for (int k = 0; k < 3; k++) {
+                const double p = x[3 * a + k], q = x[3 * ((a + 1) % corners) + k];
+                x[3 * nodes + k] = p + (i % 5 ? part[0] : 0) * (q - p) + (k < 2 ? off : 0.1 * (i % 4));
+            }
+            const int status = footpoint_face_robust(face, x, loc, &dist, &region), on = is_on_edge(corners, loc);
+            assert_int_equal(status, on ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK);
+            assert_int_equal(region != 0, on);
+            if (face != FOOTPOINT_QUAD4)
+                continue;
+            assert_int_equal(footpoint_robust(x, x + 3, x + 6, x + 9, x + 12, at, &d), status);
+            assert_true(at[0] == loc[0] && at[1] == loc[1] && d == dist);
+        }
 }
 
 /* ---- proofs ---- */
@@ -376,6 +421,7 @@ int main(void)
         cmocka_unit_test(test_two_closest),
         cmocka_unit_test(test_nearly_plane),
         cmocka_unit_test(test_no_area),
+        cmocka_unit_test(statuses_say_where_loc_is),
         cmocka_unit_test(test_not_finite),
         cmocka_unit_test(test_certify),
         cmocka_unit_test(test_certify_refuses),
