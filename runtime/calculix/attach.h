@@ -28,8 +28,8 @@ void footpoint_attach_tri3(const double x[3][3], const double xs[3], double loc[
  *  where the distance is convex over the segment; where it is not, the least of all stationary points and edges. */
 void footpoint_attach_quad4(const double x[4][3], const double xs[3], double loc[2]);
 
-/** The closest point of a quadratic triangle or serendipity quadrilateral: no other is nearer by more than 1e-10 of the
- *  face's size.  (On a face that folds onto itself at the slave node, the search for others may give up.) */
+/** Finds the closest point of a quadratic triangle or serendipity quadrilateral: no other is nearer by more than 1e-10 of
+ *  the largest difference of coordinates. */
 void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[2]);
 void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc[2]);
 

@@ -1,28 +1,35 @@
-/* The closest point of a quadratic face, clamped to it: sequential quadratic programming, until attach_search.c finds
- * nothing nearer.  The face is brought to
- *     r = k0 + k1 u + k2 v + k3 u^2 + k4 u v + k5 v^2 + k6 u^2 v + k7 u v^2,
- * half the squared distance f is replaced by its Taylor polynomial of second order, the least point of that over the
- * triangle or square is found exactly, and the step to it is halved until f falls.  Where the Hessian is not positive
- * definite it gives way to Gauss and Newton's, damped.  It starts from the closest point of the plane or bilinear face
- * of the corners, or from a node that is nearer. */
-#include "attach_curved.h"
+/* The closest point of a quadratic face, clamped to it.  With z = (s,t) the way in (u,v) from a point p of the face, where
+ * g = r - xS,
+ *     |r - xS|^2 - |g|^2 = 2 g . L z + |L z|^2 + 2 (g + L z) . y + |y|^2,   L z = r_u s + r_v t,
+ *     y = r_uu s^2/2 + r_uv s t + r_vv t^2/2 + k6 s^2 t + k7 s t^2.
+ * The last term is not negative.  Over the whole face the others are at least h11 s^2 - e |s t| + h22 t^2 less slopes as
+ * far as they lead down, with bounds on the factors.  If that form is positive and the slopes are small, p is the closest
+ * point.
+ *
+ * On ordinary faces that proves a local minimum, which sequential quadratic programming finds: half the squared distance f
+ * is replaced by its Taylor polynomial of second order, the least point of that over the triangle or square is found
+ * exactly, and the step to it is halved until f falls.  Where the Hessian is not positive definite it gives way to Gauss
+ * and Newton's, damped.  It starts from the closest point of the plane or bilinear face of the corners, or from a node
+ * that is nearer.  On all other faces footpoint_face_robust answers. */
 #include "../../generated/footpoint_quad4.h"
+#include "../footpoint_face.h"
+#include "attach.h"
 
 #include <float.h>
 
-enum { MAX_STEPS = 200, MAX_HALVINGS = 30, MAX_STARTS = 20 };
+enum { TERMS = 8, MAX_STEPS = 50, MAX_HALVINGS = 30 };
 
-/* The iteration is done when its next step would be below this. */
-#define NEXT_STEP 1e-9
+#define STRAIGHT 1e-12  /* what edges may be bent, over the size of the face, and still be straight */
+#define NEXT_STEP 1e-10 /* the iteration is done when its next step would be below this, */
+#define NEARLY 1e-6     /* or, without a Hessian inside, when its last one was */
+#define ON_EDGE 1e-6    /* how near a point on an edge is to it */
+#define NEARER 1e-11    /* over the face's size: what is nearer by less does not count */
+#define ROUNDING (64.0 * DBL_EPSILON)
 
-/* ... or, without a Hessian inside, when its last one was. */
-#define NEARLY 1e-6
-
-/* What edges may be bent, over the size of the face, and still be straight. */
-#define STRAIGHT 1e-12
-
-/* How near a point on an edge is to it. */
-#define ON_EDGE 1e-6
+/* r - xS = k0 + k1 u + k2 v + k3 u^2 + k4 u v + k5 v^2 + k6 u^2 v + k7 u v^2, and the sum of squares of k3 to k7. */
+struct curved {
+    double k[TERMS][3], bend2;
+};
 
 static void set_triangle(struct curved *f, const double x[][3], const double xs[3])
 {
@@ -68,6 +75,17 @@ static int is_straight(const struct curved *f, int corners)
     }
     return bent <= STRAIGHT * size;
 }
+
+/* r - xS at (u,v) = loc. */
+static inline void away(const struct curved *f, const double loc[2], double r[3])
+{
+    const double u = loc[0], v = loc[1];
+    for (int i = 0; i < 3; i++)
+        r[i] = f->k[0][i] + u * (f->k[1][i] + u * (f->k[3][i] + v * f->k[6][i]) + v * (f->k[4][i] + v * f->k[7][i])) +
+               v * (f->k[2][i] + v * f->k[5][i]);
+}
+
+/* ---- a local minimum ---- */
 
 static int positive(const struct model *m)
 {
@@ -160,7 +178,7 @@ static int step_down(const struct curved *f, int corners, double slope, const do
     for (int k = 0; k <= MAX_HALVINGS; k++, length *= 0.5) {
         double next[2] = {loc[0] + length * move[0], loc[1] + length * move[1]};
         confine(corners, next);
-        curved_away(f, next, r);
+        away(f, next, r);
         const double there = vector_dot(r, r);
         if (there <= *here + length * slope) {
             *here = there;
@@ -177,7 +195,7 @@ static void descend(struct curved *f, int corners, double loc[2], double r[3])
 {
     double here = vector_dot(r, r), move[2];
     f->bend2 = 0.0;
-    for (int k = 3; k < CURVED_TERMS; k++)
+    for (int k = 3; k < TERMS; k++)
         f->bend2 += vector_dot(f->k[k], f->k[k]);
     for (int n = 0; n < MAX_STEPS; n++) {
         const struct model full = model_of(f, loc, r, 0);
@@ -200,24 +218,11 @@ static void descend(struct curved *f, int corners, double loc[2], double r[3])
     confine(corners, loc);
 }
 
-/* To the closest point, from loc: a local minimum, and from whatever is nearer than that, the next. */
-static inline void find_closest(struct curved *f, int corners, double loc[2], double r[3])
-{
-    double start[2];
-    descend(f, corners, loc, r);
-    for (int n = 0; n < MAX_STARTS && footpoint_attach_nearer(f, corners, loc, start); n++) {
-        loc[0] = start[0];
-        loc[1] = start[1];
-        curved_away(f, loc, r);
-        descend(f, corners, loc, r);
-    }
-}
-
 /* To the nearest of n nodes, at local coordinates `at`, if that is nearer than loc; and r - xS there. */
 static inline void prefer_node(const struct curved *f, int n, const double x[][3], const double at[][2],
                                const double xs[3], double loc[2], double r[3])
 {
-    curved_away(f, loc, r);
+    away(f, loc, r);
     double d[3], best = vector_dot(r, r);
     for (int i = 0; i < n; i++) {
         vector_sub(x[i], xs, d);
@@ -233,6 +238,111 @@ static inline void prefer_node(const struct curved *f, int n, const double x[][3
     }
 }
 
+/* ---- the closest point ---- */
+
+struct derivatives {
+    double r[3], u[3], v[3], uu[3], uv[3], vv[3]; /* r - xS, r_u, r_v, ... */
+};
+
+static inline void derive(const struct curved *f, const double loc[2], struct derivatives *d)
+{
+    const double u = loc[0], v = loc[1];
+    away(f, loc, d->r);
+    for (int i = 0; i < 3; i++) {
+        const double uu = f->k[3][i] + v * f->k[6][i], vv = f->k[5][i] + u * f->k[7][i];
+        d->u[i] = f->k[1][i] + v * (f->k[4][i] + v * f->k[7][i]) + 2.0 * u * uu;
+        d->v[i] = f->k[2][i] + u * (f->k[4][i] + u * f->k[6][i]) + 2.0 * v * vv;
+        d->uu[i] = 2.0 * uu;
+        d->uv[i] = f->k[4][i] + 2.0 * (u * f->k[6][i] + v * f->k[7][i]);
+        d->vv[i] = 2.0 * vv;
+    }
+}
+
+/* How far a slope leads up (1) or down (-1), where a coordinate may only grow (1), only fall (-1), or do both (0). */
+static inline double part_of(double slope, int into, int sign)
+{
+    const double up = into ? into * slope : -fabs(slope);
+    return sign * up > 0.0 ? sign * up : 0.0;
+}
+
+/* The least of factor x over a range. */
+static inline double least(double factor, const double range[2])
+{
+    return factor * (factor > 0.0 ? range[0] : range[1]);
+}
+
+static inline double twice(const double a[3], const double b[3])
+{
+    return 2.0 * vector_dot(a, b);
+}
+
+/* Whether h11 s^2 - e |s t| + h22 t^2 is positive, and what it loses by less 2 (p |s| + q |t|) is small. */
+static inline int is_positive(double h11, double e, double h22, double p, double q, double room)
+{
+    const double det = h11 * h22 - 0.25 * e * e;
+    return h11 > 0.0 && h22 > 0.0 && det > 0.0 && h22 * p * p + e * p * q + h11 * q * q <= room * det;
+}
+
+/* Whether no point of the face is nearer than loc by more than NEARER.  On the edge u + v = 1 of a triangle, what both
+ * slopes have of its outward direction is held. */
+static int is_closest(const struct curved *f, int corners, const double loc[2])
+{
+    const double low = corners == 3 ? 0.0 : -1.0, *const k6 = f->k[6], *const k7 = f->k[7];
+    const double s[2] = {low - loc[0], 1.0 - loc[0]}, t[2] = {low - loc[1], 1.0 - loc[1]};
+    const double S = fmax(-s[0], s[1]), T = fmax(-t[0], t[1]);
+    const int into[2] = {s[0] >= 0.0                   ? 1
+                         : corners == 4 && s[1] <= 0.0 ? -1
+                                                       : 0,
+                         t[0] >= 0.0                   ? 1
+                         : corners == 4 && t[1] <= 0.0 ? -1
+                                                       : 0};
+    struct derivatives d;
+    derive(f, loc, &d);
+    const double aa = vector_dot(d.u, d.u), bb = vector_dot(d.v, d.v), g[2] = {twice(d.r, d.u), twice(d.r, d.v)};
+    const double size = aa + bb, rounding = ROUNDING * (size + sqrt(size * vector_dot(d.r, d.r)));
+    const double hold = corners == 3 && loc[0] + loc[1] >= 1.0 ? fmax(0.0, -fmax(g[0], g[1])) : 0.0;
+    const double p = 0.5 * part_of(g[0] + hold, into[0], -1) + rounding,
+                 q = 0.5 * part_of(g[1] + hold, into[1], -1) + rounding, room = NEARER * NEARER * size;
+    const double h11 =
+        aa + vector_dot(d.r, d.uu) + least(vector_dot(d.u, d.uu), s) + part_of(g[0] + hold, into[0], 1) / S - rounding;
+    const double h22 =
+        bb + vector_dot(d.r, d.vv) + least(vector_dot(d.v, d.vv), t) + part_of(g[1] + hold, into[1], 1) / T - rounding;
+    const double e = fabs(twice(d.u, d.v) + twice(d.r, d.uv)) + S * S * fabs(twice(d.u, k6)) +
+                     S * T * fabs(twice(d.u, k7) + twice(d.v, k6)) + T * T * fabs(twice(d.v, k7)) + rounding;
+    const double sst = twice(d.u, d.uv) + vector_dot(d.v, d.uu) + twice(d.r, k6);
+    const double stt = twice(d.v, d.uv) + vector_dot(d.u, d.vv) + twice(d.r, k7);
+    return is_positive(h11 + least(sst, t), e, h22 + least(stt, s), p, q, room) ||
+           is_positive(h11 + least(sst, t), e + T * fabs(stt), h22, p, q, room) ||
+           is_positive(h11, e + S * fabs(sst), h22 + least(stt, s), p, q, room);
+}
+
+static double size_of(const struct curved *f)
+{
+    double sum = 0.0;
+    for (int k = 1; k < TERMS; k++)
+        sum += vector_dot(f->k[k], f->k[k]);
+    return sqrt(sum);
+}
+
+/* To the closest point, from loc: a local minimum, unless another point is nearer. */
+static void find_closest(struct curved *f, enum footpoint_face face, const double x[][3], const double xs[3],
+                         double loc[2], double r[3])
+{
+    const int corners = face == FOOTPOINT_TRI6 ? 3 : 4, nodes = 2 * corners;
+    double all[9][3], at[2], distance;
+    int region;
+    descend(f, corners, loc, r);
+    if (is_closest(f, corners, loc))
+        return;
+    memcpy(all, x, (size_t)nodes * sizeof *all);
+    memcpy(all[nodes], xs, sizeof *all);
+    away(f, loc, r);
+    if (footpoint_face_robust(face, all[0], at, &distance, &region) < FOOTPOINT_OK)
+        loc[0] = loc[1] = NAN;
+    else if (!(sqrt(vector_dot(r, r)) - fabs(distance) <= NEARER * size_of(f)))
+        memcpy(loc, at, sizeof at);
+}
+
 void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[2])
 {
     static const double at[6][2] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}};
@@ -243,7 +353,7 @@ void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[
     if (is_straight(&f, 3))
         return;
     prefer_node(&f, 6, x, at, xs, loc, r);
-    find_closest(&f, 3, loc, r);
+    find_closest(&f, FOOTPOINT_TRI6, x, xs, loc, r);
 }
 
 void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc[2])
@@ -262,5 +372,5 @@ void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc
         loc[0] = loc[1] = 0.0;
     confine(4, loc);
     prefer_node(&f, 8, x, at, xs, loc, r);
-    find_closest(&f, 4, loc, r);
+    find_closest(&f, FOOTPOINT_QUAD8, x, xs, loc, r);
 }
