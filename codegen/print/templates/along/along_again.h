@@ -1,10 +1,11 @@
 /* Projection along a direction where the quick way does not tell. */
 
-/* In full, in units of length in which the segment and the direction are about 1 long. */
+/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
+ * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
 FOOTPOINT_COLD int footpoint_detail_KIND_along_again(const REAL *const *x, const REAL along[3],
                                                      REAL loc[2], REAL *dist)
 {
-    REAL y[VECTORS][3], p[3], at[3];
+    REAL y[VECTORS][3], p[3], at[3], away;
     const REAL *z[VECTORS];
     int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
     const int nodes = footpoint_detail_scale(x, VECTORS - 1, VECTORS, y, &exponent);
@@ -14,11 +15,17 @@ FOOTPOINT_COLD int footpoint_detail_KIND_along_again(const REAL *const *x, const
         return status;
     for (i = 0; i < VECTORS; i++)
         z[i] = y[i];
+    for (i = 0; i < 3; i++)
+        if (footpoint_detail_above(y[VECTORS - 1][i], 1e-4 / REAL_MIN) >> REAL_TOP)
+            return FOOTPOINT_ERR_DOMAIN;
     status = footpoint_detail_KIND_along_full(z, p, at);
     if (status < FOOTPOINT_OK)
         return status;
+    away = exponent ? ldexp(at[2], exponent) : at[2];
+    if (footpoint_detail_infinite(away) >> REAL_TOP)
+        return FOOTPOINT_ERR_DOMAIN;
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    *dist = away;
     return status;
 }

@@ -2,10 +2,12 @@
 
 /* PREFIX_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  ACCURACY.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
- *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
- *           once, the nearest one is the answer; and where loc and dist are untouched MISSED,
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           normal that is the gap.  ACCURACY.  Returns FOOTPOINT_OK: the line meets the segment once;
+ *           FOOTPOINT_NOT_UNIQUE: more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE: it passes by, and
+ *           the answer is a point where it meets the surface beyond the edges; and where loc and dist are untouched
+ *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and
+ *           MISSED;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
  *           FOOTPOINT_ERR_NOT_FINITE.
  * PREFIX_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2], REAL *dist)
@@ -13,11 +15,13 @@ FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2],
     const REAL *const x[VECTORS] = {NODE_NAMES};
     REAL at[3];
     int status;
-    if (footpoint_detail_KIND_along(x, along, at, &status) >> REAL_TOP)
+    const REAL_BITS flaw = footpoint_detail_KIND_along(x, along, at, &status);
+    const REAL away = at[2] / sqrt(footpoint_detail_dot(along, along));
+    if ((flaw | footpoint_detail_infinite(away)) >> REAL_TOP)
         return footpoint_detail_KIND_along_again(x, along, loc, dist);
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = at[2] / sqrt(footpoint_detail_dot(along, along));
+    *dist = away;
     return status;
 }
 
@@ -45,7 +49,7 @@ FOOTPOINT_LOOP void PREFIX_along_n(size_t n, const REAL *const x[COORDINATES],
         dist[i] /= sqrt(footpoint_detail_dot(q, q));
     }
     for (i = 0; i < n; i++)
-        if (status[i] < FOOTPOINT_OK) {
+        if (status[i] < FOOTPOINT_OK || footpoint_detail_infinite(dist[i]) >> REAL_TOP) {
             const REAL p[VECTORS][3] = {COLUMNS};
             const REAL q[3] = {along[0][i], along[1][i], along[2][i]};
             const REAL *const row[VECTORS] = {ROWS};

@@ -81,9 +81,11 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, cons
                                                    footpoint_detail_excess(at[1])));
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`. */
+/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
 FOOTPOINT_PART REAL footpoint_detail_root(REAL a, REAL b, REAL c, REAL slope)
 {
+    if (a == 0.0 && b == 0.0 && c == 0.0)
+        return 0.0;
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
@@ -106,7 +108,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const
     discriminant = b * b - 4.0 * (k[2] * k[5]);
     if (discriminant < 0.0)
         return FOOTPOINT_ERR_DOMAIN;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < (discriminant > 0.0 ? 2 : 1); i++) {
         const REAL slope = i ? -sqrt(discriminant) : sqrt(discriminant);
         REAL *const y = z[found];
         y[0] = footpoint_detail_root(k[1], k[0] - k[3], k[4], slope);
