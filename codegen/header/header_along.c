@@ -1,5 +1,5 @@
 /* Projection along a direction; see header_along.h.  Where the equations are of degree 2 it is in closed form, else by
- * Newton's steps. */
+ * Newton's steps, and where these do not tell by subdivision. */
 #include "header_along.h"
 
 #include "../genome/text.h"
@@ -19,7 +19,11 @@ void along_print(const struct unit *u, FILE *out)
     templates_print("FOOTPOINT_DETAIL_ALONG", (const char *const[]){"along", NULL}, precision, NULL, out);
     if (!closed)
         templates_print("FOOTPOINT_DETAIL_DOMAINS", (const char *const[]){"curved_domain", NULL}, precision, NULL, out);
-    const char *const curved[] = {k->triangle ? "triangle_powers" : "square_powers", "curved_along", "along_again",
+    const char *const curved[] = {k->triangle ? "triangle_powers" : "square_powers",
+                                  "curved_along",
+                                  "curved_parts",
+                                  "curved_along_full",
+                                  "along_again",
                                   NULL},
                       *const straight[] = {method, "along_again", NULL};
     lines_print_templates(u, NULL, "ALONG", closed ? straight : curved, out);

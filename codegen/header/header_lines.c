@@ -117,6 +117,9 @@ static struct placeholder *words_of(const struct unit *u, const struct function 
     const size_t n = segment_vectors(k) + 1;
     const char *const name = f ? f->name : "";
     const bool straight = lines_straight(u);
+    static const char missed[] =
+        "no steps come upon a point beyond the edges; FOOTPOINT_ERR_NO_CONVERGENCE: it touches the\n"
+        " *           segment or goes through a collapsed edge, to rounding, so that thousands of parts do not tell";
     const struct {
         const char *word;
         char *text;
@@ -129,8 +132,7 @@ static struct placeholder *words_of(const struct unit *u, const struct function 
                                            : k->triangle ? "AB x AC"
                                                          : "AC x BD")},
                {"ACCURACY", new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding")},
-               {"MISSED", new_format("%s", straight ? "FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere"
-                                                    : "FOOTPOINT_ERR_NO_CONVERGENCE: no step came upon it")},
+               {"MISSED", new_format("%s", straight ? "meets the surface nowhere" : missed)},
                {"REACH_TO_GROWTH", power_text("reach", k->growth)},
                {"VECTORS", new_format("%zu", n)},
                {"SEGMENT_VECTORS", new_format("%zu", n - 1)},

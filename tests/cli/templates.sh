@@ -36,7 +36,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         files="$files arrays over"
         case $nearest in
         '') ;;
-        curved*) files="$files ${nearest}_nearest closest_arrays ${shape}_powers curved_along along_again along_calls closest_calls" ;;
+        curved*) files="$files ${nearest}_nearest closest_arrays ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
         *) files="$files ${nearest}_nearest closest_arrays ${nearest}_along along_again along_calls closest_calls" ;;
         esac
         echo "REAL_BITS ${kind}_bare($parameters, REAL zero, REAL *xi, REAL *eta);"

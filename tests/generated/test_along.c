@@ -1,13 +1,16 @@
-/* Projection along a direction, footpoint_quad4_along and footpoint_tri3_along, against a solver that is certain and shares
- * no code with them: it halves the face, in the plane that the direction is normal to.  Over a box a bilinear function
- * lies between its values at the corners; where the Jacobian has one sign at the corners the box's image is a convex
- * quadrilateral, and holds the origin once or not at all.  Faces ordinary, tapered to triangles, folded and drawn at
- * random; 10,000 samples, 1e6 with FOOTPOINT_LONG. */
+/* Projection along a direction, footpoint_KIND_along, against a solver that is certain and shares no code with it,
+ * tests/support/line_points.h: a status is right, the nearest of several points is the answer.  Faces are mild, strongly
+ * curved, arched, with mid-side nodes at a quarter, collapsed, folded and wavy, at the origin and 1e6 edges away from it, with
+ * lines in any direction, near the normal and near chords.  4,000 lines a kind, 1e6 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4.h"
+#include "../../generated/footpoint_quad8.h"
+#include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_tri3.h"
-#include "../../runtime/footpoint.h"
+#include "../../generated/footpoint_tri6.h"
+#include "../support/line_points.h"
 
+#include <gsl/gsl_randist.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,341 +22,371 @@
 
 #include <cmocka.h>
 
-enum { SAMPLES = 10000, SAMPLES_LONG = 1000000, ROWS = 64, MOST_ROOTS = 8 };
-#define FINEST 1e-13L /* boxes that a solution is told by */
-#define FOLD 1e-5L    /* boxes in which the Jacobian changes sign are not told apart below */
-#define CLEAR 1e-7    /* of xi and eta: what lies on an edge, to rounding */
+enum { ROWS = 64, SAMPLES = 60 * ROWS, SAMPLES_LONG = 15625 * ROWS, VECTORS = 10 };
+enum { SEED = 20119, SEED_STATUS = 20120, SEED_SIZE = 20121 };
+#define CLEAR 1e-9 /* of xi and eta: what lies on an edge, to rounding */
 
-typedef long double real;
-
-/* F = f[0] + xi f[1] + eta f[2] + xi eta f[3], r - xS in the plane. */
-struct plane {
-    real f[4][2];
-};
-
-struct roots {
-    real at[MOST_ROOTS][2];
-    int count, fold;
-};
-
-static real cross2(const real a[2], const real b[2])
-{
-    return a[0] * b[1] - a[1] * b[0];
-}
-
-static void value_at(const struct plane *p, real xi, real eta, real f[2])
-{
-    for (int k = 0; k < 2; k++)
-        f[k] = p->f[0][k] + xi * p->f[1][k] + eta * (p->f[2][k] + xi * p->f[3][k]);
-}
-
-static real jacobian_at(const struct plane *p, real xi, real eta)
-{
-    const real u[2] = {p->f[1][0] + eta * p->f[3][0], p->f[1][1] + eta * p->f[3][1]};
-    const real v[2] = {p->f[2][0] + xi * p->f[3][0], p->f[2][1] + xi * p->f[3][1]};
-    return cross2(u, v);
-}
-
-static void add_root(struct roots *r, real xi, real eta)
-{
-    for (int k = 0; k < r->count; k++)
-        if (fabsl(r->at[k][0] - xi) + fabsl(r->at[k][1] - eta) < 1e-9L)
-            return;
-    if (r->count < MOST_ROOTS) {
-        r->at[r->count][0] = xi;
-        r->at[r->count++][1] = eta;
+#define N3(x) x[0], x[1], x[2]
+#define N4(x) N3(x), x[3]
+#define N6(x) N4(x), x[4], x[5]
+#define N8(x) N6(x), x[6], x[7]
+#define N9(x) N8(x), x[8]
+#define ALONG(n, name)                                                                                                 \
+    static int along_##name(double(*x)[3], const double *p, double loc[2], double *dist)                               \
+    {                                                                                                                  \
+        return footpoint_##name##_along(N##n(x), x[n], p, loc, dist);                                                  \
     }
-}
+ALONG(3, tri3)
+ALONG(4, quad4)
+ALONG(6, tri6)
+ALONG(8, quad8)
+ALONG(9, quad9)
 
-static void search_box(const struct plane *p, real xi, real eta, real half, struct roots *r)
-{
-    static const int corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    real f[4][2];
-    int positive[2] = {0, 0}, negative[2] = {0, 0}, right = 0, left = 0, inside = 1;
-    for (int c = 0; c < 4; c++) {
-        const real u = xi + half * corner[c][0], v = eta + half * corner[c][1], j = jacobian_at(p, u, v);
-        value_at(p, u, v, f[c]);
-        right += j > 0;
-        left += j < 0;
-        for (int k = 0; k < 2; k++) {
-            positive[k] += f[c][k] > 0;
-            negative[k] += f[c][k] < 0;
-        }
-    }
-    for (int k = 0; k < 2; k++)
-        if (positive[k] == 4 || negative[k] == 4)
-            return;
-    if (right == 4 || left == 4) {
-        for (int c = 0; c < 4; c++) {
-            const real *const a = f[c], *const b = f[(c + 1) % 4], side = cross2(a, b);
-            inside = inside && (right ? side >= 0 : side <= 0);
-        }
-        if (!inside)
-            return;
-    } else if (half < FOLD) {
-        r->fold = 1;
-        return;
-    }
-    if (half < FINEST) {
-        add_root(r, xi, eta);
-        return;
-    }
-    for (int c = 0; c < 4; c++)
-        search_box(p, xi + half / 2 * corner[c][0], eta + half / 2 * corner[c][1], half / 2, r);
-}
-
-/* Two axes normal to the direction. */
-static void axes_of(const double along[3], real e[2][3])
-{
-    real length = 0, along_e = 0;
-    int least = 0;
-    for (int i = 0; i < 3; i++) {
-        length += (real)along[i] * along[i];
-        least = fabs(along[i]) < fabs(along[least]) ? i : least;
-    }
-    for (int i = 0; i < 3; i++)
-        e[0][i] = (i == least) - along[i] * (real)along[least] / length;
-    for (int i = 0; i < 3; i++)
-        along_e += e[0][i] * e[0][i];
-    for (int i = 0; i < 3; i++)
-        e[0][i] /= sqrtl(along_e);
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        e[1][i] = (along[j] * e[0][k] - along[k] * e[0][j]) / sqrtl(length);
-    }
-}
-
-/* Of corners x[0] to x[3], or of the triangle as a parallelogram, and the slave node behind them. */
-static void plane_of(double (*x)[3], int corners, const double along[3], struct plane *p)
-{
-    real e[2][3];
-    axes_of(along, e);
-    memset(p, 0, sizeof *p);
-    for (int k = 0; k < 2; k++)
-        for (int i = 0; i < 3; i++) {
-            const real a = x[0][i], b = x[1][i], c = x[2][i], d = x[3][i], s = x[corners][i];
-            const real quad[4] = {(a + b + c + d) / 4 - s, (b + c - a - d) / 4, (c + d - a - b) / 4,
-                                  (a + c - b - d) / 4};
-            const real flat[4] = {a - s, b - a, c - a, 0};
-            for (int m = 0; m < 4; m++)
-                p->f[m][k] += e[k][i] * (corners == 4 ? quad[m] : flat[m]);
-        }
-}
+static const struct kind {
+    const char *name;
+    int nodes, corners;
+    int (*along)(double (*x)[3], const double *p, double loc[2], double *dist);
+    void (*arrays)(size_t n, const double *const *x, const double *const along[3], double *xi, double *eta,
+                   double *dist, int *status);
+} kinds[] = {{"tri3", 3, 3, along_tri3, footpoint_tri3_along_n},
+             {"quad4", 4, 4, along_quad4, footpoint_quad4_along_n},
+             {"tri6", 6, 3, along_tri6, footpoint_tri6_along_n},
+             {"quad8", 8, 4, along_quad8, footpoint_quad8_along_n},
+             {"quad9", 9, 4, along_quad9, footpoint_quad9_along_n}};
+enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* ---- samples ---- */
 
-static void draw(gsl_rng *stream, int number, double x[5][3], double along[3])
-{
-    static const double square[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    static const double apart[4] = {0.15, 0.7, 1.2, 3};
-    const double move = apart[number % 4], size = ldexp(1, (int)(41 * gsl_rng_uniform(stream)) - 20);
-    for (int k = 0; k < 5; k++)
-        for (int i = 0; i < 3; i++) {
-            const double place = k < 4 && i < 2 ? square[k][i] : 0, drawn = 2 * gsl_rng_uniform(stream) - 1;
-            x[k][i] = size * (place + drawn * (k == 4 ? 1.2 : i < 2 ? move : 0.5 * move));
-        }
-    if (number % 16 == 5) /* a triangle */
-        memcpy(x[3], x[2], sizeof x[3]);
-    for (int i = 0; i < 3; i++)
-        along[i] = (i == 2) + (number % 8 < 4 ? 0.5 : 3) * (2 * gsl_rng_uniform(stream) - 1);
-}
+enum family { MILD, STRONG, ARCH, QUARTER, COLLAPSED, FOLDED, WAVY, FAMILIES };
+static const char *const family_name[] = {"mild", "strong", "arch", "quarter-point", "collapsed", "folded", "wavy"};
 
-static double distance_at(double (*x)[3], int corners, const double along[3], const real at[2])
-{
-    real ahead = 0, length = 0;
-    for (int i = 0; i < 3; i++) {
-        const real s = at[0], t = at[1], a = x[0][i], b = x[1][i], c = x[2][i], d = x[3][i];
-        const real r =
-            corners == 4
-                ? ((1 - s) * (1 - t) * a + (1 + s) * (1 - t) * b + (1 + s) * (1 + t) * c + (1 - s) * (1 + t) * d) / 4
-                : (1 - s - t) * a + s * b + t * c;
-        ahead += (x[corners][i] - r) * along[i];
-        length += (real)along[i] * along[i];
-    }
-    return (double)(ahead / sqrtl(length));
-}
-
-static int is_in_face(int corners, const real at[2], double margin)
-{
-    if (corners == 4)
-        return fabsl(at[0]) <= 1 + margin && fabsl(at[1]) <= 1 + margin;
-    return at[0] >= -margin && at[1] >= -margin && at[0] + at[1] <= 1 + margin;
-}
-
-struct tally {
-    long answers, outside, twice, none, unclear;
-    double worst;
+struct line {
+    double x[VECTORS][3], p[3]; /* the slave node behind the nodes */
 };
 
-/* Whether an answer and its status are right; *clear: whether rounding lets that be told. */
-static int is_right(double (*x)[3], int corners, const double along[3], int status, const double loc[2], double dist,
-                    struct tally *t)
+static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
+static const double triangle[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
+
+/* Nodes about 1 apart: on an arch, moved, with mid-side nodes a quarter from corner A or from edge AB, with C at D. */
+static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, double (*x)[3])
 {
-    struct plane p;
-    struct roots face = {0}, wide = {0};
-    int inside = 0, at_edge = 0, best = -1, match = -1;
-    double size = 0, least = INFINITY;
-    plane_of(x, corners, along, &p);
-    search_box(&p, corners == 4 ? 0 : 0.5L, corners == 4 ? 0 : 0.5L, corners == 4 ? 1.01L : 0.51L, &face);
-    for (int k = 0; k < corners; k++)
+    static const double move[FAMILIES] = {0.1, 0.5, 0.05, 0.02, 0.1, 1.2, 0.1};
+    const double rise = gsl_ran_flat(stream, 0.2, 1.5), edge = gsl_ran_flat(stream, -1, 1);
+    for (int n = 0; n < k->nodes; n++) {
+        const double *const at = k->corners == 3 ? triangle[n] : square[n], low = k->corners == 3 ? 0 : -1;
+        double place[2] = {(at[0] - low) / (1 - low), (at[1] - low) / (1 - low)};
+        for (int i = 0; i < 2 && how == QUARTER; i++)
+            place[i] = place[i] == 0.5 && (i || edge > 0) ? 0.25 : place[i];
         for (int i = 0; i < 3; i++)
-            size = fmax(size, fabs(x[k][i] - x[corners][i]));
-    if (face.fold) {
-        t->unclear++;
-        return 1;
+            x[n][i] = (i < 2 ? place[i] : 0) + move[how] * gsl_ran_flat(stream, -0.5, 0.5);
+        if (how == ARCH)
+            x[n][2] += rise * (place[0] * (1 - place[0]) * 4 + (edge > 0 ? place[1] * (1 - place[1]) : 0));
+        if (how == WAVY && n >= k->corners)
+            x[n][2] += gsl_ran_flat(stream, -1, 1);
     }
-    for (int k = 0; k < face.count; k++) {
-        const int in = is_in_face(corners, face.at[k], 0), strictly = is_in_face(corners, face.at[k], -CLEAR);
-        at_edge += is_in_face(corners, face.at[k], CLEAR) && !strictly;
-        inside += in;
-        const double d = fabs(distance_at(x, corners, along, face.at[k]));
-        if (in && d < least) {
-            least = d;
-            best = k;
-        }
-        if (status >= 0 && fabs((double)face.at[k][0] - loc[0]) + fabs((double)face.at[k][1] - loc[1]) < 1e-6)
-            match = k;
-    }
-    if (at_edge) {
-        t->unclear++;
-        return 1;
-    }
-    t->answers += inside == 1;
-    t->twice += inside == 2;
-    t->outside += status == FOOTPOINT_OUTSIDE;
-    t->none += status == FOOTPOINT_ERR_DOMAIN;
-    if (inside == 0 && status == FOOTPOINT_OUTSIDE) { /* a solution all the same */
-        real f[2];
-        value_at(&p, loc[0], loc[1], f);
-        const double reach = 1 + fabs(loc[0]) * fabs(loc[1]) + fabs(loc[0]) + fabs(loc[1]);
-        return (double)(fabsl(f[0]) + fabsl(f[1])) <= 1e-9 * size * reach;
-    }
-    if (inside == 0) {
-        search_box(&p, 0, 0, 6, &wide);
-        if (wide.fold)
-            t->unclear++;
-        return status == FOOTPOINT_ERR_DOMAIN && (wide.count == 0 || wide.fold);
-    }
-    if (status != (inside == 2 ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK) || match < 0)
-        return 0;
-    const double d = distance_at(x, corners, along, face.at[match]);
-    t->worst = fmax(t->worst, fabs(d - dist) / size);
-    return fabs(d - dist) <= 1e-9 * size && (match == best || fabs(fabs(d) - least) < 1e-9 * size);
+    if (how == COLLAPSED)
+        memcpy(x[3], x[k->corners == 3 ? 0 : 2], sizeof *x);
+    if (how == COLLAPSED && k->nodes > 6)
+        memcpy(x[6], x[2], sizeof *x);
 }
 
-static void compare(int corners, long samples)
+/* A line through a point on the face or a little beside it, and a slave node on it: in any direction, near the normal of a
+ * flat face, or near a chord of the face. */
+static void draw_line(const struct kind *k, gsl_rng *stream, struct line *l)
+{
+    static const double none[3] = {0, 0, 0};
+    const double low = k->corners == 3 ? -0.1 : -1.1, along = gsl_ran_flat(stream, -2, 2);
+    const double loc[2] = {gsl_ran_flat(stream, low, 1.1), gsl_ran_flat(stream, low, 1.1)};
+    const double next[2] = {loc[0] + gsl_ran_flat(stream, -0.6, 0.6), loc[1] + gsl_ran_flat(stream, -0.6, 0.6)};
+    const int how = (int)gsl_rng_uniform_int(stream, 4);
+    double r[3], s[3];
+    line_points_offset(k->nodes, l->x, none, loc, r);
+    line_points_offset(k->nodes, l->x, none, next, s);
+    for (int i = 0; i < 3; i++)
+        l->p[i] = how == 0   ? gsl_ran_gaussian(stream, 1)
+                  : how == 1 ? (i == 2) + gsl_ran_flat(stream, -0.2, 0.2)
+                  : how == 2 ? (i == 2) + gsl_ran_flat(stream, -1, 1)
+                             : s[i] - r[i] + gsl_ran_flat(stream, -0.05, 0.05);
+    for (int i = 0; i < 3; i++)
+        l->x[k->nodes][i] = r[i] + along * l->p[i];
+}
+
+static void draw(const struct kind *k, long number, gsl_rng *stream, struct line *l)
+{
+    const enum family how = (enum family)(number % FAMILIES);
+    const double size = ldexp(1, (int)gsl_rng_uniform_int(stream, 41) - 20);
+    double away[3];
+    draw_face(k, how, stream, l->x);
+    draw_line(k, stream, l);
+    for (int i = 0; i < 3; i++)
+        away[i] = number / FAMILIES % 2 ? gsl_ran_flat(stream, -1e6, 1e6) : 0;
+    for (int n = 0; n <= k->nodes; n++)
+        for (int i = 0; i < 3; i++)
+            l->x[n][i] = size * (l->x[n][i] + away[i]);
+}
+
+/* ---- judgement ---- */
+
+struct tally {
+    long lines[4], wrong, unclear, nowhere, family[FAMILIES]; /* lines by number of points, three and more together */
+    double off;
+};
+
+struct answer {
+    int status;
+    double loc[2], dist;
+};
+
+/* The line meets the surface there; mesh length. */
+static double off_line(const struct kind *k, struct line *l, const struct answer *a)
+{
+    double r[3], length = 0, off = 0;
+    line_points_offset(k->nodes, l->x, l->x[k->nodes], a->loc, r);
+    for (int i = 0; i < 3; i++)
+        length += l->p[i] * l->p[i];
+    for (int i = 0; i < 3; i++)
+        off = fmax(off, fabs(r[i] + a->dist * l->p[i] / sqrt(length)));
+    return off;
+}
+
+static double span_of(const struct kind *k, struct line *l)
+{
+    double span = 0;
+    for (int n = 0; n < k->nodes; n++)
+        for (int i = 0; i < 3; i++)
+            span = fmax(span, fabs(l->x[n][i] - l->x[k->nodes][i]));
+    return span;
+}
+
+static double beyond_of(const struct kind *k, const double loc[2])
+{
+    return k->corners == 3 ? fmax(-fmin(loc[0], loc[1]), loc[0] + loc[1] - 1) : fmax(fabs(loc[0]), fabs(loc[1])) - 1;
+}
+
+static bool is_nowhere(const struct kind *k, struct line *l)
+{
+    struct line_points wide;
+    line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, 5, &wide);
+    return wide.count == 0 || !wide.clear;
+}
+
+static bool is_right(const struct kind *k, struct line *l, const struct answer *a, struct tally *t)
+{
+    struct line_points all;
+    const struct line_point *best = NULL;
+    const double span = span_of(k, l);
+    int inside = 0;
+    line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, 0.1, &all);
+    bool clear = all.clear;
+    for (int i = 0; i < all.count; i++) {
+        const struct line_point *const p = &all.point[i];
+        clear = clear && fabs(p->beyond) > CLEAR + 1e-14 * span * p->spread;
+        inside += p->beyond < 0;
+        if (p->beyond < 0 && (!best || fabs(p->dist) < fabs(best->dist)))
+            best = p;
+    }
+    if (a->status >= FOOTPOINT_OK) {
+        const double reach = 1 + fabs(a->loc[0]) + fabs(a->loc[1]), off = off_line(k, l, a) / (span * reach * reach);
+        t->off = fmax(t->off, off);
+        if (off > 1e-9)
+            return false;
+    }
+    t->unclear += !clear;
+    if (!clear)
+        return true;
+    t->lines[inside < 3 ? inside : 3]++;
+    t->nowhere += a->status == FOOTPOINT_ERR_DOMAIN;
+    if (inside == 0)
+        return (a->status == FOOTPOINT_OUTSIDE && beyond_of(k, a->loc) > 0) ||
+               (a->status == FOOTPOINT_ERR_DOMAIN && (k->nodes != 4 || is_nowhere(k, l)));
+    return a->status == (inside == 1 ? FOOTPOINT_OK : FOOTPOINT_NOT_UNIQUE) &&
+           fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread) * span;
+}
+
+static void judge(const struct kind *k, long number, struct line *l, const struct answer *a, struct tally *t)
+{
+    if (is_right(k, l, a, t))
+        return;
+    t->family[number % FAMILIES]++;
+    if (t->wrong++ < 5)
+        printf("# %s, line %ld (%s): status %d, %.17g %.17g, %.17g\n", k->name, number, family_name[number % FAMILIES],
+               a->status, a->loc[0], a->loc[1], a->dist);
+}
+
+/* Both ways of calling for ROWS lines. */
+static void ask(const struct kind *k, struct line *l, struct answer one[ROWS], struct answer row[ROWS])
+{
+    double column[3 * VECTORS][ROWS], p[3][ROWS], xi[ROWS], eta[ROWS], dist[ROWS];
+    const double *columns[3 * VECTORS], *const directions[3] = {p[0], p[1], p[2]};
+    int status[ROWS];
+    for (int i = 0; i < 3 * k->nodes + 3; i++) {
+        columns[i] = column[i];
+        for (int n = 0; n < ROWS; n++)
+            column[i][n] = l[n].x[i / 3][i % 3];
+    }
+    for (int i = 0; i < 3 * ROWS; i++)
+        p[i / ROWS][i % ROWS] = l[i % ROWS].p[i / ROWS];
+    k->arrays(ROWS, columns, directions, xi, eta, dist, status);
+    for (int n = 0; n < ROWS; n++) {
+        one[n] = (struct answer){0, {7, 7}, 7};
+        one[n].status = k->along(l[n].x, l[n].p, one[n].loc, &one[n].dist);
+        row[n] = (struct answer){status[n], {xi[n], eta[n]}, dist[n]};
+        assert_true(one[n].status >= FOOTPOINT_OK || (one[n].loc[0] == 7 && one[n].loc[1] == 7 && one[n].dist == 7));
+    }
+}
+
+static long compare(const struct kind *k, long samples)
 {
     struct tally t = {0};
+    struct line lines[ROWS];
+    struct answer one[ROWS], row[ROWS];
     gsl_rng *stream = stream_new();
-    stream_key(stream, 20119, 0, 0, 0);
-    long wrong = 0;
-    for (long n = 0; n < samples; n++) {
-        double x[5][3], along[3], loc[2] = {7, 7}, dist = 7;
-        draw(stream, (int)(n % 16), x, along);
-        if (corners == 3)
-            memcpy(x[3], x[4], sizeof x[3]);
-        const int status = corners == 4 ? footpoint_quad4_along(x[0], x[1], x[2], x[3], x[4], along, loc, &dist)
-                                        : footpoint_tri3_along(x[0], x[1], x[2], x[3], along, loc, &dist);
-        if (is_right(x, corners, along, status, loc, dist, &t) && (status >= FOOTPOINT_OK || dist == 7))
-            continue;
-        if (wrong++ < 10)
-            printf("# %d corners, sample %ld: status %d, %.17g %.17g, %.17g\n", corners, n, status, loc[0], loc[1],
-                   dist);
+    for (long first = 0; first < samples; first += ROWS) {
+        for (int n = 0; n < ROWS; n++) {
+            stream_key(stream, SEED, (uint64_t)(k - kinds), (uint64_t)(first + n), 0);
+            draw(k, first + n, stream, &lines[n]);
+        }
+        ask(k, lines, one, row);
+        for (int n = 0; n < ROWS; n++) {
+            judge(k, first + n, &lines[n], &one[n], &t);
+            if (row[n].status != one[n].status ||
+                (one[n].status >= FOOTPOINT_OK &&
+                 (row[n].loc[0] != one[n].loc[0] || row[n].loc[1] != one[n].loc[1] || row[n].dist != one[n].dist)))
+                judge(k, first + n, &lines[n], &row[n], &t);
+        }
     }
-    printf("# %d corners: %ld of %ld wrong; %ld in the face, %ld twice, %ld beside it, %ld nowhere; %ld at an edge or "
-           "fold; distance off by %.1e\n",
-           corners, wrong, samples, t.answers, t.twice, t.outside, t.none, t.unclear, t.worst);
     gsl_rng_free(stream);
+    printf(
+        "# %s: %ld of %ld wrong; %ld lines beside the face, %ld meet it once, %ld twice, %ld more often; %ld meet the "
+        "surface nowhere; %ld unclear; off the line by %.1e\n",
+        k->name, t.wrong, samples, t.lines[0], t.lines[1], t.lines[2], t.lines[3], t.nowhere, t.unclear, t.off);
+    for (int i = 0; i < FAMILIES; i++)
+        if (t.family[i])
+            printf("# %s: %ld wrong on %s faces\n", k->name, t.family[i], family_name[i]);
+    assert_true(t.unclear < samples / 100 && t.lines[0] > samples / 10 && t.lines[1] > samples / 10);
+    assert_true(k->nodes == 3 || t.lines[2] > samples / 100);
+    return t.wrong;
+}
+
+static void lines_meet_faces(void **state)
+{
+    const long samples = getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    long wrong = 0;
+    (void)state;
+    for (int k = 0; k < KINDS; k++)
+        wrong += compare(&kinds[k], samples);
     assert_int_equal(wrong, 0);
-    assert_true(t.unclear < samples / 50 && t.answers > samples / 5 && t.outside > samples / 20);
-    assert_true(corners == 3 || (t.twice > samples / 500 && t.none > samples / 500));
 }
 
-static long samples(void)
+/* ---- statuses ---- */
+
+enum flaw { NONE, NODE, DIRECTION, SHORT, NO_AREA, IN_PLANE, FLAWS };
+
+/* A flawed line: not finite, of no direction, on a face without area or in the plane of a face. */
+static void spoil(const struct kind *k, int number, enum flaw how, struct line *l)
 {
-    return getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    const double bad = number % 3 == 0 ? NAN : number % 3 == 1 ? INFINITY : -INFINITY;
+    if (how == NODE)
+        l->x[number % (k->nodes + 1)][number % 3] = bad;
+    for (int i = 0; i < 3; i++) {
+        l->p[i] = how == DIRECTION && i == number % 3 ? bad : how == SHORT ? 0 : l->p[i];
+        for (int n = 0; n < k->nodes && how == NO_AREA; n++)
+            l->x[n][i] = (n + 0.25 * number) * (i + 1);
+        for (int n = 0; n < k->nodes && how == IN_PLANE; n++)
+            l->x[n][i] = i == 2 ? 0.5 : k->corners == 3 ? triangle[n][i] : square[n][i];
+        if (how == IN_PLANE) {
+            l->x[k->nodes][i] = number / 6 % 2 ? 0.5 : 0.25 * i;
+            l->p[i] = i == 2 ? 0 : 1 + i;
+        }
+    }
 }
 
-static void quad4_is_right(void **state)
-{
-    (void)state;
-    compare(4, samples());
-}
-
-static void tri3_is_right(void **state)
-{
-    (void)state;
-    compare(3, samples());
-}
-
-/* What is not finite, without area, or along the face; and that arrays are answered as one. */
 static void statuses_are_right(void **state)
 {
-    (void)state;
-    static double x[ROWS][5][3], along[ROWS][3], column[15][ROWS], q[3][ROWS];
-    const double *columns[15], *const directions[3] = {q[0], q[1], q[2]};
-    double xi[ROWS], eta[ROWS], dist[ROWS];
-    int status[ROWS];
+    static const int expected[FLAWS] = {FOOTPOINT_OK,
+                                        FOOTPOINT_ERR_NOT_FINITE,
+                                        FOOTPOINT_ERR_NOT_FINITE,
+                                        FOOTPOINT_ERR_DEGENERATE,
+                                        FOOTPOINT_ERR_DEGENERATE,
+                                        FOOTPOINT_ERR_DEGENERATE};
     gsl_rng *stream = stream_new();
-    stream_key(stream, 20120, 0, 0, 0);
-    for (int n = 0; n < ROWS; n++) {
-        draw(stream, n % 16, x[n], along[n]);
-        if (n % 8 == 1)
-            x[n][n % 5][n % 3] = n % 16 == 1 ? NAN : -INFINITY;
-        if (n % 8 == 2)
-            along[n][n % 3] = n % 16 == 2 ? NAN : INFINITY;
-        for (int i = 0; i < 3; i++) {
-            if (n % 8 == 3)
-                along[n][i] = 0;
-            for (int k = 0; k < 4 && n % 8 == 4; k++)
-                x[n][k][i] = k * (i + 1);
-            if (n % 8 == 5) /* a plane and a direction in it */
-                along[n][i] = x[n][1][i] - x[n][0][i], x[n][3][i] = x[n][0][i] + x[n][2][i] - x[n][1][i];
+    (void)state;
+    stream_key(stream, SEED_STATUS, 0, 0, 0);
+    for (int k = 0; k < KINDS; k++) {
+        struct line lines[ROWS];
+        struct answer one[ROWS], row[ROWS];
+        for (int n = 0; n < ROWS; n++) {
+            draw(&kinds[k], n, stream, &lines[n]);
+            spoil(&kinds[k], n, (enum flaw)(n % FLAWS), &lines[n]);
         }
-        for (int k = 0; k < 15; k++)
-            column[k][n] = x[n][k / 3][k % 3];
-        for (int i = 0; i < 3; i++)
-            q[i][n] = along[n][i];
+        ask(&kinds[k], lines, one, row);
+        for (int n = 0; n < ROWS; n++) {
+            assert_int_equal(one[n].status, row[n].status);
+            assert_true(n % FLAWS == NONE || one[n].status == expected[n % FLAWS]);
+        }
     }
     gsl_rng_free(stream);
-    for (int k = 0; k < 15; k++)
-        columns[k] = column[k];
-    footpoint_quad4_along_n(ROWS, columns, directions, xi, eta, dist, status);
-    for (int n = 0; n < ROWS; n++) {
-        double loc[2] = {7, 7}, d = 7;
-        const int one = footpoint_quad4_along(x[n][0], x[n][1], x[n][2], x[n][3], x[n][4], along[n], loc, &d);
-        assert_int_equal(one, status[n]);
-        if (n % 8 >= 1 && n % 8 <= 5)
-            assert_int_equal(one, n % 8 <= 2 ? FOOTPOINT_ERR_NOT_FINITE : FOOTPOINT_ERR_DEGENERATE);
-        if (one < FOOTPOINT_OK)
-            assert_true(loc[0] == 7 && loc[1] == 7 && d == 7);
-        else
-            assert_true(fabs(loc[0] - xi[n]) + fabs(loc[1] - eta[n]) <= 1e-9 * (1 + fabs(xi[n]) + fabs(eta[n])) &&
-                        fabs(d - dist[n]) <= 1e-9 * fabs(d));
+}
+
+/* Slave nodes as far away as numbers go: a distance that is a number, or none. */
+static void distances_are_finite(void **state)
+{
+    static const double size[] = {1e-300, 1e-3, 1, 1e5, 1e300}, length[] = {1e-300, 1e-100, 1e-60, 1, 1e100};
+    (void)state;
+    for (int n = 0; n < 25 * KINDS; n++) {
+        const struct kind *const k = &kinds[n % KINDS];
+        struct line l[ROWS];
+        struct answer one[ROWS], row[ROWS];
+        double away[ROWS];
+        for (int r = 0; r < ROWS; r++) {
+            const double d[3] = {r % 2, r % 3 == 0, 1};
+            away[r] = 1.79e308 * pow(10, -r * r / 20.0);
+            for (int i = 0; i < 3 * k->nodes; i++) {
+                const double *const at = k->corners == 3 ? triangle[i / 3] : square[i / 3];
+                l[r].x[i / 3][i % 3] = i % 3 == 2 ? 0 : size[n / KINDS % 5] * at[i % 3];
+            }
+            for (int i = 0; i < 3; i++) {
+                l[r].x[k->nodes][i] = away[r] * d[i];
+                l[r].p[i] = length[n / KINDS / 5] * d[i];
+            }
+        }
+        ask(k, l, one, row);
+        for (int r = 0; r < ROWS; r++) {
+            assert_int_equal(one[r].status, row[r].status);
+            if (one[r].status < FOOTPOINT_OK)
+                assert_int_equal(one[r].status, FOOTPOINT_ERR_DOMAIN);
+            else
+                assert_true(isfinite(one[r].dist) && isfinite(row[r].dist));
+            assert_true(away[r] > 1e300 * fmin(1, size[n / KINDS % 5]) || one[r].status >= FOOTPOINT_OK);
+        }
     }
 }
 
-/* The same bits in any unit of length, and of any length of the direction. */
+/* The same in any unit of length and with a direction of any length. */
 static void size_does_not_matter(void **state)
 {
-    (void)state;
     gsl_rng *stream = stream_new();
-    stream_key(stream, 20121, 0, 0, 0);
-    for (int n = 0; n < ROWS; n++) {
-        double x[5][3], along[3], loc[2] = {7, 7}, d = 7;
-        draw(stream, n % 16, x, along);
-        const int usual = footpoint_quad4_along(x[0], x[1], x[2], x[3], x[4], along, loc, &d);
+    (void)state;
+    stream_key(stream, SEED_SIZE, 0, 0, 0);
+    for (int n = 0; n < ROWS * KINDS; n++) {
+        const struct kind *const k = &kinds[n % KINDS];
+        struct line l;
+        struct answer usual = {0, {7, 7}, 7};
+        draw(k, n, stream, &l);
+        usual.status = k->along(l.x, l.p, usual.loc, &usual.dist);
         for (int power = -900; power <= 900; power += 150) {
-            double y[5][3], q[3], l[2] = {7, 7}, g = 7;
-            for (int k = 0; k < 15; k++)
-                y[k / 3][k % 3] = ldexp(x[k / 3][k % 3], power);
+            struct line m = l;
+            struct answer a = {0, {7, 7}, 7};
+            for (int i = 0; i < 3 * k->nodes + 3; i++)
+                m.x[i / 3][i % 3] = ldexp(l.x[i / 3][i % 3], power);
             for (int i = 0; i < 3; i++)
-                q[i] = ldexp(along[i], -power);
-            const int status = footpoint_quad4_along(y[0], y[1], y[2], y[3], y[4], q, l, &g);
-            assert_int_equal(status, usual);
-            if (status >= FOOTPOINT_OK)
-                assert_true(fabs(l[0] - loc[0]) + fabs(l[1] - loc[1]) <= 1e-9 * (1 + fabs(l[0]) + fabs(l[1])) &&
-                            fabs(ldexp(g, -power) - d) <= 1e-9 * fabs(d));
+                m.p[i] = ldexp(l.p[i], -power);
+            a.status = k->along(m.x, m.p, a.loc, &a.dist);
+            assert_int_equal(a.status, usual.status);
+            for (int i = 0; i < 2 && a.status >= FOOTPOINT_OK; i++)
+                assert_true(fabs(a.loc[i] - usual.loc[i]) <= 1e-9 * (1 + fabs(a.loc[i])));
+            if (a.status >= FOOTPOINT_OK)
+                assert_true(fabs(ldexp(a.dist, -power) - usual.dist) <= 1e-9 * span_of(k, &l));
         }
     }
     gsl_rng_free(stream);
@@ -362,9 +395,9 @@ static void size_does_not_matter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quad4_is_right),
-        cmocka_unit_test(tri3_is_right),
+        cmocka_unit_test(lines_meet_faces),
         cmocka_unit_test(statuses_are_right),
+        cmocka_unit_test(distances_are_finite),
         cmocka_unit_test(size_does_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,7 +6,7 @@
 
 typedef long double real;
 
-/* A box of the square of a and b, with the coefficients of a polynomial of degree 4 in each, or of two of degree 2. */
+/* A box of the square of a and b, with the coefficients of a polynomial of degree 4 in each. */
 struct box {
     real a, b, wide, high;
 };
@@ -217,79 +217,4 @@ double curved_face_closest(const struct curved_face *f, double loc[2])
     polish(&n);
     point_of(f, n.a, n.b, loc);
     return (double)sqrtl(fminl(found, square_at(&n)));
-}
-
-/* ---- along a direction ---- */
-
-struct roots {
-    const struct curved_face *face;
-    int most, count, visits;
-    double (*loc)[2];
-    bool unclear;
-};
-
-static bool has_zero(const real *c)
-{
-    int up = 0, down = 0;
-    for (int i = 0; i < 9; i++) {
-        up += c[i] > 0;
-        down += c[i] < 0;
-    }
-    return up < 9 && down < 9;
-}
-
-static void search_roots(struct roots *r, const struct box *x, const real c[2][9])
-{
-    if (!has_zero(c[0]) || !has_zero(c[1]))
-        return;
-    if (++r->visits > 20000) {
-        r->unclear = true;
-        return;
-    }
-    if (extent(r->face, x) < 1e-12L) {
-        double at[2];
-        point_of(r->face, x->a + x->wide / 2, x->b + x->high / 2, at);
-        for (int i = 0; i < r->count; i++) {
-            const double apart = fabs(at[0] - r->loc[i][0]) + fabs(at[1] - r->loc[i][1]);
-            if (apart < 1e-7)
-                return;
-            r->unclear = r->unclear || apart < 1e-2;
-        }
-        if (r->count == r->most)
-            r->unclear = true;
-        else
-            memcpy(r->loc[r->count++], at, sizeof at);
-        return;
-    }
-    real half[2][2][9];
-    const bool in_a = is_wide(r->face, x);
-    for (int k = 0; k < 2; k++)
-        halve(c[k], 3, in_a, half[0][k], half[1][k]);
-    for (int i = 0; i < 2 && !r->unclear; i++) {
-        const struct box h = half_of(x, in_a, i);
-        search_roots(r, &h, (const real(*)[9])half[i]);
-    }
-}
-
-int curved_face_along(const struct curved_face *f, const double along[3], int most, double (*loc)[2])
-{
-    real c[2][9], e[2][3], length = 0;
-    int least = 0;
-    for (int k = 0; k < 3; k++) {
-        length += (real)along[k] * along[k];
-        least = fabs(along[k]) < fabs(along[least]) ? k : least;
-    }
-    for (int k = 0; k < 3; k++)
-        e[0][k] = (k == least) - along[k] * (real)along[least] / length;
-    for (int k = 0; k < 3; k++)
-        e[1][k] = (along[(k + 1) % 3] * e[0][(k + 2) % 3] - along[(k + 2) % 3] * e[0][(k + 1) % 3]) / sqrtl(length);
-    for (int m = 0; m < 2; m++)
-        for (int i = 0; i < 9; i++) {
-            c[m][i] = 0;
-            for (int k = 0; k < 3; k++)
-                c[m][i] += e[m][k] * f->net[i / 3][i % 3][k];
-        }
-    struct roots r = {f, most, 0, 0, loc, false};
-    search_roots(&r, &(struct box){0, 0, 1, 1}, (const real(*)[9])c);
-    return r.unclear ? -1 : r.count;
 }

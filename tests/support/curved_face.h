@@ -1,7 +1,6 @@
-/* Certain answers about faces of six, eight and nine nodes: points of the face closest to another one, and where a line meets
- * it.  A face is of degree 2 in each of two coordinates a and b in [0,1]; what is asked for are polynomials of a and b, and
- * over a box a polynomial lies between the least and the largest of its Bernstein coefficients.  Boxes are halved until
- * they are points. */
+/* Closest points of faces of six, eight and nine nodes, certain.  A face is of degree 2 in each of two coordinates a and b in
+ * [0,1], and the square of the distance of degree 4; over a box a polynomial lies between the least and the largest of its
+ * Bernstein coefficients.  Boxes are halved until they are points. */
 #ifndef FOOTPOINT_CURVED_FACE_H
 #define FOOTPOINT_CURVED_FACE_H
 
@@ -18,10 +17,6 @@ void curved_face_of(struct curved_face *f, int nodes, double (*x)[3], const doub
 
 /** The distance of the closest point, at loc = {xi, eta}. */
 double curved_face_closest(const struct curved_face *f, double loc[2]);
-
-/** Points where r - xs is a multiple of `along`, `most` of them at most; -1 if some are too close together, or too near the edge,
- *  to be told. */
-int curved_face_along(const struct curved_face *f, const double along[3], int most, double (*loc)[2]);
 
 /** r - xs at (xi,eta), wherever. */
 void curved_face_point(const struct curved_face *f, double xi, double eta, double r[3]);

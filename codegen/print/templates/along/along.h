@@ -10,6 +10,12 @@
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
 
+/* The larger one without a branch, which would keep loops from being vectorised. */
+FOOTPOINT_PART REAL footpoint_detail_larger(REAL a, REAL b)
+{
+    return 0.5 * (a + b + fabs(a - b));
+}
+
 /* How far |x| is above 1, and 0 below. */
 FOOTPOINT_PART REAL footpoint_detail_excess(REAL x)
 {
