@@ -1,4 +1,4 @@
-# Generated headers in device code: every one compiles where there is nvcc, and where there is a GPU, too, each function of
+# Generated headers in device code: every function compiles where there is nvcc, and where there is a GPU, too, each function of
 # one face and one slave node answers there as on the host on ordinary segments: the same status and region, and all else to
 # 1e-9 (1e-3 in single precision), relative to what is greater than one.  Both sides compute the same operations, but the
 # device contracts to fused multiply-adds.
@@ -159,6 +159,17 @@ for header in generated/*.h; do
     [ $status != 77 ] || { report 1 "skipped: $name on a GPU (none here)"; continue; }
     sed 's/^/# /' "$work/log"
     report $((status == 0)) "$name answers there as here"
+done
+
+# All functions, called from one kernel.
+for header in generated/*.h; do
+    device_kernel "$PWD/$header" > "$work/$(basename "$header" .h).every.cu"
+done
+(cd "$work" && ls ./*.every.cu | xargs -P "$(nproc)" -I{} sh -c 'nvcc -ptx {} -o {}.ptx > {}.log 2>&1')
+for header in generated/*.h; do
+    name=$(basename "$header" .h)
+    [ -e "$work/$name.every.cu.ptx" ] || sed 's/^/# /' "$work/$name.every.cu.log" | head -20
+    [ -e "$work/$name.every.cu.ptx" ]; report $((! $?)) "$name, every function compiles for the device"
 done
 
 # A batch out of a mesh's arrays, the example to copy: answers are the host's, to the bit where nothing is contracted.

@@ -1,28 +1,33 @@
 /* What a header needs of its compiler, and the statuses. */
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -30,27 +35,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
