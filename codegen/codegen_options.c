@@ -114,6 +114,7 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     compile->seed = (unsigned long)o->seed;
     compile->explain = o->explain ? stderr : NULL;
     o->unit.prefix = o->prefix;
+    o->unit.face_prefix = given[option_find(t, "prefix")] ? o->prefix : NULL;
     o->unit.evidence = !o->count;
     return true;
 }

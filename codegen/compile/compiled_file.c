@@ -84,19 +84,28 @@ static bool is_taken(const struct genome_file *f, const char *name)
     return false;
 }
 
-static char *new_name(const struct genome_file *f, const char *prefix, const char *genome)
+char *unit_face_prefix(const struct genome_file *f, const struct unit_options *o)
 {
-    return f->face ? new_format("footpoint_%s_%s", f->segment->name, genome) : new_format("%s_%s", prefix, genome);
+    return o->face_prefix ? new_format("%s", o->face_prefix) : new_format("footpoint_%s", f->segment->name);
+}
+
+static char *new_name(const struct genome_file *f, const struct unit_options *o, const char *genome)
+{
+    char *prefix = f->face ? unit_face_prefix(f, o) : new_format("%s", o->prefix);
+    char *name = new_format("%s_%s", prefix, genome);
+    free(prefix);
+    return name;
 }
 
 /* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_over_n,
  * NAME_sure, NAME_closest, NAME_closest_n and NAME_closest_of; along and along_n are none of a genome. */
-static bool check_names(const struct genome_file *f, const char *prefix, struct diag *d)
+static bool check_names(const struct genome_file *f, const struct unit_options *o, struct diag *d)
 {
+    const char *const prefix = o->prefix;
     static const char *const suffix[] = {"_n",    "_points",  "_at",        "_checked_n", "_over_n",
                                          "_sure", "_closest", "_closest_n", "_closest_of"};
     for (size_t k = 0; k < f->genomes; k++) {
-        char *own = new_name(f, prefix, f->genome[k].name), *guard = new_format("%s_h", prefix),
+        char *own = new_name(f, o, f->genome[k].name), *guard = new_format("%s_h", prefix),
              *upper = new_capitals(guard);
         const bool taken = *prefix && (is_taken(f, own) || strcmp(own, upper) == 0);
         free(upper);
@@ -184,7 +193,7 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     struct function *function = &u->function[k];
     struct compiled *c = &function->code;
     function->genome = &f->genome[k];
-    function->name = new_name(f, o->prefix, function->genome->name);
+    function->name = new_name(f, o, function->genome->name);
     tell(s, f, k, false);
     if (!compile_genome(f, function->genome, &o->compile, c, d))
         return false;
@@ -230,7 +239,7 @@ struct unit *unit_new(const struct genome_file *f, const char sha256[65], const 
     memcpy(u->sha256, sha256, sizeof u->sha256);
     u->function = new_array(f->genomes, sizeof *u->function);
     bool good = f->genomes > 0 || diag_at(d, f->path, 0, 0, "the file holds no genome");
-    good = good && check_names(f, o->prefix, d);
+    good = good && check_names(f, o, d);
     struct steps steps = steps_start(!o->quiet && !o->compile.explain, 2 * f->genomes);
     for (size_t k = 0; good && k < f->genomes; k++)
         if ((good = build(u, k, o, &steps, d)) && o->evidence)

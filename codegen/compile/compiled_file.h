@@ -24,8 +24,9 @@ struct function {
 };
 
 struct unit_options {
-    const char *prefix;  /* not owned: begins every name */
-    const char *command; /* not owned: how it was called, for the banner */
+    const char *prefix;      /* not owned: begins every name, but see face_prefix */
+    const char *face_prefix; /* not owned: begins names of functions at a place of a face; NULL: footpoint_KIND */
+    const char *command;     /* not owned: how it was called, for the banner */
     enum precision precision;
     bool allow_poles;                      /* functions may divide by 0, and have a status then */
     bool evidence;                         /* find poles and error bounds */
@@ -45,6 +46,9 @@ struct unit {
  *  when a genome is refused. */
 struct unit *unit_new(const struct genome_file *f, const char sha256[65], const struct unit_options *o, struct diag *d);
 void unit_free(struct unit *u);
+
+/** Returns what begins the names of functions at a place of the file's face, to be freed. */
+char *unit_face_prefix(const struct genome_file *f, const struct unit_options *o);
 
 /** True if the function has a denominator that may be 0, or that rounding may make 0 or turn round: it has a status. */
 bool function_is_guarded(const struct function *f);

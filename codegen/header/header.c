@@ -16,10 +16,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void print_guard(const char *prefix, FILE *out)
+/* PREFIX_H; PREFIX_PLACE_H of functions at a place of a face that are named as those of a search are. */
+static void print_guard(const struct unit *u, FILE *out)
 {
-    char *guard = new_capitals(prefix);
-    fprintf(out, "#ifndef %s_H\n#define %s_H\n", guard, guard);
+    char *guard = new_capitals(u->options.prefix);
+    const char *const place = u->file->face && u->options.face_prefix ? "_PLACE" : "";
+    fprintf(out, "#ifndef %s%s_H\n#define %s%s_H\n", guard, place, guard, place);
     free(guard);
 }
 
@@ -129,7 +131,7 @@ static void print_helpers(const struct unit *u, FILE *out)
 void header_print(const struct unit *u, FILE *out)
 {
     banner_print_file(u, out);
-    print_guard(u->options.prefix, out);
+    print_guard(u, out);
     print_helpers(u, out);
     if (u->file->segment && !u->file->face)
         search_print_contract(u, out);

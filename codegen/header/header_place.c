@@ -1,7 +1,7 @@
 /* Text of functions at a place of a face: nodes, slave node and (xi, eta) to rows of values.  For a genome NAME
  *   NAME:    one pair, with a status; where the quick way does not tell, once more in another unit of length;
  *   NAME_n:  many pairs, from columns of coordinates;
- *   FOOTPOINT_KIND_GENOME_OF(search): a macro that defines the two joined with a search, search_GENOME and search_GENOME_n.
+ *   PREFIX_GENOME_OF(search), in capitals: a macro that defines the two joined with a search, search_GENOME and search_GENOME_n.
  * The row `require` is not written: its elements are > 0 where there is an answer.
  * The quick way is for moderate numbers, of which all rows are finite; of others they are computed in the other unit of
  * length and checked one by one, and so are tangents that might be rounding. */
@@ -497,13 +497,14 @@ static void print_loop(const struct unit *u, const struct function *f, const str
 /* The same with the search before it, as the text of a macro. */
 static void print_joined(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
 {
-    char *kind = new_capitals(u->file->segment->name), *genome = new_capitals(f->genome->name);
+    char *prefix = unit_face_prefix(u->file, &u->options);
+    char *upper = new_capitals(prefix), *genome = new_capitals(f->genome->name);
     struct memory *m = memory_open();
     fputs("FOOTPOINT_UNUSED\n", m->stream);
     print_one(u, f, r, true, m->stream);
     print_loop(u, f, r, true, m->stream);
     char *text = memory_close(m);
-    fprintf(out, "\n#define FOOTPOINT_%s_%s_OF(search)", kind, genome);
+    fprintf(out, "\n#define %s_%s_OF(search)", upper, genome);
     for (const char *t = text, *end; *t; t = end + 1) {
         end = strchr(t, '\n');
         if (end > t)
@@ -512,19 +513,21 @@ static void print_joined(const struct unit *u, const struct function *f, const s
     fputc('\n', out);
     free(text);
     free(genome);
-    free(kind);
+    free(upper);
+    free(prefix);
 }
 
 void place_print_helpers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
     const char *kind = u->file->segment->name;
-    char *vectors = lines_vectors(u), *upper = new_capitals(kind);
+    char *vectors = lines_vectors(u), *prefix = unit_face_prefix(u->file, &u->options), *upper = new_capitals(prefix);
     const struct placeholder own[] = {{"VECTORS", vectors}, {"UPPER", upper}, {"KIND", kind}, {NULL, NULL}};
     templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
     templates_print("FOOTPOINT_DETAIL_PLACE", (const char *const[]){"place", NULL}, precision, NULL, out);
     templates_print(NULL, (const char *const[]){"contract_place", NULL}, precision, own, out);
     free(upper);
+    free(prefix);
     free(vectors);
 }
 

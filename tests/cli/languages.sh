@@ -248,6 +248,44 @@ for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++"; do
     [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
     report $((!good)) "double and float in one file, $compiler"
 done
+# ---- two prefixes: the same functions twice in one file ----
+printf '%s\n' 'footpoint-genome 2' 'face tri3' 'genome g' 'r = xi' 'require xi' end > "$g"
+for prefix in one two; do
+    codegen evolve/genomes/tri3.gen --allow-poles --prefix $prefix -o "$work/${prefix}_search.h"
+    codegen "$g" --prefix $prefix -o "$work/${prefix}_place.h"
+    capitals=$(echo $prefix | tr a-z A-Z)
+    cat >> "$work/prefixes.c" <<END
+#include "${prefix}_search.h"
+#include "${prefix}_place.h"
+${capitals}_G_OF(${prefix}_exact)
+static int $prefix(const double *a, const double *b, const double *c, const double *s)
+{
+    const double p[3] = {0, 0, 1}, *const face[3] = {a, b, c}, *x[12], *q[3];
+    double loc[2], gap, dist, r[1], xi, eta, n[1];
+    int region, status, i;
+    size_t which;
+    for (i = 0; i < 12; i++)
+        x[i] = (i < 3 ? a : i < 6 ? b : i < 9 ? c : s) + i % 3;
+    for (i = 0; i < 3; i++)
+        q[i] = p + i;
+    status = ${prefix}_exact(a, b, c, s, loc, &gap) | ${prefix}_exact_closest(a, b, c, s, loc, &dist, &region) |
+             ${prefix}_exact_closest_of(1, face, s, loc, &dist, &region, &which) | ${prefix}_along(a, b, c, s, p, loc, &dist) |
+             ${prefix}_g(a, b, c, s, loc, r) | ${prefix}_exact_g(a, b, c, s, loc, n);
+    ${prefix}_along_n(1, x, q, &xi, &eta, &dist, &region);
+    ${prefix}_g_n(1, x, loc, loc + 1, n, &i);
+    return status | region | i | (r[0] != n[0]);
+}
+END
+done
+echo 'int main(void) { const double x[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0.5, 0.5, 1}};
+    return one(x[0], x[1], x[2], x[3]) | two(x[0], x[1], x[2], x[3]); }' >> "$work/prefixes.c"
+for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++"; do
+    $compiler $strict "$work/prefixes.c" -o "$work/prefixes" -lm > "$work/log" 2>&1 && "$work/prefixes"
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
+    report $((!good)) "searches and places with two prefixes in one file, $compiler"
+done
+
 genome 'input x' 'genome g' 'r = * 1e60 x' 'end'
 expect 'a constant beyond float' 1 '' "$g:3:1: error: genome 'g' needs a constant out of the range of float" \
     codegen "$g" --precision float -o "$work/none"

@@ -7,6 +7,6 @@
  *          distance that is singular.
  * NAME_n:  the same for n pairs; x[3 k + i] is the column of coordinate i of vector k, element j of pair i goes to
  *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing.
- * FOOTPOINT_UPPER_GRADIENTS_OF(footpoint_KIND_accurate), at file scope, behind the header of that search, defines the two
+ * UPPER_GRADIENTS_OF(footpoint_KIND_accurate), at file scope, behind the header of that search, defines the two
  *          with the search before them, footpoint_KIND_accurate_gradients and ..._gradients_n, where loc, xi and eta are
  *          what it finds; and alike for each function here and each search.  Statuses are those of both. */
