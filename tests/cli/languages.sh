@@ -1,4 +1,5 @@
 # What codegen writes beside C in double: float, Fortran, infix, LaTeX.  Fortran gives the bits of C, infix its values.
+# Headers as HIP and CUDA, for AMD and NVIDIA GPUs; tests/long/cuda.sh compiles them by nvcc.
 # With FOOTPOINT_LONG all functions of three scenes, else two of quad4 and that of tri3.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
@@ -167,7 +168,7 @@ if command -v gfortran > /dev/null; then
 fi
 
 # ---- segments ----
-later 'languages: paper-quad4, most functions of quad4'
+later 'languages: paper-quad4, most functions of quad4, machine code of GPUs'
 for scene in tri3 ${FOOTPOINT_LONG:+paper-quad4} quad4; do
     file=$work/$scene.gen
     some evolve/genomes/$scene.gen > "$file"
@@ -290,3 +291,47 @@ genome 'input x' 'genome g' 'r = * 1e60 x' 'end'
 expect 'a constant beyond float' 1 '' "$g:3:1: error: genome 'g' needs a constant out of the range of float" \
     codegen "$g" --precision float -o "$work/none"
 expect 'which double has' 0 '' '' codegen "$g" -o "$work/c.h"
+
+# ---- device code, by clang: a kernel calls every function of every header ----
+# Mathematics and the words for kernels are the test's own, so that no runtime need be installed.  HEADERS: the folder.
+command -v clang++ > /dev/null || { report 1 'skipped: device code (no clang++)'; exit 0; }
+mkdir -p "$work/device/include"
+cat > "$work/device/include/math.h" <<'END'
+#define FOR_BOTH __attribute__((host, device))
+FOR_BOTH static inline double fabs(double x) { return __builtin_fabs(x); }
+FOR_BOTH static inline float fabsf(float x) { return __builtin_fabsf(x); }
+FOR_BOTH static inline double sqrt(double x) { return __builtin_sqrt(x); }
+FOR_BOTH static inline float sqrtf(float x) { return __builtin_sqrtf(x); }
+FOR_BOTH static inline double copysign(double x, double y) { return __builtin_copysign(x, y); }
+FOR_BOTH static inline float copysignf(float x, float y) { return __builtin_copysignf(x, y); }
+FOR_BOTH double frexp(double x, int *exponent);
+FOR_BOTH float frexpf(float x, int *exponent);
+FOR_BOTH double ldexp(double x, int exponent);
+FOR_BOTH float ldexpf(float x, int exponent);
+END
+cat > "$work/device/words.h" <<'END'
+#define __host__ __attribute__((host))
+#define __device__ __attribute__((device))
+#define __global__ __attribute__((global))
+#define __forceinline__ inline __attribute__((always_inline))
+END
+
+for header in "${HEADERS:-$PWD/generated}"/*.h; do
+    device_kernel "$header" > "$work/device/$(basename "$header" .h).cu"
+done
+code=-fsyntax-only # which reports host functions that a kernel calls
+[ -z "$FOOTPOINT_LONG" ] || code='-S -o /dev/null'
+for target in 'hip gfx90a -nogpuinc -nogpulib' 'cuda sm_70 -nocudainc -nocudalib -D__CUDACC__'; do
+    # shellcheck disable=SC2086
+    set -- $target
+    language=$1 gpu=$2
+    shift 2
+    set -- -std=c++11 -O0 -w -x "$language" --cuda-device-only "--cuda-gpu-arch=$gpu" "$@"
+    clang++ "$@" -fsyntax-only /dev/null 2> /dev/null || { report 1 "skipped: $language for $gpu (not in this clang)"; continue; }
+    # shellcheck disable=SC2086
+    (cd "$work/device" && ls ./*.cu | xargs -P "$(nproc)" -I{} clang++ "$@" -Iinclude -include words.h $code {}) \
+        > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || head -20 "$work/log" | sed 's/^/# /'
+    report $((!good)) "$(ls "$work"/device/*.cu | wc -l) headers, every function, $language for $gpu"
+done
