@@ -1,6 +1,6 @@
 /* Projection along a direction, footpoint_KIND_along, against a solver that is certain and shares no code with it,
  * tests/support/line_points.h: a status is right, the nearest of several points is the answer.  Faces are mild, strongly
- * curved, arched, with mid-side nodes at a quarter, collapsed, folded and wavy, at the origin and 1e6 edges away from it, with
+ * curved, arched, with mid-side nodes at a quarter, collapsed, folded, wavy and slim, at the origin and 1e6 edges away from it, with
  * lines in any direction, near the normal and near chords.  4,000 lines a kind, 1e6 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4.h"
@@ -57,8 +57,9 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* ---- samples ---- */
 
-enum family { MILD, STRONG, ARCH, QUARTER, COLLAPSED, FOLDED, WAVY, FAMILIES };
-static const char *const family_name[] = {"mild", "strong", "arch", "quarter-point", "collapsed", "folded", "wavy"};
+enum family { MILD, STRONG, ARCH, QUARTER, COLLAPSED, FOLDED, WAVY, SLIM, FAMILIES };
+static const char *const family_name[] = {"mild",      "strong", "arch", "quarter-point",
+                                          "collapsed", "folded", "wavy", "slim"};
 
 struct line {
     double x[VECTORS][3], p[3]; /* the slave node behind the nodes */
@@ -67,11 +68,12 @@ struct line {
 static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
 static const double triangle[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
 
-/* Nodes about 1 apart: on an arch, moved, with mid-side nodes a quarter from corner A or from edge AB, with C at D. */
+/* Nodes about 1 apart: on an arch, moved, with mid-side nodes a quarter from corner A or from edge AB, with C at D, up to 1e4 times as long as wide. */
 static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, double (*x)[3])
 {
-    static const double move[FAMILIES] = {0.1, 0.5, 0.05, 0.02, 0.1, 1.2, 0.1};
+    static const double move[FAMILIES] = {0.1, 0.5, 0.05, 0.02, 0.1, 1.2, 0.1, 0.3};
     const double rise = gsl_ran_flat(stream, 0.2, 1.5), edge = gsl_ran_flat(stream, -1, 1);
+    const double slim = how == SLIM ? pow(10, gsl_ran_flat(stream, -4, 0)) : 1;
     for (int n = 0; n < k->nodes; n++) {
         const double *const at = k->corners == 3 ? triangle[n] : square[n], low = k->corners == 3 ? 0 : -1;
         double place[2] = {(at[0] - low) / (1 - low), (at[1] - low) / (1 - low)};
@@ -83,6 +85,7 @@ static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, do
             x[n][2] += rise * (place[0] * (1 - place[0]) * 4 + (edge > 0 ? place[1] * (1 - place[1]) : 0));
         if (how == WAVY && n >= k->corners)
             x[n][2] += gsl_ran_flat(stream, -1, 1);
+        x[n][1] *= slim;
     }
     if (how == COLLAPSED)
         memcpy(x[3], x[k->corners == 3 ? 0 : 2], sizeof *x);
@@ -95,7 +98,8 @@ static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, do
 static void draw_line(const struct kind *k, gsl_rng *stream, struct line *l)
 {
     static const double none[3] = {0, 0, 0};
-    const double low = k->corners == 3 ? -0.1 : -1.1, along = gsl_ran_flat(stream, -2, 2);
+    const double low = k->corners == 3 ? -0.1 : -1.1, far = pow(10, gsl_ran_flat(stream, -4, 4));
+    const double along = gsl_ran_flat(stream, -2, 2) * fmax(1, far);
     const double loc[2] = {gsl_ran_flat(stream, low, 1.1), gsl_ran_flat(stream, low, 1.1)};
     const double next[2] = {loc[0] + gsl_ran_flat(stream, -0.6, 0.6), loc[1] + gsl_ran_flat(stream, -0.6, 0.6)};
     const int how = (int)gsl_rng_uniform_int(stream, 4);

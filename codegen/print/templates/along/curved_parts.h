@@ -73,7 +73,7 @@ FOOTPOINT_FN int footpoint_detail_KIND_part(REAL q[2][9], REAL u, REAL v, REAL h
     }
     if (footpoint_detail_KIND_meet(k, l, 1.0, 1e-8, w) >> REAL_TOP)
         return 0;
-    if (fabs(w[0]) > 0.99 || fabs(w[1]) > 0.99)
+    if (fabs(w[0]) > 0.9995 || fabs(w[1]) > 0.9995)
         return 1;
     for (i = 0; i < *n; i++)
         if (fabs(found[i][0] - u) <= half && fabs(found[i][1] - v) <= half)
@@ -95,9 +95,9 @@ FOOTPOINT_FN int footpoint_detail_KIND_meets(REAL q[2][9], REAL found[8][2])
     int level = 0, i = 0, j = 0, n = 0, visits;
     for (visits = 0; visits < 4000; visits++) {
         const REAL u = low + half * (REAL)(2 * i + 1), v = low + half * (REAL)(2 * j + 1);
-        const int beyond = NODES < 7 && u + v > 1.0 / 3.0 + 2.1 * half;
-        if (!beyond && !footpoint_detail_KIND_part(q, u, v, 1.02 * half, found, &n)) {
-            if (++level > REAL_DIGITS / 2 - 2)
+        const int beyond = NODES < 7 && u + v > 1.0 / 3.0 + 2.01 * half;
+        if (!beyond && !footpoint_detail_KIND_part(q, u, v, 1.001 * half, found, &n)) {
+            if (++level > REAL_DIGITS / 2 + 3)
                 return -1;
             half *= 0.5;
             i *= 2;

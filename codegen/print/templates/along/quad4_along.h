@@ -89,11 +89,12 @@ FOOTPOINT_PART REAL footpoint_detail_root(REAL a, REAL b, REAL c, REAL slope)
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside. */
+/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside.  Of the two
+ * ways to compute the discriminant the one that loses fewer digits, as near a collapsed edge. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const REAL p[3],
                                                      REAL at[3])
 {
-    REAL c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, b, discriminant;
+    REAL c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, a, b, discriminant;
     int i, found = 0, inside[2], best;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
@@ -104,14 +105,17 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const
     if (footpoint_detail_bits(wide * wide - 10.0 * REAL_FLAT * (size * size) * (length * length)) >>
         REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
+    a = k[0] - k[3];
     b = k[0] + k[3];
-    discriminant = b * b - 4.0 * (k[2] * k[5]);
+    discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
+                       ? a * a - 4.0 * (k[1] * k[4])
+                       : b * b - 4.0 * (k[2] * k[5]);
     if (discriminant < 0.0)
         return FOOTPOINT_ERR_DOMAIN;
     for (i = 0; i < (discriminant > 0.0 ? 2 : 1); i++) {
         const REAL slope = i ? -sqrt(discriminant) : sqrt(discriminant);
         REAL *const y = z[found];
-        y[0] = footpoint_detail_root(k[1], k[0] - k[3], k[4], slope);
+        y[0] = footpoint_detail_root(k[1], a, k[4], slope);
         y[1] = footpoint_detail_root(k[2], b, k[5], slope);
         y[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
         reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
