@@ -42,7 +42,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_edge_on(const REAL *const *x, const REAL 
     return 1;
 }
 
-/* The face as two polynomials, along two directions at right angles to p and each other. */
+/* The face as two polynomials, along two directions at right angles to p and each other.  A line that passes a face of size 1
+ * by more than 1e3 passes it by 1e3, so that products stay in the range of numbers. */
 FOOTPOINT_FN void footpoint_detail_KIND_seen(const REAL *const *x, const REAL p[3], REAL q[2][9])
 {
     REAL c[3][9], e[2][3], far;
@@ -58,10 +59,9 @@ FOOTPOINT_FN void footpoint_detail_KIND_seen(const REAL *const *x, const REAL p[
     for (k = 0; k < 2; k++)
         for (i = 0; i < (NODES > 6 ? 9 : 6); i++)
             q[k][i] = e[k][0] * c[0][i] + e[k][1] * c[1][i] + e[k][2] * c[2][i];
-    far = 1.0 / (1.0 + fabs(q[0][0]) + fabs(q[1][0]));
+    far = 1e-3 * (fabs(q[0][0]) + fabs(q[1][0]));
     for (k = 0; k < 2; k++)
-        for (i = 0; i < 9; i++)
-            q[k][i] = NODES > 6 || i < 6 ? far * q[k][i] : 0.0;
+        q[k][0] = far > 1.0 ? q[k][0] / far : q[k][0];
 }
 
 /* Where the line meets the surface beyond the edges: of short steps from five places, the first that lead to a point. */
