@@ -16,14 +16,15 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_bend(const REAL k[9], REAL u, REAL v, 
     return u * bend + v * (v * k[5]);
 }
 
-/* Bounds of the slopes of footpoint_detail_KIND_bend where |u|, |v| <= wide, no less than reach.  The highest bit of what it
- * returns is set unless |k[0]| is more than |u + bend| where |u|, |v| <= reach. */
+/* Bounds of the slopes of footpoint_detail_KIND_bend where |u|, |v| <= wide, no less than reach; |k[3] + k[8] v^2| is
+ * largest where v is 0 or wide.  The highest bit of what it returns is set unless |k[0]| is more than |u + bend| where
+ * |u|, |v| <= reach. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_bounds(const REAL k[9], REAL reach, REAL wide,
                                                       REAL slope[2])
 {
-    const REAL top = NODES > 8 ? wide * wide * k[8] : 0.0;
-    const REAL u = NODES > 8 ? footpoint_detail_larger(fabs(k[3]), fabs(k[3] + top)) : fabs(k[3]);
-    const REAL v = NODES > 8 ? footpoint_detail_larger(fabs(k[5]), fabs(k[5] + top)) : fabs(k[5]);
+    const REAL top = NODES > 8 ? 0.5 * (wide * wide * k[8]) : 0.0;
+    const REAL u = NODES > 8 ? fabs(k[3] + top) + fabs(top) : fabs(k[3]);
+    const REAL v = NODES > 8 ? fabs(k[5] + top) + fabs(top) : fabs(k[5]);
     const REAL a = u + fabs(k[4]);
     REAL all = a + v;
     slope[0] = a + u;
@@ -43,7 +44,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_bounds(const REAL k[9], REAL reac
  * steps.  The highest bit of what it returns is set unless the last one is shorter than the root of `stands` and no other
  * point with |u|, |v| <= reach is proved to be there.  Proofs: with bounds A, B of the slopes of u's bend and C, D of v's as
  * far as `at` lies, two such points would differ by du and dv where (1 - A) |du| <= B |dv| and (1 - D) |dv| <= C |du|, so
- * that (1 - A) (1 - D) > B C leaves one; or at lies beyond and u + bend = k[0] or v + bend = l[0] nowhere within. */
+ * that (1 - A) (1 - D) > B C leaves one; or u + bend = k[0] or v + bend = l[0] nowhere within reach, and `at` lies beyond. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL l[9], REAL reach,
                                                     REAL stands, REAL at[2])
 {
@@ -65,21 +66,19 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL 
     }
     at[0] = u;
     at[1] = v;
-    s = footpoint_detail_larger(fabs(u), fabs(v));
-    wide = footpoint_detail_larger(s, reach);
+    wide = footpoint_detail_larger(footpoint_detail_larger(fabs(u), fabs(v)), reach);
     within = footpoint_detail_KIND_bounds(k, reach, wide, f);
     within &= footpoint_detail_KIND_bounds(l, reach, wide, g);
     over = 1.0 - f[0];
     return footpoint_detail_above(moved, stands) |
-           ((within | footpoint_detail_bits(s - reach)) &
-            (footpoint_detail_bits(over) |
-             footpoint_detail_bits(over * (1.0 - g[1]) - f[1] * g[0] - 0.01)));
+           (within & (footpoint_detail_bits(over) |
+                      footpoint_detail_bits(over * (1.0 - g[1]) - f[1] * g[0] - 0.01)));
 }
 
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
  * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  The highest bit of
  * what it returns is set where that does not tell; where the point is so far away that bends, fourth powers, make any step
- * short; and where p is in the plane of c1 and c2. */
+ * short; and where p is in the plane of c1 and c2.  The distance may be infinite. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
 {
@@ -119,6 +118,5 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
     *status = footpoint_detail_SHAPE_beyond(at[0], at[1]) > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
     return flaw | footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
            footpoint_detail_bits(across * across - 100.0 * REAL_FLAT * (over * pp)) |
-           footpoint_detail_above(w[0] * w[0] + w[1] * w[1], 1e4) |
-           footpoint_detail_infinite(at[0] + at[1] + at[2]);
+           footpoint_detail_above(w[0] * w[0] + w[1] * w[1], 1e4);
 }
