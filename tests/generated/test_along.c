@@ -332,6 +332,49 @@ static void statuses_are_right(void **state)
     gsl_rng_free(stream);
 }
 
+/* Lines through points that are nearer and nearer to a corner where C is D, and lines nearer and nearer to one that touches an
+ * arch, below and above its top. */
+static void nearly_singular_lines(void **state)
+{
+    (void)state;
+    for (int e = 0; e <= 12; e++) {
+        const double near = pow(10, -e);
+        for (int k = 0; k < KINDS; k++) {
+            struct line l = {{{0}}, {0, 0, 1}};
+            struct answer a = {0, {7, 7}, 7};
+            if (kinds[k].corners == 3)
+                continue;
+            for (int n = 0; n < kinds[k].nodes; n++) {
+                l.x[n][0] = square[n][0] * (1 - square[n][1]) / 2;
+                l.x[n][1] = square[n][1];
+            }
+            const double s[3] = {0.3 * near, 1 - near, 0.5};
+            memcpy(l.x[kinds[k].nodes], s, sizeof s);
+            a.status = kinds[k].along(l.x, l.p, a.loc, &a.dist);
+            if (kinds[k].nodes == 4 || e <= 6)
+                assert_true(a.status == FOOTPOINT_OK && fabs(a.dist - 0.5) < 1e-12 &&
+                            off_line(&kinds[k], &l, &a) < 1e-12);
+            else
+                assert_true(a.status == FOOTPOINT_OK || a.status == FOOTPOINT_ERR_NO_CONVERGENCE);
+        }
+        for (int k = 2; k < KINDS; k++)
+            for (int above = 0; above < 2; above++) {
+                struct line l = {{{0}}, {1, 0.01, 0}};
+                struct answer a = {0, {7, 7}, 7};
+                for (int n = 0; n < kinds[k].nodes; n++) {
+                    const double *const at = kinds[k].corners == 3 ? triangle[n] : square[n];
+                    memcpy(l.x[n], at, 2 * sizeof *at);
+                    l.x[n][2] = 1 - (at[0] - 0.3) * (at[0] - 0.3);
+                }
+                const double s[3] = {0.37, 0.1, above ? 1 + 0.01 * near : 1 - 0.01 * near};
+                memcpy(l.x[kinds[k].nodes], s, sizeof s);
+                a.status = kinds[k].along(l.x, l.p, a.loc, &a.dist);
+                assert_true(above ? a.status == FOOTPOINT_ERR_DOMAIN || a.status == FOOTPOINT_OUTSIDE
+                                  : a.status == FOOTPOINT_NOT_UNIQUE && off_line(&kinds[k], &l, &a) < 1e-12);
+            }
+    }
+}
+
 /* Slave nodes as far away as numbers go: a distance that is a number, or none. */
 static void distances_are_finite(void **state)
 {
@@ -400,9 +443,8 @@ static void size_does_not_matter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_meet_faces),
-        cmocka_unit_test(statuses_are_right),
-        cmocka_unit_test(distances_are_finite),
+        cmocka_unit_test(lines_meet_faces),      cmocka_unit_test(statuses_are_right),
+        cmocka_unit_test(nearly_singular_lines), cmocka_unit_test(distances_are_finite),
         cmocka_unit_test(size_does_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

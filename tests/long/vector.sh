@@ -79,6 +79,18 @@ for kind in tri3 quad4 tri6 quad8 quad9 bezier gregory; do
     done
 done
 
+# Along a direction, with fewer operations than they have.
+for row in tri3:120 quad4:250 tri6:600 quad8:800 quad9:900; do
+    name=footpoint_${row%:*}_along_n
+    {
+        echo "#include \"$PWD/generated/footpoint_${row%:*}.h\""
+        echo 'void use(size_t n, const double *const *x, const double *const *p, double *xi, double *eta, double *dist, int *status);'
+        echo 'void use(size_t n, const double *const *x, const double *const *p, double *xi, double *eta, double *dist, int *status)'
+        echo "{ $name(n, x, p, xi, eta, dist, status); }"
+    } > "$work/use.c"
+    packed "$name" "${row#*:}" ymm -fno-math-errno -mavx2 -mprefer-vector-width=256
+done
+
 compilers='gcc clang'
 # scalar NAME LEAST FLAGS: genome g of $work/g.gen, with inputs x y z and output r, vectorises as double and float
 scalar() {
