@@ -25,29 +25,34 @@
 #ifndef FOOTPOINT_BEZIER_H
 #define FOOTPOINT_BEZIER_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -55,27 +60,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -155,7 +160,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -167,9 +172,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -416,7 +423,6 @@ footpoint_detail_bezier_over_n(footpoint_detail_search *search, const double *co
  *   operations:     49 mul, 1 div, 50 add, 0 sqrt, 4 compare; 38 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  04d8b817151946e4cccf21cde219136de6cff25f954ed3eefbf5b104c1780d1f
- *   cancelled:      1 division: the genome is singular where the code is not
  *   poles:          t17 * t17 - t16 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 7.4e-14)
  *   rounding:       xi <= 3.1e-08 proved, <= 1.2e-13 on the hull, 5.4e-15 at points, 2.7e-15 sampled; eta <= 2.8e-08
  *     proved, <= 6.4e-14 on the hull, 7e-15 at points, 2.4e-15 sampled (10000 points, hull of 10000)
@@ -637,7 +643,8 @@ static const double footpoint_bezier_normals_points[][31] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  0f8030968f5cc93fc25dac4a7d44278ec0b7571700b7fc444b43b169782b6a40
  *   poles:          t47 * t47 + t46 * t48: proved free of zeros, |...| >= 0.046 (rounding error <= 8.9e-13)
- *   poles:          t131 * t133 - t132 * t132: proved free of zeros, |...| >= 0.022
+ *   poles:          t131 * t133 - t132 * t132: proved free of zeros, |...| >= 0.022 (rounding error <= 1.5e-12 on the
+ *     hull); status if computed as 0 or not finite
  *   rounding:       xi <= 5.4e-13 on the hull, 1.5e-14 at points, 1.4e-14 sampled; eta <= 3.6e-13 on the hull,
  *     1.7e-14 at points, 3.4e-14 sampled (7352 points, hull of 10000)
  *   found_both:     seed 1 generations 12 islands 2
@@ -788,7 +795,8 @@ static const double footpoint_bezier_smooth_points[][31] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c88387952a13a4c581dfde5dcd161f26183f7345e94c1c8e7d0cb429272c588f
  *   poles:          t39 * t39 - t42 * t40: proved free of zeros, |...| >= 0.045 (rounding error <= 8.5e-13)
- *   poles:          t162: proved free of zeros, |t162| >= 0.0027
+ *   poles:          t162: proved free of zeros, |t162| >= 0.0027 (rounding error <= 2.7e-12 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 3.9e-12 on the hull, 2.1e-14 at points, 4.5e-14 sampled; eta <= 9.8e-13 on the hull,
  *     4.9e-14 at points, 2.1e-14 sampled (6088 points, hull of 10000)
  *   found_both:     seed 1 generations 12 islands 2
@@ -954,8 +962,10 @@ static const double footpoint_bezier_precise_points[][31] = {
  *   genome_sha256:  a042cc8ee2f660b8fbcf587a445cb0b35a2c45557fa7e0ec0caaa81936dbdc7b
  *   poles:          t41 * t43 - t42 * t42: proved free of zeros, |...| >= 0.045 (rounding error <= 9.3e-13)
  *   poles:          t65: proved free of zeros, |t65| >= 0.5 (rounding error <= 3.3e-10)
- *   poles:          t163: proved free of zeros, |t163| >= 0.0028
- *   poles:          t238: proved free of zeros, |t238| >= 0.0024
+ *   poles:          t163: proved free of zeros, |t163| >= 0.0028 (rounding error <= 1.8e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t238: proved free of zeros, |t238| >= 0.0024 (rounding error <= 4.3e-12 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 7.9e-13 on the hull, 1.4e-13 at points, 1.8e-14 sampled; eta <= 1.3e-12 on the hull,
  *     3.3e-14 at points, 4.6e-14 sampled (4287 points, hull of 8213)
  *   found_both:     seed 1 generations 12 islands 2
@@ -1158,10 +1168,14 @@ static const double footpoint_bezier_exact_points[][31] = {
  *   genome_sha256:  86d63be9a9c4cf168e42099505f7b2425ed260a2cb31791997da414df6675ff7
  *   poles:          t56: proved free of zeros, |t56| >= 0.023 (rounding error <= 2e-12)
  *   poles:          t86: proved free of zeros, |t86| >= 0.5 (rounding error <= 4e-10)
- *   poles:          t104 * t102 - t103 * t101: proved free of zeros, |...| >= 0.04
- *   poles:          t205: proved free of zeros, |t205| >= 0.0024
- *   poles:          t280: proved free of zeros, |t280| >= 0.0023
- *   poles:          t355: proved free of zeros, |t355| >= 0.0023
+ *   poles:          t104 * t102 - t103 * t101: proved free of zeros, |...| >= 0.04 (rounding error <= 4.3e-13 on the
+ *     hull); status if computed as 0 or not finite
+ *   poles:          t205: proved free of zeros, |t205| >= 0.0024 (rounding error <= 7.2e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t280: proved free of zeros, |t280| >= 0.0023 (rounding error <= 1.5e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t355: proved free of zeros, |t355| >= 0.0023 (rounding error <= 1.1e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 2.9e-12 on the hull, 4.1e-14 at points, 1.7e-14 sampled; eta <= 3.4e-12 on the hull,
  *     4.3e-14 at points, 1.6e-14 sampled (2906 points, hull of 3845)
  *   found_both:     a seed, composed of the frame's functions or given

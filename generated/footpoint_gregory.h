@@ -25,29 +25,34 @@
 #ifndef FOOTPOINT_GREGORY_H
 #define FOOTPOINT_GREGORY_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -55,27 +60,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -155,7 +160,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -167,9 +172,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -821,7 +828,8 @@ static const double footpoint_gregory_smooth_points[][31] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  75243babfc5d2ee850db85643fc80d8cb31a7619a795d81f0191b55dfc6dc1cd
  *   poles:          t39: proved free of zeros, |t39| >= 2.9e-05 (rounding error <= 2.4e-10)
- *   poles:          t164: proved free of zeros, |t164| >= 0.0029
+ *   poles:          t164: proved free of zeros, |t164| >= 0.0029 (rounding error <= 2.6e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 2e-12 on the hull, 4.3e-14 at points, 7.4e-14 sampled; eta <= 5.7e-13 on the hull, 2e-14 at
  *     points, 1.2e-14 sampled (5471 points, hull of 10000 in 3 parts)
  *   found_both:     seed 1 generations 20 islands 2
@@ -999,9 +1007,10 @@ static const double footpoint_gregory_corrected_points[][31] = {
  *   poles:          t105: proved free of zeros, |t105| >= 0.0028 (rounding error <= 2.8e-13)
  *   poles:          t111: proved free of zeros, |t111| >= 0.046 (rounding error <= 1.2e-14)
  *   poles:          t117: proved free of zeros, |t117| >= 0.038 (rounding error <= 7.4e-15)
- *   poles:          t251: proved free of zeros, |t251| >= 9.9e-13
- *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13
- *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.025
+ *   poles:          t251: proved free of zeros, |t251| >= 9.9e-13 (as computed, too)
+ *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
+ *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.025 (rounding error <= 1.8e-12 on the
+ *     hull); status if computed as 0 or not finite
  *   rounding:       xi <= 1.7e-13 on the hull, 3.1e-14 at points, 3.5e-15 sampled; eta <= 2.6e-13 on the hull,
  *     1.3e-14 at points, 3.5e-15 sampled (3259 points, hull of 4565 in 2 parts)
  *   found_both:     seed 1 generations 19 islands 2
@@ -1252,9 +1261,10 @@ static const double footpoint_gregory_precise_points[][31] = {
  *   poles:          t201: proved free of zeros, |t201| >= 0.5 (rounding error <= 6.1e-10)
  *   poles:          divisor of t207: proved free of zeros, |...| >= 0.51 (rounding error <= 1.4e-15)
  *   poles:          t217 * t214 - t219 * t215: proved free of zeros, |...| >= 0.04 (rounding error <= 0.00022)
- *   poles:          t270: proved free of zeros, |t270| >= 9.9e-13
- *   poles:          t272: proved free of zeros, |t272| >= 9.9e-13
- *   poles:          t397: proved free of zeros, |t397| >= 0.0023
+ *   poles:          t270: proved free of zeros, |t270| >= 9.9e-13 (as computed, too)
+ *   poles:          t272: proved free of zeros, |t272| >= 9.9e-13 (as computed, too)
+ *   poles:          t397: proved free of zeros, |t397| >= 0.0023 (rounding error <= 3.1e-12 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 6.1e-13 on the hull, 3.2e-14 at points, 1.1e-13 sampled; eta <= 1.1e-12 on the hull,
  *     7.6e-15 at points, 4.1e-14 sampled (2663 points, hull of 3140 in 2 parts)
  *   found_both:     seed 1 generations 11 islands 2
@@ -1528,19 +1538,26 @@ static const double footpoint_gregory_exact_points[][31] = {
  *   operations:     1295 mul, 16 div, 881 add, 0 sqrt, 31 compare; 669 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-112
  *   genome_sha256:  5f2a838f856a9ec32f461adc343b76e2593e83579fddb16838548a15bada74cd
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049
- *   poles:          divisor of t59: proved free of zeros, |...| >= 0.51
- *   poles:          t67 * t68 - t66 * t69: proved free of zeros, |...| >= 0.041
- *   poles:          t107: proved free of zeros, |t107| >= 0.0033
- *   poles:          t109: proved free of zeros, |t109| >= 0.046
- *   poles:          t114: proved free of zeros, |t114| >= 0.0028
- *   poles:          t116: proved free of zeros, |t116| >= 0.038
- *   poles:          t253: proved free of zeros, |t253| >= 9.9e-13
- *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13
- *   poles:          t378: proved free of zeros, |t378| >= 0.0023
- *   poles:          t421: proved free of zeros, |t421| >= 9.9e-13
- *   poles:          t425: proved free of zeros, |t425| >= 9.9e-13
- *   poles:          of 4 more denominators, 3 are proved free of zeros
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.3e-13 on the
+ *     hull); status if computed as 0 or not finite
+ *   poles:          divisor of t59: proved free of zeros, |...| >= 0.51 (as computed, too)
+ *   poles:          t67 * t68 - t66 * t69: proved free of zeros, |...| >= 0.041 (rounding error <= 3.1e-13 on the
+ *     hull); status if computed as 0 or not finite
+ *   poles:          t107: proved free of zeros, |t107| >= 0.0033 (rounding error <= 4.5e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t109: proved free of zeros, |t109| >= 0.046 (rounding error <= 1.4e-14 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t114: proved free of zeros, |t114| >= 0.0028 (rounding error <= 3e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t116: proved free of zeros, |t116| >= 0.038 (rounding error <= 8.4e-15 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t253: proved free of zeros, |t253| >= 9.9e-13 (as computed, too)
+ *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
+ *   poles:          t378: proved free of zeros, |t378| >= 0.0023 (rounding error <= 1.5e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t421: proved free of zeros, |t421| >= 9.9e-13 (as computed, too)
+ *   poles:          t425: proved free of zeros, |t425| >= 9.9e-13 (as computed, too)
+ *   poles:          of 4 more denominators, 3 are proved free of zeros, 2 of these as computed, too
  *   rounding:       xi <= 1.3e-12 on the hull, 3.2e-14 at points, 7.2e-14 sampled; eta <= 2.1e-12 on the hull,
  *     2.4e-14 at points, 3.8e-14 sampled (1648 points, hull of 1164)
  *   found_both:     seed 1 generations 11 islands 2

@@ -28,29 +28,34 @@
 #ifndef FOOTPOINT_PAPER_GREGORY_H
 #define FOOTPOINT_PAPER_GREGORY_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -58,27 +63,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -158,7 +163,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -170,9 +175,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -578,7 +585,8 @@ static const double footpoint_paper_gregory_facet_points[][31] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  7da24519c16188dc1868c0c01e59f1d9112f6fac0e6c8957d3de0c709a865fa4
  *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.5e-15)
- *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013
+ *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013 (rounding error <= 8.6e-13 on
+ *     the hull); status if computed as 0 or not finite
  *   rounding:       xi <= 1.3e-11 on the hull, 1.1e-13 at points, 8.4e-14 sampled; eta <= 9.1e-12 on the hull,
  *     3.7e-14 at points, 9.4e-14 sampled (7936 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 5 islands 2
@@ -736,9 +744,10 @@ static const double footpoint_paper_gregory_smooth_points[][31] = {
  *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.5e-15)
  *   poles:          t59: proved free of zeros, |t59| >= 1.8e-07 (rounding error <= 2e-14)
  *   poles:          t61: proved free of zeros, |t61| >= 0.011 (rounding error <= 6.3e-15)
- *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07
- *   poles:          t152: proved free of zeros, |t152| >= 0.24
- *   poles:          t214: proved free of zeros, |t214| >= 0.00027
+ *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07 (as computed, too)
+ *   poles:          t152: proved free of zeros, |t152| >= 0.24 (as computed, too)
+ *   poles:          t214: proved free of zeros, |t214| >= 0.00027 (rounding error <= 1.1e-12 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 2.6e-12 on the hull, 8.2e-13 at points, 1.5e-13 sampled; eta <= 6.7e-12 on the hull,
  *     7.1e-14 at points, 4.8e-14 sampled (4613 points, hull of 9816 in 3 parts)
  *   found_both:     seed 1 generations 5 islands 2
@@ -941,9 +950,10 @@ static const double footpoint_paper_gregory_weighted_points[][31] = {
  *   poles:          t111: proved free of zeros, |t111| >= 8.5e-05 (rounding error <= 3.5e-13)
  *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 4.3e-14)
  *   poles:          t118: proved free of zeros, |t118| >= 2.3e-05 (rounding error <= 1.2e-15)
- *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07
- *   poles:          t245: proved free of zeros, |t245| >= 0.24
- *   poles:          t366: proved free of zeros, |t366| >= 0.00023
+ *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07 (as computed, too)
+ *   poles:          t245: proved free of zeros, |t245| >= 0.24 (as computed, too)
+ *   poles:          t366: proved free of zeros, |t366| >= 0.00023 (rounding error <= 1.1e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 8.9e-12 on the hull, 6.1e-13 at points, 3.1e-12 sampled; eta <= 4.2e-12 on the hull,
  *     1.1e-11 at points, 5.1e-13 sampled (2783 points, hull of 3224)
  *   found_both:     seed 1 generations 5 islands 2
@@ -1213,12 +1223,14 @@ static const double footpoint_paper_gregory_precise_points[][31] = {
  *   poles:          t95: proved free of zeros, |t95| >= 2.9e-07 (rounding error <= 4.5e-14)
  *   poles:          t97: proved free of zeros, |t97| >= 2.3e-05 (rounding error <= 1.2e-15)
  *   poles:          t191: proved free of zeros, |t191| >= 0.5 (rounding error <= 4.3e-05)
- *   poles:          t238: proved free of zeros, |t238| >= 9.9e-07
- *   poles:          t240: proved free of zeros, |t240| >= 0.24
- *   poles:          t363: proved free of zeros, |t363| >= 0.00014
- *   poles:          t406: proved free of zeros, |t406| >= 9.9e-07
- *   poles:          t410: proved free of zeros, |t410| >= 0.24
- *   poles:          t492: proved free of zeros, |t492| >= 0.00028
+ *   poles:          t238: proved free of zeros, |t238| >= 9.9e-07 (as computed, too)
+ *   poles:          t240: proved free of zeros, |t240| >= 0.24 (as computed, too)
+ *   poles:          t363: proved free of zeros, |t363| >= 0.00014 (rounding error <= 5.7e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t406: proved free of zeros, |t406| >= 9.9e-07 (as computed, too)
+ *   poles:          t410: proved free of zeros, |t410| >= 0.24 (as computed, too)
+ *   poles:          t492: proved free of zeros, |t492| >= 0.00028 (rounding error <= 1.4e-10 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 1.3e-12 on the hull, 5.1e-14 at points, 6.2e-15 sampled; eta <= 1.2e-12 on the hull,
  *     1.6e-12 at points, 8.1e-15 sampled (2162 points, hull of 798)
  *   found_both:     seed 1 generations 5 islands 2
@@ -1554,14 +1566,16 @@ static const double footpoint_paper_gregory_exact_points[][31] = {
  *   poles:          t71: proved free of zeros, |t71| >= 0.0068 (rounding error <= 1.5e-14)
  *   poles:          t76: proved free of zeros, |t76| >= 2.9e-07 (rounding error <= 4.7e-14)
  *   poles:          t78: proved free of zeros, |t78| >= 2.3e-05 (rounding error <= 1.2e-15)
- *   poles:          t215: proved free of zeros, |t215| >= 9.9e-07
+ *   poles:          t215: proved free of zeros, |t215| >= 9.9e-07 (as computed, too)
  *   poles:          t217: proved free of zeros, |t217| >= 0.24 (rounding error <= 6.1e-05)
- *   poles:          t338: proved free of zeros, |t338| >= 0.00013
- *   poles:          t385: proved free of zeros, |t385| >= 9.9e-07
- *   poles:          t387: proved free of zeros, |t387| >= 0.24
- *   poles:          t508: proved free of zeros, |t508| >= 0.00084
- *   poles:          t555: proved free of zeros, |t555| >= 9.9e-07
- *   poles:          of 2 more denominators, 2 are proved free of zeros
+ *   poles:          t338: proved free of zeros, |t338| >= 0.00013 (rounding error <= 4.2e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t385: proved free of zeros, |t385| >= 9.9e-07 (as computed, too)
+ *   poles:          t387: proved free of zeros, |t387| >= 0.24 (as computed, too)
+ *   poles:          t508: proved free of zeros, |t508| >= 0.00084 (rounding error <= 4.7e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t555: proved free of zeros, |t555| >= 9.9e-07 (as computed, too)
+ *   poles:          of 2 more denominators, 2 are proved free of zeros, 1 of these as computed, too
  *   rounding:       xi <= 1.6e-13 on the hull, 1.7e-13 at points, 7.5e-15 sampled; eta <= 1.3e-12 on the hull,
  *     6.6e-12 at points, 3.4e-14 sampled (1539 points, hull of 971)
  *   found_both:     a seed, composed of the frame's functions or given

@@ -24,29 +24,34 @@
 #ifndef FOOTPOINT_PAPER_QUAD4_H
 #define FOOTPOINT_PAPER_QUAD4_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -54,27 +59,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -154,7 +159,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -166,9 +171,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -748,7 +755,8 @@ static const double footpoint_paper_quad4_taper_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  31486ca32b630fff7ad7c182d72516b13fa038c26f00922465c50d7467f703a4
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09
+ *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09; status if computed as 0 or not
+ *     finite
  *   rounding:       xi <= 6.2e-09 on the hull, 9.8e-12 at points, 2.9e-11 sampled; eta <= 8.4e-09 on the hull,
  *     5.3e-12 at points, 2.5e-11 sampled (10000 points, hull of 10000 in 3 parts)
  *   found:          seed 1 generations 0 islands 2
@@ -948,7 +956,7 @@ static const double footpoint_paper_quad4_coarse_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  09f7caf4f857f76cff4b78963935886c4cc936e0ce7d1c52eeab4e4529481121
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t43: proved free of zeros, |t43| >= 0.0001
+ *   poles:          t43: proved free of zeros, |t43| >= 0.0001; status if computed as 0 or not finite
  *   rounding:       xi <= 3.4e-12 on the hull, 2.6e-13 at points, 2.2e-13 sampled; eta <= 2.7e-11 on the hull,
  *     2.3e-13 at points, 2.7e-13 sampled (10000 points, hull of 10000 in 4 parts)
  *   found_both:     seed 1 generations 60 islands 4
@@ -1050,8 +1058,10 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  0da79aec4cc6f51e3ffc649ee311df32be1e547bdffc773ee55e0a0c4070934b
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 7.5e-15)
- *   poles:          t30: proved free of zeros, |t30| >= 0.001
- *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05
+ *   poles:          t30: proved free of zeros, |t30| >= 0.001 (rounding error <= 1.5e-10 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05 (rounding error <= 5.6e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 1.2e-11 on the hull, 5.2e-14 at points, 1.1e-13 sampled; eta <= 8.2e-12 on the hull,
  *     1.1e-12 at points, 9.3e-14 sampled (10000 points, hull of 10000 in 3 parts)
  *   found_both:     seed 1 generations 40 islands 2
@@ -1154,8 +1164,10 @@ static const double footpoint_paper_quad4_medium_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ecc23278b504650ecc8c9e9ae99ca9940d1d6a1252edcaad692cf96d4a33c33b
  *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t44: proved free of zeros, |t44| >= 0.002
- *   poles:          t55: proved free of zeros, |t55| >= 0.00035
+ *   poles:          t44: proved free of zeros, |t44| >= 0.002 (rounding error <= 2.3e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t55: proved free of zeros, |t55| >= 0.00035 (rounding error <= 5.2e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 6.2e-11 on the hull, 4e-14 at points, 2.6e-13 sampled; eta <= 2e-11 on the hull, 6.2e-14 at
  *     points, 4.1e-14 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 40 islands 2
@@ -1263,9 +1275,12 @@ static const double footpoint_paper_quad4_balanced_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  87d57b3a78b1a0df39b16092c6e77b200996afcd23e724d0fc21b2c99662b78d
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t33: proved free of zeros, |t33| >= 0.0016
- *   poles:          t47: proved free of zeros, |t47| >= 0.00031
- *   poles:          t64: proved free of zeros, |t64| >= 0.00054
+ *   poles:          t33: proved free of zeros, |t33| >= 0.0016 (rounding error <= 3.5e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00031 (rounding error <= 1.2e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t64: proved free of zeros, |t64| >= 0.00054 (rounding error <= 3.5e-10 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 1.2e-11 on the hull, 5.4e-14 at points, 1.9e-13 sampled; eta <= 3.7e-11 on the hull,
  *     1.3e-14 at points, 4.4e-13 sampled (10000 points, hull of 10000 in 4 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1373,10 +1388,14 @@ static const double footpoint_paper_quad4_fine_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c70947030fc9776681ee37a4456b60579e270cd6e9ff0cda09153f3334554f67
  *   poles:          t19: proved free of zeros, |t19| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t35: proved free of zeros, |t35| >= 0.0015
- *   poles:          t47: proved free of zeros, |t47| >= 0.00045
- *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05
- *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07
+ *   poles:          t35: proved free of zeros, |t35| >= 0.0015 (rounding error <= 2.3e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00045 (rounding error <= 6.4e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05 (rounding error <= 2.5e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07 (rounding error <= 3.2e-10 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 4.5e-11 on the hull, 4.7e-12 at points, 6.4e-13 sampled; eta <= 6.6e-11 on the hull,
  *     3.4e-14 at points, 3.3e-12 sampled (10000 points, hull of 10000 in 17 parts)
  *   found_both:     seed 1 generations 60 islands 4
@@ -1491,11 +1510,16 @@ static const double footpoint_paper_quad4_precise_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c3373e2d9a4dd32f9243bf48a01349ba3c949b534d1dc07b3f3072ebc0d895cb
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t39: proved free of zeros, |t39| >= 0.0017
- *   poles:          t48: proved free of zeros, |t48| >= 0.00013
- *   poles:          t55: proved free of zeros, |t55| >= 0.0036
- *   poles:          t66: proved free of zeros, |t66| >= 0.00048
- *   poles:          t82: proved free of zeros, |t82| >= 0.00043
+ *   poles:          t39: proved free of zeros, |t39| >= 0.0017 (rounding error <= 4.5e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.00013 (rounding error <= 1.3e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t55: proved free of zeros, |t55| >= 0.0036 (rounding error <= 9.7e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t66: proved free of zeros, |t66| >= 0.00048 (rounding error <= 1.6e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t82: proved free of zeros, |t82| >= 0.00043 (rounding error <= 7.8e-08 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 1.5e-11 on the hull, 1.1e-12 at points, 2e-12 sampled; eta <= 1.3e-11 on the hull, 6.2e-14
  *     at points, 8.7e-12 sampled (10000 points, hull of 10000 in 4 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1614,11 +1638,14 @@ static const double footpoint_paper_quad4_accurate_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e0b0f2650e84d1075773355947e55b8033cc52c0404665abe5f0ff1722505614
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t35: proved free of zeros, |t35| >= 0.0015
- *   poles:          t47: proved free of zeros, |t47| >= 0.00045
- *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05
- *   poles:          t80: proved free of zeros, |t80| >= 0.00047
- *   poles:          t95: proved free of zeros, |t95| >= 6.6e-06
+ *   poles:          t35: proved free of zeros, |t35| >= 0.0015 (rounding error <= 2.3e-13 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00045 (rounding error <= 1.8e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05 (rounding error <= 6.7e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t80: proved free of zeros, |t80| >= 0.00047; status if computed as 0 or not finite
+ *   poles:          t95: proved free of zeros, |t95| >= 6.6e-06; status if computed as 0 or not finite
  *   rounding:       xi <= 2.9e-10 on the hull, 3.2e-05 at points, 1.9e-12 sampled; eta <= 7.4e-12 on the hull,
  *     6.9e-14 at points, 4.2e-13 sampled (10000 points, hull of 10000 in 11 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1739,10 +1766,14 @@ static const double footpoint_paper_quad4_full_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  78507b47362e0b6a7c7d1d8e8c84c889100693912aba29ad723b6bfbb72e78ab
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles:          t36: proved free of zeros, |t36| >= 0.0017
- *   poles:          t44: proved free of zeros, |t44| >= 0.00014
- *   poles:          t48: proved free of zeros, |t48| >= 0.0018
- *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05
+ *   poles:          t36: proved free of zeros, |t36| >= 0.0017 (rounding error <= 1.6e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 0.00014 (rounding error <= 5e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.0018 (rounding error <= 2.4e-09 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05 (rounding error <= 1.5e-09 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 6.2e-11 on the hull, 3e-13 at points, 1.2e-13 sampled; eta <= 2.5e-12 on the hull, 9.7e-15
  *     at points, 3.3e-14 sampled (10000 points, hull of 10000 in 7 parts)
  *   found_both:     seed 1 generations 2 islands 2
@@ -1854,11 +1885,15 @@ static const double footpoint_paper_quad4_program1_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  7ef7353ffbf6253534d1118caaf88fbdd50fce3f4aa04ec634d30b10b6912fbf
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0017
- *   poles:          t43: proved free of zeros, |t43| >= 0.00014
- *   poles:          t47: proved free of zeros, |t47| >= 0.0018
- *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05
- *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 1.7e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00014 (rounding error <= 5.4e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0018 (rounding error <= 2.4e-09 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05 (rounding error <= 1.5e-09 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
  *   rounding:       xi <= 5.1e-11 on the hull, 9.2e-14 at points, 1.5e-13 sampled; eta <= 2.8e-11 on the hull,
  *     1.3e-12 at points, 3.5e-13 sampled (10000 points, hull of 10000 in 11 parts)
  *   found_both:     seed 1 generations 2 islands 2
@@ -1975,12 +2010,16 @@ static const double footpoint_paper_quad4_program2_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  254ec2c7dc8b2d09626e5d0e93116c59936bd5ead236ca1b3334c0ee37a86150
  *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0017
- *   poles:          t43: proved free of zeros, |t43| >= 0.00014
- *   poles:          t47: proved free of zeros, |t47| >= 0.0018
- *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05
- *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05
- *   poles:          t91: proved free of zeros, |t91| >= 0.00047
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 1.6e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00014 (rounding error <= 5e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0018 (rounding error <= 2.3e-09 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05 (rounding error <= 1.4e-09 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
+ *   poles:          t91: proved free of zeros, |t91| >= 0.00047; status if computed as 0 or not finite
  *   rounding:       xi <= 7.5e-11 on the hull, 1.7e-07 at points, 5.2e-13 sampled; eta <= 5.2e-12 on the hull,
  *     7.9e-11 at points, 7.6e-14 sampled (10000 points, hull of 10000 in 14 parts)
  *   found_both:     seed 1 generations 2 islands 2
@@ -2109,6 +2148,12 @@ static const double footpoint_paper_quad4_program3_points[][19] = {
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
 
+/* The larger one without a branch, which would keep loops from being vectorised. */
+FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
+{
+    return 0.5 * (a + b + fabs(a - b));
+}
+
 /* How far |x| is above 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
 {
@@ -2209,17 +2254,20 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *con
                                                    footpoint_detail_excess(at[1])));
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`. */
+/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
 FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double slope)
 {
+    if (a == 0.0 && b == 0.0 && c == 0.0)
+        return 0.0;
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside. */
+/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside.  Of the two
+ * ways to compute the discriminant the one that loses fewer digits, as near a collapsed edge. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
-    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, b, discriminant;
+    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, a, b, discriminant;
     int i, found = 0, inside[2], best;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
@@ -2230,14 +2278,17 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
     if (footpoint_detail_bits(wide * wide - 10.0 * 1e-20 * (size * size) * (length * length)) >>
         63)
         return FOOTPOINT_ERR_DEGENERATE;
+    a = k[0] - k[3];
     b = k[0] + k[3];
-    discriminant = b * b - 4.0 * (k[2] * k[5]);
+    discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
+                       ? a * a - 4.0 * (k[1] * k[4])
+                       : b * b - 4.0 * (k[2] * k[5]);
     if (discriminant < 0.0)
         return FOOTPOINT_ERR_DOMAIN;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < (discriminant > 0.0 ? 2 : 1); i++) {
         const double slope = i ? -sqrt(discriminant) : sqrt(discriminant);
         double *const y = z[found];
-        y[0] = footpoint_detail_root(k[1], k[0] - k[3], k[4], slope);
+        y[0] = footpoint_detail_root(k[1], a, k[4], slope);
         y[1] = footpoint_detail_root(k[2], b, k[5], slope);
         y[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
         reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
@@ -2257,11 +2308,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
     return found == 2 && inside[0] && inside[1] ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long. */
+/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
+ * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, const double along[3],
                                                       double loc[2], double *dist)
 {
-    double y[5][3], p[3], at[3];
+    double y[5][3], p[3], at[3], away;
     const double *z[5];
     int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
     const int nodes = footpoint_detail_scale(x, 5 - 1, 5, y, &exponent);
@@ -2271,22 +2323,30 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
         return status;
     for (i = 0; i < 5; i++)
         z[i] = y[i];
+    for (i = 0; i < 3; i++)
+        if (footpoint_detail_above(y[5 - 1][i], 1e-4 / 2.2250738585072014e-308) >> 63)
+            return FOOTPOINT_ERR_DOMAIN;
     status = footpoint_detail_quad4_along_full(z, p, at);
     if (status < FOOTPOINT_OK)
         return status;
+    away = exponent ? ldexp(at[2], exponent) : at[2];
+    if (footpoint_detail_infinite(away) >> 63)
+        return FOOTPOINT_ERR_DOMAIN;
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    *dist = away;
     return status;
 }
 #endif
 
 /* footpoint_paper_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
- *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
- *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere,
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK: the line meets the segment once;
+ *           FOOTPOINT_NOT_UNIQUE: more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE: it passes by, and
+ *           the answer is a point where it meets the surface beyond the edges; and where loc and dist are untouched
+ *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and
+ *           meets the surface nowhere;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
  *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_paper_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_paper_quad4_along(const double xA[3], const double xB[3], const double xC[3],
@@ -2296,11 +2356,13 @@ FOOTPOINT_FN int footpoint_paper_quad4_along(const double xA[3], const double xB
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int status;
-    if (footpoint_detail_quad4_along(x, along, at, &status) >> 63)
+    const unsigned long long flaw = footpoint_detail_quad4_along(x, along, at, &status);
+    const double away = at[2] / sqrt(footpoint_detail_dot(along, along));
+    if ((flaw | footpoint_detail_infinite(away)) >> 63)
         return footpoint_detail_quad4_along_again(x, along, loc, dist);
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = at[2] / sqrt(footpoint_detail_dot(along, along));
+    *dist = away;
     return status;
 }
 
@@ -2329,7 +2391,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_along_n(size_t n, const double *const 
         dist[i] /= sqrt(footpoint_detail_dot(q, q));
     }
     for (i = 0; i < n; i++)
-        if (status[i] < FOOTPOINT_OK) {
+        if (status[i] < FOOTPOINT_OK || footpoint_detail_infinite(dist[i]) >> 63) {
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double q[3] = {along[0][i], along[1][i], along[2][i]};

@@ -20,29 +20,34 @@
 #ifndef FOOTPOINT_QUAD8_DERIVATIVES_H
 #define FOOTPOINT_QUAD8_DERIVATIVES_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -50,27 +55,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -150,7 +155,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -162,9 +167,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -198,29 +205,68 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
 #endif
 #endif
 
+/* The largest gap, or coordinates of slave nodes, in the quick way, so that products of lengths are finite: 2^64. */
+#define FOOTPOINT_DETAIL_MOST 18446744073709551616.0
+
 /* A function at the place (xi,eta): x are the nodes and the slave node, and element i of row k goes to row[k][i * step].
  * The highest bit of what it returns is set if that is no answer; unless `always` nothing is written then, nor to a row
- * that is NULL. */
+ * that is NULL.  What it writes is finite, unless `again`: then the caller tests it. */
 typedef unsigned long long footpoint_detail_place(const double *const *x, double xi, double eta, double *const *row,
-                                                  size_t step, int always);
+                                                  size_t step, int always, int again);
 
 /* If x is not > 0, or not a number that products of lengths may be. */
 FOOTPOINT_PART unsigned long long footpoint_detail_not_above(double x)
 {
-    return footpoint_detail_bits(x) | footpoint_detail_below(x, 2.2250738585072014e-308) |
-           footpoint_detail_infinite(x);
+    const unsigned long long bits = footpoint_detail_bits(x);
+    return (bits - footpoint_detail_bits(2.2250738585072014e-308)) | (bits + ((unsigned long long)1 << (53 - 1)));
+}
+
+/* If |xi| or |eta| is 2 or more, or not a number: their exponents' highest bit tells. */
+FOOTPOINT_PART unsigned long long footpoint_detail_far(double xi, double eta)
+{
+    return (footpoint_detail_bits(xi) | footpoint_detail_bits(eta)) << 1;
+}
+
+/* If the tangents a and b at (xi,eta) are parallel as far as their rounding errors go, in a unit of length in which the
+ * segment is about 1 long.  They are sums of edges times xi and eta to this power, at most. */
+FOOTPOINT_FN unsigned long long footpoint_detail_flat(const double a[3], const double b[3], double xi, double eta,
+                                                      int degree)
+{
+    const double far = 0.5 * (xi * xi + eta * eta), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
+    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2],
+               z = a[0] * b[1] - a[1] * b[0];
+    double most = 1e-20 * (aa + bb);
+    for (; degree > 0 && far > 1.0; degree--)
+        most *= far;
+    return footpoint_detail_not_above(x * x + y * y + z * z - most);
+}
+
+/* n numbers, which go with this power of 2: 0 if one of them is infinite or NaN. */
+FOOTPOINT_FN int footpoint_detail_rescale(double *x, int n, int exponent)
+{
+    unsigned long long flaw = 0;
+    int i;
+    for (i = 0; i < n; i++) {
+        x[i] = ldexp(x[i], exponent);
+        flaw |= footpoint_detail_infinite(x[i]);
+    }
+    return !(flaw >> 63);
 }
 
 /* Once more, in a unit of length in which the segment is about 1 long; row k has shape[2 k] elements, which go with the
- * power shape[2 k + 1] of lengths. */
-FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, const double *const *x,
-                                                int nodes, int vectors, double xi, double eta,
-                                                double *const *row, size_t step, int rows,
-                                                const int *shape)
+ * power shape[2 k + 1] of lengths, and space is for all of them.  tangents: 0, or what gives r_xi and r_eta as rows `first`
+ * and the next, which grow with xi and eta to the power `degree`. */
+FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
+                                                footpoint_detail_place *tangents, int first,
+                                                int degree, const double *const *x, int nodes,
+                                                int vectors, double xi, double eta, double *const *row,
+                                                size_t step, int rows, const int *shape,
+                                                double *space)
 {
-    double y[10][3];
+    double y[10][3], r[2][3], *own[16];
     const double *z[10];
-    int exponent = 0, i, k;
+    int exponent = 0, finite = 1, i, k;
     const int status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
     if (status != FOOTPOINT_OK)
         return status;
@@ -228,19 +274,32 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
         return FOOTPOINT_ERR_NOT_FINITE;
     for (i = 0; i < vectors; i++)
         z[i] = y[i];
-    if (place(z, xi, eta, row, step, 0) >> 63)
+    for (k = 0; k < 16; k++)
+        own[k] = tangents && (k == first || k == first + 1) ? r[k - first] : 0;
+    if (tangents && ((tangents(z, xi, eta, own, 1, 0, 1) >> 63) ||
+                     (footpoint_detail_flat(r[0], r[1], xi, eta, degree) >> 63)))
+        return FOOTPOINT_ERR_DEGENERATE;
+    for (k = 0; k < rows; space += shape[2 * k], k++)
+        own[k] = row[k] ? space : 0;
+    if (place(z, xi, eta, own, 1, 0, 1) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     for (k = 0; k < rows; k++)
+        finite = finite && (!own[k] || footpoint_detail_rescale(own[k], shape[2 * k],
+                                                                exponent * shape[2 * k + 1]));
+    if (!finite)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (k = 0; k < rows; k++)
         for (i = 0; row[k] && i < shape[2 * k]; i++)
-            row[k][(size_t)i * step] = ldexp(row[k][(size_t)i * step], exponent * shape[2 * k + 1]);
+            row[k][(size_t)i * step] = own[k][i];
     return FOOTPOINT_OK;
 }
 #endif
 
 /* NAME:    what its banner says, of the face and the slave node xA, xB, xC, xD, xE, xF, xG, xH, xS at the place loc = {xi, eta}, in
- *          rows; a row that is NULL is not wanted, and costs nothing where the call is inlined.  Rows are untouched on
- *          error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or, of
- *          derivatives, a Hessian of the distance that is singular.
+ *          rows; a row that is NULL is not wanted, and costs nothing where the call is inlined.  Rows are finite, or
+ *          untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (an input, or a row that is wanted), or
+ *          FOOTPOINT_ERR_DEGENERATE: no normal there that is more than rounding, or, of derivatives, a Hessian of the
+ *          distance that is singular.
  * NAME_n:  the same for n pairs; x[3 k + i] is the column of coordinate i of vector k, element j of pair i goes to
  *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing.
  * FOOTPOINT_QUAD8_GRADIENTS_OF(footpoint_quad8_accurate), at file scope, behind the header of that search, defines the two
@@ -261,7 +320,7 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  */
 FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_quad8_place(const double *const *x, double xi, double eta,
-                                       double *const *row, size_t step, int always)
+                                       double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -303,10 +362,20 @@ footpoint_detail_footpoint_quad8_place(const double *const *x, double xi, double
     const double t62 = (t48 * t48 + t47 * t47 + t46 * t46 + t60) * (t44 * t44 + t38 * t38 + t43 * t43 + t60);
     const double t63 = sqrt(t56) / t56, t64 = t5 * t1;
     require[0] = t56 - 0.00000000000000000001 * t62;
-    flaw = footpoint_detail_outside(t56) | footpoint_detail_not_above(require[0]) | footpoint_detail_infinite(xS[0] +
-        xS[1] + xS[2] + xi + eta);
-    if (!always && flaw >> 63)
-        return flaw;
+    flaw = footpoint_detail_outside(t56) | footpoint_detail_not_above(require[0]);
+    if (!again)
+        flaw |= footpoint_detail_far(xi, eta);
+    if (always || gap) {
+        const double value = (t53 * t58 + t49 * t59 + t61) * t63;
+        flaw |= again ? 0 : footpoint_detail_infinite(value);
+        if (!always && flaw >> 63)
+            return flaw;
+        gap[0 * step] = value;
+    } else {
+        flaw |= footpoint_detail_infinite(xS[0] + xS[1] + xS[2]);
+        if (flaw >> 63)
+            return flaw;
+    }
     if (always || phi) {
         phi[0 * step] = 0.5 * t5 * t2 * (u1 - t1);
         phi[1 * step] = t64 * t20;
@@ -332,10 +401,17 @@ footpoint_detail_footpoint_quad8_place(const double *const *x, double xi, double
         normal[1 * step] = t49 * t63;
         normal[2 * step] = t53 * t63;
     }
-    if (always || gap) {
-        gap[0 * step] = (t53 * t58 + t49 * t59 + t61) * t63;
-    }
     return flaw;
+}
+
+FOOTPOINT_COLD int footpoint_detail_footpoint_quad8_place_again(const double *const *x, double xi, double eta,
+                                                                double *const *row, size_t step)
+{
+    const int shape[10] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1};
+    double space[18];
+    return footpoint_detail_place_again(footpoint_detail_footpoint_quad8_place,
+        footpoint_detail_footpoint_quad8_place, 1, 2,
+        x, 8, 9, xi, eta, row, step, 5, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad8_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -345,10 +421,8 @@ FOOTPOINT_FN int footpoint_quad8_place(const double xA[3], const double xB[3], c
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_detail_footpoint_quad8_place(x, loc[0], loc[1], row, 1, 0) >> 63) {
-        const int shape[10] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1};
-        return footpoint_detail_place_again(
-                footpoint_detail_footpoint_quad8_place, x, 8, 9, loc[0], loc[1], row, 1, 5, shape);
+    if (footpoint_detail_footpoint_quad8_place(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_detail_footpoint_quad8_place_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -362,7 +436,6 @@ FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27],
                                             double *FOOTPOINT_RESTRICT gap,
                                             int *FOOTPOINT_RESTRICT status)
 {
-    const int shape[10] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1};
     size_t i;
     FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
@@ -372,7 +445,7 @@ FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27],
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad8_place(y, xi[i], eta[i], row, n, 1) >> 63);
+            (int)(footpoint_detail_footpoint_quad8_place(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -381,8 +454,7 @@ FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27],
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-            status[i] = footpoint_detail_place_again(
-                footpoint_detail_footpoint_quad8_place, y, 8, 9, xi[i], eta[i], row, n, 5, shape);
+            status[i] = footpoint_detail_footpoint_quad8_place_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -397,15 +469,13 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
     unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad8_place(x, xi, eta, row, 1, 0); \
+    flaw |= footpoint_detail_footpoint_quad8_place(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        const int shape[10] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1}; \
-        return footpoint_detail_place_again( \
-                footpoint_detail_footpoint_quad8_place, x, 8, 9, loc[0], loc[1], row, 1, 5, shape); \
+        return footpoint_detail_footpoint_quad8_place_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -421,7 +491,6 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
                                      double *FOOTPOINT_RESTRICT gap, \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
-    const int shape[10] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1}; \
     const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
@@ -433,7 +502,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
         unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad8_place(y, at[0], at[1], row, n, 1); \
+        flaw |= footpoint_detail_footpoint_quad8_place(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -450,8 +519,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_place_again( \
-                footpoint_detail_footpoint_quad8_place, y, 8, 9, xi[i], eta[i], row, n, 5, shape); \
+                status[i] = footpoint_detail_footpoint_quad8_place_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -472,7 +540,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  */
 FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_quad8_gradients(const double *const *x, double xi, double eta,
-                                           double *const *row, size_t step, int always)
+                                           double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -541,7 +609,10 @@ footpoint_detail_footpoint_quad8_gradients(const double *const *x, double xi, do
     require[0] = 0.0625 * t108;
     require[1] = 0.0000000000000001125 * ((5000000000000000.0 / 9.0) * fabs(t93) - t91 - fabs(t92));
     flaw = footpoint_detail_outside(t93) | footpoint_detail_outside(t95) | footpoint_detail_not_above(require[0]) |
-        footpoint_detail_not_above(require[1]) | footpoint_detail_infinite(xS[0] + xS[1] + xS[2] + xi + eta);
+        footpoint_detail_not_above(require[1]);
+    if (!again)
+        flaw |= footpoint_detail_far(xi, eta) | footpoint_detail_above(fabs(xS[0]) + fabs(xS[1]) + fabs(xS[2]),
+        FOOTPOINT_DETAIL_MOST);
     if (!always && flaw >> 63)
         return flaw;
     if (always || phi) {
@@ -662,6 +733,16 @@ footpoint_detail_footpoint_quad8_gradients(const double *const *x, double xi, do
     return flaw;
 }
 
+FOOTPOINT_COLD int footpoint_detail_footpoint_quad8_gradients_again(const double *const *x, double xi, double eta,
+                                                                    double *const *row, size_t step)
+{
+    const int shape[16] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0};
+    double space[99];
+    return footpoint_detail_place_again(footpoint_detail_footpoint_quad8_gradients,
+        footpoint_detail_footpoint_quad8_place, 1, 2,
+        x, 8, 9, xi, eta, row, step, 8, shape, space);
+}
+
 FOOTPOINT_FN int footpoint_quad8_gradients(const double xA[3], const double xB[3], const double xC[3],
                                            const double xD[3], const double xE[3], const double xF[3],
                                            const double xG[3], const double xH[3], const double xS[3],
@@ -671,10 +752,8 @@ FOOTPOINT_FN int footpoint_quad8_gradients(const double xA[3], const double xB[3
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_detail_footpoint_quad8_gradients(x, loc[0], loc[1], row, 1, 0) >> 63) {
-        const int shape[16] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0};
-        return footpoint_detail_place_again(
-                footpoint_detail_footpoint_quad8_gradients, x, 8, 9, loc[0], loc[1], row, 1, 8, shape);
+    if (footpoint_detail_footpoint_quad8_gradients(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_detail_footpoint_quad8_gradients_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -691,7 +770,6 @@ FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[
                                                 double *FOOTPOINT_RESTRICT d_gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    const int shape[16] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0};
     size_t i;
     FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
@@ -701,7 +779,7 @@ FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad8_gradients(y, xi[i], eta[i], row, n, 1) >> 63);
+            (int)(footpoint_detail_footpoint_quad8_gradients(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -710,8 +788,7 @@ FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-            status[i] = footpoint_detail_place_again(
-                footpoint_detail_footpoint_quad8_gradients, y, 8, 9, xi[i], eta[i], row, n, 8, shape);
+            status[i] = footpoint_detail_footpoint_quad8_gradients_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -727,15 +804,13 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
     unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad8_gradients(x, xi, eta, row, 1, 0); \
+    flaw |= footpoint_detail_footpoint_quad8_gradients(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        const int shape[16] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0}; \
-        return footpoint_detail_place_again( \
-                footpoint_detail_footpoint_quad8_gradients, x, 8, 9, loc[0], loc[1], row, 1, 8, shape); \
+        return footpoint_detail_footpoint_quad8_gradients_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -754,7 +829,6 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
                                          double *FOOTPOINT_RESTRICT d_gap, \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
-    const int shape[16] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0}; \
     const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
@@ -766,7 +840,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
         unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad8_gradients(y, at[0], at[1], row, n, 1); \
+        flaw |= footpoint_detail_footpoint_quad8_gradients(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -783,8 +857,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_place_again( \
-                footpoint_detail_footpoint_quad8_gradients, y, 8, 9, xi[i], eta[i], row, n, 8, shape); \
+                status[i] = footpoint_detail_footpoint_quad8_gradients_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -805,7 +878,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
  */
 FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_quad8_hessian(const double *const *x, double xi, double eta,
-                                         double *const *row, size_t step, int always)
+                                         double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -973,7 +1046,10 @@ footpoint_detail_footpoint_quad8_hessian(const double *const *x, double xi, doub
     require[0] = 0.00390625 * (t84 - 0.00000000000000000001 * (u2 + t81) * (u2 + t82));
     require[1] = -0.00000000000000000703125 * (t88 + fabs(t89) - (5000000000000000.0 / 9.0) * fabs(t90));
     flaw = footpoint_detail_outside(t84) | footpoint_detail_outside(t90) | footpoint_detail_not_above(require[0]) |
-        footpoint_detail_not_above(require[1]) | footpoint_detail_infinite(xS[0] + xS[1] + xS[2] + xi + eta);
+        footpoint_detail_not_above(require[1]);
+    if (!again)
+        flaw |= footpoint_detail_far(xi, eta) | footpoint_detail_above(fabs(xS[0]) + fabs(xS[1]) + fabs(xS[2]),
+        FOOTPOINT_DETAIL_MOST);
     if (!always && flaw >> 63)
         return flaw;
     if (always || gap) {
@@ -1532,6 +1608,16 @@ footpoint_detail_footpoint_quad8_hessian(const double *const *x, double xi, doub
     return flaw;
 }
 
+FOOTPOINT_COLD int footpoint_detail_footpoint_quad8_hessian_again(const double *const *x, double xi, double eta,
+                                                                  double *const *row, size_t step)
+{
+    const int shape[12] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1};
+    double space[541];
+    return footpoint_detail_place_again(footpoint_detail_footpoint_quad8_hessian,
+        footpoint_detail_footpoint_quad8_place, 1, 2,
+        x, 8, 9, xi, eta, row, step, 6, shape, space);
+}
+
 FOOTPOINT_FN int footpoint_quad8_hessian(const double xA[3], const double xB[3], const double xC[3],
                                          const double xD[3], const double xE[3], const double xF[3],
                                          const double xG[3], const double xH[3], const double xS[3],
@@ -1540,10 +1626,8 @@ FOOTPOINT_FN int footpoint_quad8_hessian(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_detail_footpoint_quad8_hessian(x, loc[0], loc[1], row, 1, 0) >> 63) {
-        const int shape[12] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1};
-        return footpoint_detail_place_again(
-                footpoint_detail_footpoint_quad8_hessian, x, 8, 9, loc[0], loc[1], row, 1, 6, shape);
+    if (footpoint_detail_footpoint_quad8_hessian(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_detail_footpoint_quad8_hessian_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -1558,7 +1642,6 @@ FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27
                                               double *FOOTPOINT_RESTRICT hessian,
                                               int *FOOTPOINT_RESTRICT status)
 {
-    const int shape[12] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1};
     size_t i;
     FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
@@ -1568,7 +1651,7 @@ FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad8_hessian(y, xi[i], eta[i], row, n, 1) >> 63);
+            (int)(footpoint_detail_footpoint_quad8_hessian(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1577,8 +1660,7 @@ FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-            status[i] = footpoint_detail_place_again(
-                footpoint_detail_footpoint_quad8_hessian, y, 8, 9, xi[i], eta[i], row, n, 6, shape);
+            status[i] = footpoint_detail_footpoint_quad8_hessian_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -1593,15 +1675,13 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
     unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad8_hessian(x, xi, eta, row, 1, 0); \
+    flaw |= footpoint_detail_footpoint_quad8_hessian(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        const int shape[12] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1}; \
-        return footpoint_detail_place_again( \
-                footpoint_detail_footpoint_quad8_hessian, x, 8, 9, loc[0], loc[1], row, 1, 6, shape); \
+        return footpoint_detail_footpoint_quad8_hessian_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -1618,7 +1698,6 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[27], \
                                        double *FOOTPOINT_RESTRICT hessian, \
                                        int *FOOTPOINT_RESTRICT status) \
 { \
-    const int shape[12] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1}; \
     const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
@@ -1630,7 +1709,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[27], \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
         unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad8_hessian(y, at[0], at[1], row, n, 1); \
+        flaw |= footpoint_detail_footpoint_quad8_hessian(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -1647,8 +1726,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_place_again( \
-                footpoint_detail_footpoint_quad8_hessian, y, 8, 9, xi[i], eta[i], row, n, 6, shape); \
+                status[i] = footpoint_detail_footpoint_quad8_hessian_again(y, xi[i], eta[i], row, n); \
         } \
 }
 

@@ -23,29 +23,34 @@
 #ifndef FOOTPOINT_RECTANGLE_QUAD4_H
 #define FOOTPOINT_RECTANGLE_QUAD4_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -53,27 +58,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -153,7 +158,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -165,9 +170,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -416,19 +423,130 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST
 #define FOOTPOINT_DETAIL_CLOSEST
+/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
+ * being vectorised and is foreseen badly. */
+FOOTPOINT_PART double footpoint_detail_step(double x)
+{
+    return 0.5 + copysign(0.5, x);
+}
+
+/* a where step is 0, b where it is 1; both finite. */
+FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
+{
+    return (1.0 - step) * a + step * b;
+}
+
+/* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
+ * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the product
+ * of the vectors whose cross product n is. */
+FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[3], double dd, double size,
+                                              double spread, double edge)
+{
+    const double ahead = footpoint_detail_dot(n, d), nn = footpoint_detail_dot(n, n);
+    const double beside =
+        nn * (1e-24 * dd + 1e-29 * size) + 1e-29 * (dd * spread) + 2.2250738585072014e-308;
+    return ahead * fabs(ahead) + edge * beside;
+}
+
+/* The same for the normal u x v, u = r_xi and v = r_eta, or, where that vanishes, as it does at collapsed and at straight
+ * corners, for m, the normal at a point 0.0009765625 of the way to the middle. */
+FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double m[3],
+                                            const double d[3], double dd, double size, double edge)
+{
+    const double spread = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v);
+    double n[3], large;
+    int i;
+    footpoint_detail_cross(u, v, n);
+    large = footpoint_detail_step(footpoint_detail_dot(n, n) -
+                                  0.0009765625 * 0.0009765625 * footpoint_detail_dot(m, m));
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        n[i] = footpoint_detail_either(large, m[i], n[i]);
+    return footpoint_detail_facing(n, d, dd, size, spread, edge);
+}
+
+/* Returns 1 if two nodes have the same coordinates. */
+FOOTPOINT_PART int footpoint_detail_same(const double *a, const double *b)
+{
+    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
+}
+
+/* (xi,eta) of corner k. */
+FOOTPOINT_PART void footpoint_detail_square_corner(int k, double at[2])
+{
+    at[0] = k == 1 || k == 2 ? 1.0 : -1.0;
+    at[1] = k > 1 ? 1.0 : -1.0;
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_corner(int k, double at[2])
+{
+    at[0] = k == 1 ? 1.0 : 0.0;
+    at[1] = k == 2 ? 1.0 : 0.0;
+}
+
+/* Both coordinates of the middle. */
+FOOTPOINT_PART double footpoint_detail_square_middle(void)
+{
+    return 0.0;
+}
+
+FOOTPOINT_PART double footpoint_detail_triangle_middle(void)
+{
+    return 1.0 / 3.0;
+}
+
+/* Keeps `to`, where a step from (xi,eta) = at leads, within the range of xi and eta: a tenth of the way to an edge is left. */
+FOOTPOINT_PART void footpoint_detail_square_clamp(const double at[2], double to[2])
+{
+    int i;
+    for (i = 0; i < 2; i++) {
+        const double least = 0.1 * (1.0 + at[i]) - 1.0, most = 1.0 - 0.1 * (1.0 - at[i]);
+        to[i] = to[i] < least ? least : to[i] > most ? most : to[i];
+    }
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_clamp(const double at[2], double to[2])
+{
+    const double over = 0.5 * (to[0] + to[1] - 1.0 + 0.1 * (1.0 - at[0] - at[1]));
+    int i;
+    for (i = 0; i < 2; i++) {
+        to[i] -= over > 0.0 ? over : 0.0;
+        to[i] = to[i] < 0.1 * at[i] ? 0.1 * at[i] : to[i];
+    }
+}
+
+/* Moves (xi,eta) to the middle of the edge that it is on if the ends of that are one point.  Triangles have no such edges. */
+FOOTPOINT_PART void footpoint_detail_square_bisect(const double *const *x, double at[2])
+{
+    if ((at[1] <= -1.0 && footpoint_detail_same(x[0], x[1])) ||
+        (at[1] >= 1.0 && footpoint_detail_same(x[2], x[3])))
+        at[0] = 0.0;
+    if ((at[0] <= -1.0 && footpoint_detail_same(x[0], x[3])) ||
+        (at[0] >= 1.0 && footpoint_detail_same(x[1], x[2])))
+        at[1] = 0.0;
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_bisect(const double *const *x, double at[2])
+{
+    (void)x;
+    (void)at;
+}
+
 #ifndef FOOTPOINT_ERR_DOMAIN
 #define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
-/* Of the nearest point found, dd and edge being the squares of its distance and of that of the nearest point of the edges:
- * FOOTPOINT_ERR_DEGENERATE if something is not finite in `all`, size, the sum of the squares of edges, is not between
- * least and 1 / least, or there is no area, nn being the square of its vector; else FOOTPOINT_ERR_DOMAIN beyond the
- * longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw, dd says nothing then. */
+/* The status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
+ * FOOTPOINT_ERR_DEGENERATE if something in `all` is not finite, if size, the sum of the squares of edges, is not between least
+ * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge:
+ * where the search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
 FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, double nn, double size,
                                                    double least, double dd, double edge, double longest)
 {
     const unsigned long long away =
-        footpoint_detail_below(longest, edge) & (footpoint_detail_below(longest, dd) | flaw);
+        (footpoint_detail_below(longest, edge) & footpoint_detail_below(longest, dd) & ~flaw) |
+        (footpoint_detail_below(16.0 * longest, edge) & flaw);
     const unsigned long long nodes =
         footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
         footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
@@ -443,46 +561,11 @@ FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
     return dd < 0.0 ? -root : root;
 }
 
-/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign, square of
- * the cosine between xS - r and the normal}. */
-typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[4], int *region);
-
-/* NAME_closest in a unit of length in which the segment is about 1 long; with nodes = 0 not. */
-FOOTPOINT_COLD int footpoint_detail_closest_again(footpoint_detail_nearest *nearest,
-                                                  const double *const *x, int nodes, int vectors,
-                                                  double at[4], int *region)
-{
-    double y[10][3];
-    const double *z[10];
-    int exponent = 0, i, status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
-    if (status != FOOTPOINT_OK)
-        return status;
-    for (i = 0; i < vectors; i++)
-        z[i] = y[i];
-    status = nearest(z, 0.0, at, region);
-    at[2] = footpoint_detail_signed_root(at[2]);
-    at[2] = exponent ? ldexp(at[2], exponent) : at[2];
-    return status;
-}
-
-/* NAME_closest, with the distance in at: where the status is FOOTPOINT_ERR_DEGENERATE once more. */
-FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, const double *const *x,
-                                            int nodes, int vectors, double at[4], int *region)
-{
-    double other[4] = {0.0, 0.0, 0.0, 0.0};
-    int i, where = 0, status = nearest(x, 0.0, at, region);
-    at[2] = footpoint_detail_signed_root(at[2]);
-    if (status == FOOTPOINT_ERR_DEGENERATE) {
-        status = footpoint_detail_closest_again(nearest, x, nodes, vectors, other, &where);
-        for (i = 0; i < 4; i++)
-            at[i] = other[i];
-        *region = where;
-    }
-    return status;
-}
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[3], int *region);
 
 /* Its answer to the caller, if there is one. */
-FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[4], int where,
+FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3], int where,
                                                    double loc[2], double *dist, int *region)
 {
     if (status == FOOTPOINT_OK) {
@@ -497,19 +580,6 @@ FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[4
 
 #ifndef FOOTPOINT_DETAIL_EDGE
 #define FOOTPOINT_DETAIL_EDGE
-/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
- * being vectorised and is foreseen badly. */
-FOOTPOINT_PART double footpoint_detail_step(double x)
-{
-    return 0.5 + copysign(0.5, x);
-}
-
-/* a where step is 0, b where it is 1; both finite. */
-FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
-{
-    return (1.0 - step) * a + step * b;
-}
-
 /* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
  * lies, from 0 to 1; returns the square of their distance. */
 FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3], const double s[3],
@@ -529,17 +599,51 @@ FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3]
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD4_SURFACE
+#define FOOTPOINT_QUAD4_SURFACE
+/* u = r_xi, v = r_eta and d = xS - r at (xi,eta); without differences of edges, which on collapsed ones leave rounding. */
+FOOTPOINT_PART void footpoint_detail_quad4_surface(const double *const *x, double xi, double eta,
+                                                   double u[3], double v[3], double d[3])
+{
+    const double right = 0.25 * (1.0 + xi), left = 0.25 * (1.0 - xi);
+    const double above = 0.25 * (1.0 + eta), below = 0.25 * (1.0 - eta);
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const double ab = x[1][i] - x[0][i];
+        u[i] = below * ab + above * (x[2][i] - x[3][i]);
+        v[i] = left * (x[3][i] - x[0][i]) + right * (x[2][i] - x[1][i]);
+        d[i] = (x[4][i] - x[0][i]) - 2.0 * right * ab - 4.0 * above * v[i];
+    }
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_NEAREST
 #define FOOTPOINT_QUAD4_NEAREST
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  n, the product of the
- * diagonals, is at right angles to both, so that the height of r over A is that of B times a function of xi and eta. */
-FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsigned long long flaw, double least,
-                                                  double xi, double eta, double at[4], int *region)
+/* The normal m, of any length, at the point 0.0009765625 of the way from (xi,eta) to the middle; from an edge whose ends are
+ * one point, on the bisector there. */
+FOOTPOINT_PART void footpoint_detail_quad4_inward(const double *const *x, double xi, double eta, double m[3])
 {
-    double e[4][3], p[4][3], ee[4], t[4], dd[4], d[3], f[3], g[3], n[3], nn, size, longest, other;
-    double up, on, across, edge, sides, u, v, s, h, inner, room, within, best, side;
-    int left, right, below, above;
+    const double middle = footpoint_detail_square_middle();
+    double at[2], u[3], v[3], d[3];
+    at[0] = xi;
+    at[1] = eta;
+    footpoint_detail_square_bisect(x, at);
+    at[0] += 0.0009765625 * (middle - at[0]);
+    at[1] += 0.0009765625 * (middle - at[1]);
+    footpoint_detail_quad4_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_cross(u, v, m);
+}
+
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  m, the product of the
+ * diagonals, is 8 times the normal in the middle: normals are linear in xi and eta. */
+FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsigned long long flaw, double least,
+                                                  double xi, double eta, double at[3], int *region)
+{
+    double e[4][3], p[4][3], ee[4], t[4], dd[4], d[3], f[3], g[3], m[3], mm, size, longest, other;
+    double up, on, across, edge, sides, u, v, inner, room, within, best;
+    int left, right, below, above, i;
     dd[0] = footpoint_detail_edge(x[0], x[1], x[4], e[0], p[0], &ee[0], &t[0]);
     dd[1] = footpoint_detail_edge(x[1], x[2], x[4], e[1], p[1], &ee[1], &t[1]);
     dd[2] = footpoint_detail_edge(x[3], x[2], x[4], e[2], p[2], &ee[2], &t[2]);
@@ -556,11 +660,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsign
     edge = sides < edge ? sides : edge;
     u = footpoint_detail_either(across, footpoint_detail_either(up, t[0], t[2]), on);
     v = footpoint_detail_either(across, up, footpoint_detail_either(on, t[3], t[1]));
-    s = 0.5 * (1.0 + xi);
-    h = 0.5 * (1.0 + eta);
-    d[0] = p[0][0] - s * e[0][0] - h * (e[3][0] + s * (e[2][0] - e[0][0]));
-    d[1] = p[0][1] - s * e[0][1] - h * (e[3][1] + s * (e[2][1] - e[0][1]));
-    d[2] = p[0][2] - s * e[0][2] - h * (e[3][2] + s * (e[2][2] - e[0][2]));
+    footpoint_detail_quad4_surface(x, xi, eta, f, g, d);
     inner = footpoint_detail_dot(d, d);
     room = 1.0 - fabs(xi);
     other = 1.0 - fabs(eta);
@@ -573,27 +673,342 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsign
     best = footpoint_detail_either(within, edge, inner);
     footpoint_detail_from(x[0], x[2], f);
     footpoint_detail_from(x[1], x[3], g);
-    footpoint_detail_cross(f, g, n);
-    side = footpoint_detail_dot(n, p[0]) - 0.5 * footpoint_detail_dot(n, e[0]) * (1.0 - xi * eta);
+    footpoint_detail_cross(f, g, m);
+    mm = footpoint_detail_dot(m, m);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        m[i] *= 0.125 * 0.0009765625;
+    footpoint_detail_quad4_surface(x, xi, eta, f, g, d);
     at[0] = xi;
     at[1] = eta;
-    nn = footpoint_detail_dot(n, n);
-    at[2] = copysign(best, side);
-    at[3] = side * side / (nn * best + 2.2250738585072014e-308);
+    at[2] = copysign(best, footpoint_detail_side(f, g, m, d, best, size, 1.0 - within));
     left = xi <= -1.0;
     right = xi >= 1.0;
     below = eta <= -1.0;
     above = eta >= 1.0;
     *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
     return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(inner),
-                                           p[0][0] + p[0][1] + p[0][2], nn, size, least, best, edge,
+                                           p[0][0] + p[0][1] + p[0][2], mm, size, least, best, edge,
                                            longest);
+}
+
+/* Returns the next corner, after k in the order `step`, 1 or 4 - 1, that is not the same point as k; or k. */
+FOOTPOINT_COLD int footpoint_detail_quad4_next(const double *const *x, int k, int step)
+{
+    int next = (k + step) % 4;
+    while (next != k && footpoint_detail_same(x[next], x[k]))
+        next = (next + step) % 4;
+    return next;
+}
+
+/* The direction e in which the edge to that corner leaves the point of corner k. */
+FOOTPOINT_COLD void footpoint_detail_quad4_leave(const double *const *x, int k, int step, double e[3])
+{
+    const int to = footpoint_detail_quad4_next(x, k, step), from = (to + 4 - step) % 4;
+    footpoint_detail_from(x[from], x[to], e);
+    if (4 > 4) { /* e is half of the slope unless that vanishes: middles at a quarter */
+        const double *const middle = x[4 + (step == 1 ? from : to)];
+        double slope[3];
+        int i;
+        for (i = 0; i < 3; i++)
+            slope[i] = 4.0 * (middle[i] - x[from][i]) - e[i];
+        if (footpoint_detail_dot(slope, slope) > 1e-20 * footpoint_detail_dot(e, e))
+            for (i = 0; i < 3; i++)
+                e[i] = slope[i];
+    }
+}
+
+/* Adds `angle` times the unit normal at (xi,eta) to fan. */
+FOOTPOINT_COLD void footpoint_detail_quad4_add_normal(const double *const *x, const double at[2],
+                                                      double angle, double fan[3])
+{
+    double u[3], v[3], d[3], n[3], m[3], nn, mm, over;
+    int i, large;
+    footpoint_detail_quad4_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_quad4_inward(x, at[0], at[1], m);
+    footpoint_detail_cross(u, v, n);
+    nn = footpoint_detail_dot(n, n);
+    mm = footpoint_detail_dot(m, m);
+    large = nn > 0.0009765625 * 0.0009765625 * mm;
+    over = angle / sqrt((large ? nn : mm) + 2.2250738585072014e-308);
+    for (i = 0; i < 3; i++)
+        fan[i] += over * (large ? n[i] : m[i]);
+}
+
+/* Adds the normal of a face at its corner k, or at t, from -1 to 1, of its edge k. */
+FOOTPOINT_COLD void footpoint_detail_quad4_add_corner(const double *const *x, int k, double fan[3])
+{
+    double a[3], b[3], c[3], at[2], angle;
+    footpoint_detail_quad4_leave(x, k, 1, a);
+    footpoint_detail_quad4_leave(x, k, 4 - 1, b);
+    footpoint_detail_cross(a, b, c);
+    angle = atan2(sqrt(footpoint_detail_dot(c, c)), footpoint_detail_dot(a, b));
+    footpoint_detail_square_corner(k, at);
+    footpoint_detail_quad4_add_normal(x, at, angle, fan);
+}
+
+FOOTPOINT_COLD void footpoint_detail_quad4_add_edge(const double *const *x, int k, double t, double fan[3])
+{
+    double from[2], to[2], at[2];
+    int i;
+    footpoint_detail_square_corner(k, from);
+    footpoint_detail_square_corner((k + 1) % 4, to);
+    for (i = 0; i < 2; i++)
+        at[i] = 0.5 * ((1.0 - t) * from[i] + (1.0 + t) * to[i]);
+    footpoint_detail_quad4_add_normal(x, at, 3.1415926535897931, fan);
+}
+
+/* The corners a and b between which the closest point at loc, in `region` > 0 of a face, lies, one if it is a corner or an
+ * edge of no length; returns where it lies on the edge, from -1 to 1. */
+FOOTPOINT_COLD double footpoint_detail_quad4_feature(const double *const *x, const double loc[2],
+                                                     int region, const double *end[2])
+{
+    const int k = (region - 1) % 4, next = (k + 1) % 4;
+    double from[2], to[2], along, across;
+    footpoint_detail_square_corner(k, from);
+    footpoint_detail_square_corner(next, to);
+    along = (loc[0] - from[0]) * (to[0] - from[0]) + (loc[1] - from[1]) * (to[1] - from[1]);
+    across = (to[0] - from[0]) * (to[0] - from[0]) + (to[1] - from[1]) * (to[1] - from[1]);
+    end[0] = x[k];
+    end[1] = region > 4 || footpoint_detail_same(x[k], x[next]) ? x[k] : x[next];
+    return 2.0 * along / across - 1.0;
+}
+
+/* Adds the normal of one face, if it has that edge or corner. */
+FOOTPOINT_COLD void footpoint_detail_quad4_add_face(const double *const *x, const double *const end[2],
+                                                    double t, double fan[3])
+{
+    double y[10][3];
+    const double *z[10];
+    int exponent, k, i, found = 0;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    for (k = 0; k < 4; k++) {
+        const double *const here = x[k], *const next = x[(k + 1) % 4];
+        const int single = end[0] == end[1], first = footpoint_detail_same(here, end[0]);
+        const int there = first & footpoint_detail_same(next, end[1]);
+        const int back = footpoint_detail_same(here, end[1]) & footpoint_detail_same(next, end[0]);
+        if (!(single ? first & !there : there | back)) /* of corners that are one point, the last */
+            continue;
+        if (!found && footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
+            return;
+        found = 1;
+        if (single)
+            footpoint_detail_quad4_add_corner(z, k, fan);
+        else
+            footpoint_detail_quad4_add_edge(z, k, there ? t : -t, fan);
+    }
+}
+
+/* Returns 1 if the slave node, the last of x, lies behind the point at loc: of the surface that has the normal `fan` there, or,
+ * if that is NULL, of the face, `edge` if the point is on an edge of it. */
+FOOTPOINT_COLD int footpoint_detail_quad4_behind(const double *const *x, const double loc[2], int edge,
+                                                 const double *fan)
+{
+    double y[10][3], u[3], v[3], d[3], m[3], dd;
+    const double *z[10];
+    int exponent, i;
+    if (footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
+        return 0;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    footpoint_detail_quad4_surface(z, loc[0], loc[1], u, v, d);
+    footpoint_detail_quad4_inward(z, loc[0], loc[1], m);
+    dd = footpoint_detail_dot(d, d);
+    return (fan ? footpoint_detail_facing(fan, d, dd, 1.0, 1.0, 1.0)
+                : footpoint_detail_side(u, v, m, d, dd, 1.0, edge ? 1.0 : 0.0)) < 0.0;
+}
+
+/* Half of the Hessian of the square of the distance at (xi,eta), {11, 12, 22}: second derivatives by differences, and without
+ * them, as Gauss and Newton have it, where it is not positive definite. */
+FOOTPOINT_COLD void footpoint_detail_quad4_second(const double *const *x, const double at[2],
+                                                  const double u[3], const double v[3], const double d[3],
+                                                  double h[3])
+{
+    const double step = 0.0009765625, uu = footpoint_detail_dot(u, u), uv = footpoint_detail_dot(u, v);
+    const double vv = footpoint_detail_dot(v, v), ud = footpoint_detail_dot(u, d);
+    const double vd = footpoint_detail_dot(v, d);
+    double a[3], b[3], e[3];
+    footpoint_detail_quad4_surface(x, at[0] + step, at[1], a, b, e);
+    h[0] = uu - (footpoint_detail_dot(a, d) - ud) / step;
+    h[1] = uv - (footpoint_detail_dot(b, d) - vd) / step;
+    footpoint_detail_quad4_surface(x, at[0], at[1] + step, a, b, e);
+    h[2] = vv - (footpoint_detail_dot(b, d) - vd) / step;
+    if (!(h[0] > 0.0 && h[2] > 0.0 && h[0] * h[2] > h[1] * h[1])) {
+        h[0] = uu;
+        h[1] = uv;
+        h[2] = vv;
+    }
+}
+
+/* From (xi,eta) inside the face downhill to the foot point, or towards an edge: Newton's steps, damped where the distance does
+ * not fall. */
+FOOTPOINT_COLD void footpoint_detail_quad4_descend(const double *const *x, double at[2])
+{
+    double u[3], v[3], d[3], dd, damp = 0.0;
+    int i, k;
+    footpoint_detail_quad4_surface(x, at[0], at[1], u, v, d);
+    dd = footpoint_detail_dot(d, d);
+    for (i = 0; i < 100 && damp < 1e6; i++) {
+        const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+        const double ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
+        const double more = damp + 4e-16;
+        const double least = 4e-16 * 4e-16 * (uu + vv) + 2.2250738585072014e-308;
+        double h[3], to[2], a[3], b[3], e[3], ee, over;
+        footpoint_detail_quad4_second(x, at, u, v, d, h);
+        h[0] += more * uu + least;
+        h[2] += more * vv + least;
+        over = 1.0 / (h[0] * h[2] - h[1] * h[1]);
+        to[0] = at[0] + over * (h[2] * ud - h[1] * vd);
+        to[1] = at[1] + over * (h[0] * vd - h[1] * ud);
+        footpoint_detail_square_clamp(at, to);
+        footpoint_detail_quad4_surface(x, to[0], to[1], a, b, e);
+        ee = footpoint_detail_dot(e, e);
+        if (ee > dd + 4e-16 * (dd + sqrt(dd * (uu + vv)) + 4e-16 * (uu + vv))) {
+            damp = damp > 0.0 ? 10.0 * damp : 1e-3;
+            continue;
+        }
+        damp = damp > 1e-6 ? 0.1 * damp : 0.0;
+        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 4e-16)
+            i = 100;
+        for (k = 0; k < 2; k++)
+            at[k] = to[k];
+        for (k = 0; k < 3; k++) {
+            u[k] = a[k];
+            v[k] = b[k];
+            d[k] = e[k];
+        }
+        dd = ee;
+    }
+}
+
+/* The closest point by a descent from `start`, in a unit of length in which the segment is about 1 long. */
+FOOTPOINT_COLD int footpoint_detail_quad4_closest_from(const double *const *x, const double start[2],
+                                                       double at[3], int *region)
+{
+    double y[10][3], to[2];
+    const double *z[10];
+    int exponent = 0, i, status = footpoint_detail_scale(x, 4, 5, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    for (i = 0; i < 2; i++)
+        to[i] = start[i] + 0.0009765625 * (footpoint_detail_square_middle() - start[i]);
+    footpoint_detail_quad4_descend(z, to);
+    status = footpoint_detail_quad4_nearest(z, 0, 1e-6, to[0], to[1], at, region);
+    if (status == FOOTPOINT_OK && *region == 0) { /* beside an edge, a descent does not get there */
+        double other[3];
+        int where;
+        const double dd = fabs(at[2]);
+        (void)footpoint_detail_quad4_nearest(z, 0, 1e-6, 9.0, 9.0, other, &where);
+        if (fabs(other[2]) <= dd + 4e-16 * (dd + 8.0 * sqrt(dd))) {
+            for (i = 0; i < 3; i++)
+                at[i] = other[i];
+            *region = where;
+        }
+    }
+    at[2] = ldexp(footpoint_detail_signed_root(at[2]), exponent);
+    return status;
+}
+
+/* _closest in that unit, unless the search has none, which `scalable` tells; where that has no answer either, by a descent
+ * from the middle. */
+FOOTPOINT_COLD int footpoint_detail_quad4_closest_again(footpoint_detail_nearest *nearest,
+                                                        const double *const *x, int scalable,
+                                                        double at[3], int *region)
+{
+    const double middle[2] = {footpoint_detail_square_middle(), footpoint_detail_square_middle()};
+    double y[10][3];
+    const double *z[10];
+    int exponent = 0, i, status = footpoint_detail_scale(x, 4, 5, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    status = scalable ? nearest(z, 0.0, at, region) : FOOTPOINT_ERR_DEGENERATE;
+    at[2] = ldexp(footpoint_detail_signed_root(at[2]), exponent);
+    if (status == FOOTPOINT_ERR_DEGENERATE)
+        status = footpoint_detail_quad4_closest_from(x, middle, at, region);
+    return status;
+}
+
+/* Writes the tangent e, counter-clockwise, of edge k at a point of it where r_xi and r_eta are u and v. */
+FOOTPOINT_PART void footpoint_detail_quad4_tangent(const double u[3], const double v[3], int k,
+                                                   double e[3])
+{
+    double from[2], to[2];
+    int i;
+    footpoint_detail_square_corner(k, from);
+    footpoint_detail_square_corner((k + 1) % 4, to);
+    for (i = 0; i < 3; i++)
+        e[i] = (to[0] - from[0]) * u[i] + (to[1] - from[1]) * v[i];
+}
+
+/* The distance that a better search might find, where the point at `at` is no foot point, or on an edge beside which xS lies
+ * over the face: twice as much less as there is in the tangent plane to be gained. */
+FOOTPOINT_PART double footpoint_detail_quad4_least(const double *const *x, const double at[3], int region)
+{
+    double u[3], v[3], d[3], e[3], n[3], in[3], dd, ahead, height;
+    if (region > 4)
+        return fabs(at[2]);
+    footpoint_detail_quad4_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_cross(u, v, n);
+    if (region > 0) {
+        footpoint_detail_quad4_tangent(u, v, region - 1, e);
+        footpoint_detail_cross(n, e, in);
+        if (footpoint_detail_dot(in, d) <= 0.0)
+            return fabs(at[2]);
+    }
+    dd = footpoint_detail_dot(d, d);
+    ahead = footpoint_detail_dot(d, n);
+    height = ahead * ahead / (footpoint_detail_dot(n, n) + 2.2250738585072014e-308);
+    if (dd - height <= 1e-12 * dd)
+        return fabs(at[2]);
+    height = 2.0 * height - dd;
+    return sqrt(height > 0.0 ? height : 0.0);
+}
+
+/* The status of a point that is farther off than the longest edge: once more, by a descent, where errors of the search may
+ * hide a nearer one. */
+FOOTPOINT_COLD int footpoint_detail_quad4_closest_beyond(const double *const *x, double at[3],
+                                                         int *region)
+{
+    const double least = footpoint_detail_quad4_least(x, at, *region);
+    double longest = 0.0, e[3];
+    int k;
+    for (k = 0; k < 4; k++) {
+        footpoint_detail_from(x[k], x[(k + 1) % 4], e);
+        longest = footpoint_detail_dot(e, e) > longest ? footpoint_detail_dot(e, e) : longest;
+    }
+    if (least * least > longest || least >= fabs(at[2]))
+        return FOOTPOINT_ERR_DOMAIN;
+    return footpoint_detail_quad4_closest_from(x, at, at, region);
+}
+
+/* _closest, with the distance in at: once more where that has no answer. */
+FOOTPOINT_PART int footpoint_detail_quad4_closest(footpoint_detail_nearest *nearest,
+                                                  const double *const *x, int scalable, double at[3],
+                                                  int *region)
+{
+    double other[3] = {0.0, 0.0, 0.0};
+    int i, where = 0, status = nearest(x, 0.0, at, region);
+    at[2] = footpoint_detail_signed_root(at[2]);
+    if (status == FOOTPOINT_ERR_DOMAIN)
+        status = footpoint_detail_quad4_closest_beyond(x, at, region);
+    else if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_quad4_closest_again(nearest, x, scalable, other, &where);
+        for (i = 0; i < 3; i++)
+            at[i] = other[i];
+        *region = where;
+    }
+    return status;
 }
 
 /* Roots of the squares in dist, and once more what _closest does in another unit of length, behind the loop. */
 FOOTPOINT_PART void
 footpoint_detail_quad4_closest_n(footpoint_detail_nearest *nearest, size_t n, const double *const *x,
-                                 int nodes, double *FOOTPOINT_RESTRICT xi,
+                                 int scalable, double *FOOTPOINT_RESTRICT xi,
                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
                                  int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
@@ -604,7 +1019,7 @@ footpoint_detail_quad4_closest_n(footpoint_detail_nearest *nearest, size_t n, co
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double at[4];
+        double at[3];
         status[i] = nearest(row, zero, at, &region[i]);
         xi[i] = at[0];
         eta[i] = at[1];
@@ -613,13 +1028,18 @@ footpoint_detail_quad4_closest_n(footpoint_detail_nearest *nearest, size_t n, co
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)
-        if (status[i] == FOOTPOINT_ERR_DEGENERATE) {
+        if (status[i] != FOOTPOINT_OK) {
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            double at[4];
-            int where;
-            status[i] = footpoint_detail_closest(nearest, row, nodes, 5, at, &where);
+            double at[3];
+            int where = region[i];
+            at[0] = xi[i];
+            at[1] = eta[i];
+            at[2] = dist[i];
+            status[i] = status[i] == FOOTPOINT_ERR_DOMAIN
+                            ? footpoint_detail_quad4_closest_beyond(row, at, &where)
+                            : footpoint_detail_quad4_closest(nearest, row, scalable, at, &where);
             if (status[i] == FOOTPOINT_OK) {
                 xi[i] = at[0];
                 eta[i] = at[1];
@@ -629,43 +1049,82 @@ footpoint_detail_quad4_closest_n(footpoint_detail_nearest *nearest, size_t n, co
         }
 }
 
-/* Of faces as near as each other, to rounding, that which xS lies straightest over: where they share an edge or a
- * corner, its side is the right one. */
-FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *nearest, size_t n,
-                                                     const double *const *x, const double *xS, int nodes,
-                                                     double loc[2], double *dist, int *region,
-                                                     size_t *which)
+/* The vectors of face i and its slave node. */
+FOOTPOINT_PART void footpoint_detail_quad4_row(const double *const *x, const double *xS, size_t i,
+                                               const double *row[5])
 {
-    double least = 0.0, straightest = 0.0;
-    int found = FOOTPOINT_ERR_DOMAIN, k;
+    int k;
+    for (k = 0; k < 4; k++)
+        row[k] = x[4 * i + (size_t)k];
+    row[4] = xS;
+}
+
+/* Returns 1 if xS lies behind the surface that n faces make at loc, in `region` > 0 of face `which`. */
+FOOTPOINT_COLD int footpoint_detail_quad4_behind_all(size_t n, const double *const *x, const double *xS,
+                                                     size_t which, const double loc[2], int region)
+{
+    const double *row[5], *end[2];
+    double fan[3] = {0.0, 0.0, 0.0}, t;
     size_t i;
+    footpoint_detail_quad4_row(x, xS, which, row);
+    t = footpoint_detail_quad4_feature(row, loc, region, end);
     for (i = 0; i < n; i++) {
-        const double *row[5];
-        double at[4], away, more;
-        int where, status;
-        for (k = 0; k < 4; k++)
-            row[k] = x[4 * i + (size_t)k];
-        row[4] = xS;
-        status = footpoint_detail_closest(nearest, row, nodes, 5, at, &where);
+        footpoint_detail_quad4_row(x, xS, i, row);
+        footpoint_detail_quad4_add_face(row, end, t, fan);
+    }
+    footpoint_detail_quad4_row(x, xS, which, row);
+    return footpoint_detail_quad4_behind(row, loc, 1, fan);
+}
+
+/* The nearest of n faces, and the side of the surface that they make.  A face is searched once more, by a descent, if errors of
+ * the search may hide that it is the nearest. */
+FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *nearest, size_t n,
+                                                     const double *const *x, const double *xS,
+                                                     int scalable, double loc[2], double *dist,
+                                                     int *region, size_t *which)
+{
+    const double *row[5], *chosen[5];
+    double best[3] = {0.0, 0.0, 0.0}, best_least = 0.0;
+    int found = FOOTPOINT_ERR_DOMAIN, best_where = 0;
+    size_t i, best_i = 0;
+    for (i = 0; i < n; i++) {
+        double at[3], least;
+        int where, status, none, contest, k;
+        footpoint_detail_quad4_row(x, xS, i, row);
+        status = footpoint_detail_quad4_closest(nearest, row, scalable, at, &where);
         if (status != FOOTPOINT_OK) {
             found = found == FOOTPOINT_OK ? found : status;
             continue;
         }
-        away = fabs(at[2]);
-        more = 4.0 * 4e-16 * (away + least);
-        if (found == FOOTPOINT_OK &&
-            !(away < least - more || (away <= least + more && at[3] > straightest)))
+        least = footpoint_detail_quad4_least(row, at, where);
+        none = found != FOOTPOINT_OK;
+        contest = !none && least < fabs(best[2]) && best_least < fabs(at[2]);
+        if (contest && best_least < fabs(best[2])) {
+            footpoint_detail_quad4_row(x, xS, best_i, chosen);
+            (void)footpoint_detail_quad4_closest_from(chosen, best, best, &best_where);
+            best_least = fabs(best[2]);
+        }
+        if (least < fabs(at[2]) && (contest || where > 0)) {
+            (void)footpoint_detail_quad4_closest_from(row, at, at, &where);
+            least = fabs(at[2]);
+        }
+        if (!none && fabs(at[2]) >= fabs(best[2]))
             continue;
         found = FOOTPOINT_OK;
-        least = away;
-        straightest = at[3];
-        loc[0] = at[0];
-        loc[1] = at[1];
-        *dist = at[2];
-        *region = where;
-        *which = i;
+        for (k = 0; k < 3; k++)
+            best[k] = at[k];
+        best_where = where;
+        best_least = least;
+        best_i = i;
     }
-    return found;
+    if (found == FOOTPOINT_OK) {
+        if (best_where > 0)
+            best[2] = footpoint_detail_quad4_behind_all(n, x, xS, best_i, best, best_where)
+                          ? -fabs(best[2])
+                          : fabs(best[2]);
+        *which = best_i;
+    }
+    return footpoint_detail_closest_answer(found, best, best_where, loc, dist, region);
 }
 #endif
 
@@ -683,16 +1142,24 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* _closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
- *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AC x BD) is), and region, where it lies:
- *           0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+/* _closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
+ *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
+ *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
+ *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat
+ *           segment, in its plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if
+ *           _closest_of has dist < 0 for all segments there.
  *           Points of edges are right to the rounding of their distances; inside it is _at's point, unless one of
  *           an edge is nearer.  On error all untouched: as the search, and FOOTPOINT_ERR_DOMAIN if r is farther from xS
  *           than the longest edge is long, slave nodes for which no search was measured.
  * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
- * _closest_of:  the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
- *           search for neighbours hands over; which is its number, of several as near as each other to rounding that
- *           of the one which xS lies straightest over.  Segments without an answer are passed over; if all are, the
+ * _closest_of:  finds the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
+ *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
+ *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
+ *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
+ *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
+ *           are the same if their coordinates are.  Where errors of _at could hide which of two segments is nearer,
+ *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 /* footpoint_rectangle_quad4_exact
@@ -790,7 +1257,7 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_over_n(const double *const n
     footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_rectangle_quad4_exact, nodes, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_rectangle_quad4_exact(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_rectangle_quad4_exact(const double *const *x, double zero, double at[3],
                                                                             int *region)
 {
     double xi, eta;
@@ -804,10 +1271,9 @@ FOOTPOINT_FN int footpoint_rectangle_quad4_exact_closest(const double xA[3], con
                                                          double *dist, int *region)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_rectangle_quad4_exact, x, 4, 5, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_rectangle_quad4_exact, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -816,16 +1282,15 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_closest_n(size_t n, const do
                                                               double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                               int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, 4, xi, eta, dist, region,
-                                     status);
+    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_rectangle_quad4_exact_closest_of(size_t n, const double *const *x, const double xS[3],
                                                             double loc[2],
                                                             double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, xS, 4, loc, dist,
-                                             region, which);
+    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, xS, 1, loc, dist, region,
+                                             which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -852,6 +1317,12 @@ static const double footpoint_rectangle_quad4_exact_points[][19] = {
 #ifndef FOOTPOINT_NOT_UNIQUE
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
+
+/* The larger one without a branch, which would keep loops from being vectorised. */
+FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
+{
+    return 0.5 * (a + b + fabs(a - b));
+}
 
 /* How far |x| is above 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
@@ -953,17 +1424,20 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *con
                                                    footpoint_detail_excess(at[1])));
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`. */
+/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
 FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double slope)
 {
+    if (a == 0.0 && b == 0.0 && c == 0.0)
+        return 0.0;
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside. */
+/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside.  Of the two
+ * ways to compute the discriminant the one that loses fewer digits, as near a collapsed edge. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
-    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, b, discriminant;
+    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, a, b, discriminant;
     int i, found = 0, inside[2], best;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
@@ -974,14 +1448,17 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
     if (footpoint_detail_bits(wide * wide - 10.0 * 1e-20 * (size * size) * (length * length)) >>
         63)
         return FOOTPOINT_ERR_DEGENERATE;
+    a = k[0] - k[3];
     b = k[0] + k[3];
-    discriminant = b * b - 4.0 * (k[2] * k[5]);
+    discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
+                       ? a * a - 4.0 * (k[1] * k[4])
+                       : b * b - 4.0 * (k[2] * k[5]);
     if (discriminant < 0.0)
         return FOOTPOINT_ERR_DOMAIN;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < (discriminant > 0.0 ? 2 : 1); i++) {
         const double slope = i ? -sqrt(discriminant) : sqrt(discriminant);
         double *const y = z[found];
-        y[0] = footpoint_detail_root(k[1], k[0] - k[3], k[4], slope);
+        y[0] = footpoint_detail_root(k[1], a, k[4], slope);
         y[1] = footpoint_detail_root(k[2], b, k[5], slope);
         y[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
         reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
@@ -1001,11 +1478,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
     return found == 2 && inside[0] && inside[1] ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long. */
+/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
+ * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, const double along[3],
                                                       double loc[2], double *dist)
 {
-    double y[5][3], p[3], at[3];
+    double y[5][3], p[3], at[3], away;
     const double *z[5];
     int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
     const int nodes = footpoint_detail_scale(x, 5 - 1, 5, y, &exponent);
@@ -1015,22 +1493,30 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
         return status;
     for (i = 0; i < 5; i++)
         z[i] = y[i];
+    for (i = 0; i < 3; i++)
+        if (footpoint_detail_above(y[5 - 1][i], 1e-4 / 2.2250738585072014e-308) >> 63)
+            return FOOTPOINT_ERR_DOMAIN;
     status = footpoint_detail_quad4_along_full(z, p, at);
     if (status < FOOTPOINT_OK)
         return status;
+    away = exponent ? ldexp(at[2], exponent) : at[2];
+    if (footpoint_detail_infinite(away) >> 63)
+        return FOOTPOINT_ERR_DOMAIN;
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    *dist = away;
     return status;
 }
 #endif
 
 /* footpoint_rectangle_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
- *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
- *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere,
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK: the line meets the segment once;
+ *           FOOTPOINT_NOT_UNIQUE: more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE: it passes by, and
+ *           the answer is a point where it meets the surface beyond the edges; and where loc and dist are untouched
+ *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and
+ *           meets the surface nowhere;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
  *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_rectangle_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_rectangle_quad4_along(const double xA[3], const double xB[3], const double xC[3],
@@ -1040,11 +1526,13 @@ FOOTPOINT_FN int footpoint_rectangle_quad4_along(const double xA[3], const doubl
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int status;
-    if (footpoint_detail_quad4_along(x, along, at, &status) >> 63)
+    const unsigned long long flaw = footpoint_detail_quad4_along(x, along, at, &status);
+    const double away = at[2] / sqrt(footpoint_detail_dot(along, along));
+    if ((flaw | footpoint_detail_infinite(away)) >> 63)
         return footpoint_detail_quad4_along_again(x, along, loc, dist);
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = at[2] / sqrt(footpoint_detail_dot(along, along));
+    *dist = away;
     return status;
 }
 
@@ -1073,7 +1561,7 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_along_n(size_t n, const double *co
         dist[i] /= sqrt(footpoint_detail_dot(q, q));
     }
     for (i = 0; i < n; i++)
-        if (status[i] < FOOTPOINT_OK) {
+        if (status[i] < FOOTPOINT_OK || footpoint_detail_infinite(dist[i]) >> 63) {
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double q[3] = {along[0][i], along[1][i], along[2][i]};

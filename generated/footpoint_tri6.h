@@ -25,29 +25,34 @@
 #ifndef FOOTPOINT_TRI6_H
 #define FOOTPOINT_TRI6_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -55,27 +60,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -155,7 +160,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -167,9 +172,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -420,19 +427,130 @@ footpoint_detail_tri6_over_n(footpoint_detail_search *search, const double *cons
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST
 #define FOOTPOINT_DETAIL_CLOSEST
+/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
+ * being vectorised and is foreseen badly. */
+FOOTPOINT_PART double footpoint_detail_step(double x)
+{
+    return 0.5 + copysign(0.5, x);
+}
+
+/* a where step is 0, b where it is 1; both finite. */
+FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
+{
+    return (1.0 - step) * a + step * b;
+}
+
+/* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
+ * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the product
+ * of the vectors whose cross product n is. */
+FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[3], double dd, double size,
+                                              double spread, double edge)
+{
+    const double ahead = footpoint_detail_dot(n, d), nn = footpoint_detail_dot(n, n);
+    const double beside =
+        nn * (1e-24 * dd + 1e-29 * size) + 1e-29 * (dd * spread) + 2.2250738585072014e-308;
+    return ahead * fabs(ahead) + edge * beside;
+}
+
+/* The same for the normal u x v, u = r_xi and v = r_eta, or, where that vanishes, as it does at collapsed and at straight
+ * corners, for m, the normal at a point 0.0009765625 of the way to the middle. */
+FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double m[3],
+                                            const double d[3], double dd, double size, double edge)
+{
+    const double spread = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v);
+    double n[3], large;
+    int i;
+    footpoint_detail_cross(u, v, n);
+    large = footpoint_detail_step(footpoint_detail_dot(n, n) -
+                                  0.0009765625 * 0.0009765625 * footpoint_detail_dot(m, m));
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        n[i] = footpoint_detail_either(large, m[i], n[i]);
+    return footpoint_detail_facing(n, d, dd, size, spread, edge);
+}
+
+/* Returns 1 if two nodes have the same coordinates. */
+FOOTPOINT_PART int footpoint_detail_same(const double *a, const double *b)
+{
+    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
+}
+
+/* (xi,eta) of corner k. */
+FOOTPOINT_PART void footpoint_detail_square_corner(int k, double at[2])
+{
+    at[0] = k == 1 || k == 2 ? 1.0 : -1.0;
+    at[1] = k > 1 ? 1.0 : -1.0;
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_corner(int k, double at[2])
+{
+    at[0] = k == 1 ? 1.0 : 0.0;
+    at[1] = k == 2 ? 1.0 : 0.0;
+}
+
+/* Both coordinates of the middle. */
+FOOTPOINT_PART double footpoint_detail_square_middle(void)
+{
+    return 0.0;
+}
+
+FOOTPOINT_PART double footpoint_detail_triangle_middle(void)
+{
+    return 1.0 / 3.0;
+}
+
+/* Keeps `to`, where a step from (xi,eta) = at leads, within the range of xi and eta: a tenth of the way to an edge is left. */
+FOOTPOINT_PART void footpoint_detail_square_clamp(const double at[2], double to[2])
+{
+    int i;
+    for (i = 0; i < 2; i++) {
+        const double least = 0.1 * (1.0 + at[i]) - 1.0, most = 1.0 - 0.1 * (1.0 - at[i]);
+        to[i] = to[i] < least ? least : to[i] > most ? most : to[i];
+    }
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_clamp(const double at[2], double to[2])
+{
+    const double over = 0.5 * (to[0] + to[1] - 1.0 + 0.1 * (1.0 - at[0] - at[1]));
+    int i;
+    for (i = 0; i < 2; i++) {
+        to[i] -= over > 0.0 ? over : 0.0;
+        to[i] = to[i] < 0.1 * at[i] ? 0.1 * at[i] : to[i];
+    }
+}
+
+/* Moves (xi,eta) to the middle of the edge that it is on if the ends of that are one point.  Triangles have no such edges. */
+FOOTPOINT_PART void footpoint_detail_square_bisect(const double *const *x, double at[2])
+{
+    if ((at[1] <= -1.0 && footpoint_detail_same(x[0], x[1])) ||
+        (at[1] >= 1.0 && footpoint_detail_same(x[2], x[3])))
+        at[0] = 0.0;
+    if ((at[0] <= -1.0 && footpoint_detail_same(x[0], x[3])) ||
+        (at[0] >= 1.0 && footpoint_detail_same(x[1], x[2])))
+        at[1] = 0.0;
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_bisect(const double *const *x, double at[2])
+{
+    (void)x;
+    (void)at;
+}
+
 #ifndef FOOTPOINT_ERR_DOMAIN
 #define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
-/* Of the nearest point found, dd and edge being the squares of its distance and of that of the nearest point of the edges:
- * FOOTPOINT_ERR_DEGENERATE if something is not finite in `all`, size, the sum of the squares of edges, is not between
- * least and 1 / least, or there is no area, nn being the square of its vector; else FOOTPOINT_ERR_DOMAIN beyond the
- * longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw, dd says nothing then. */
+/* The status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
+ * FOOTPOINT_ERR_DEGENERATE if something in `all` is not finite, if size, the sum of the squares of edges, is not between least
+ * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge:
+ * where the search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
 FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, double nn, double size,
                                                    double least, double dd, double edge, double longest)
 {
     const unsigned long long away =
-        footpoint_detail_below(longest, edge) & (footpoint_detail_below(longest, dd) | flaw);
+        (footpoint_detail_below(longest, edge) & footpoint_detail_below(longest, dd) & ~flaw) |
+        (footpoint_detail_below(16.0 * longest, edge) & flaw);
     const unsigned long long nodes =
         footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
         footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
@@ -447,46 +565,11 @@ FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
     return dd < 0.0 ? -root : root;
 }
 
-/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign, square of
- * the cosine between xS - r and the normal}. */
-typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[4], int *region);
-
-/* NAME_closest in a unit of length in which the segment is about 1 long; with nodes = 0 not. */
-FOOTPOINT_COLD int footpoint_detail_closest_again(footpoint_detail_nearest *nearest,
-                                                  const double *const *x, int nodes, int vectors,
-                                                  double at[4], int *region)
-{
-    double y[10][3];
-    const double *z[10];
-    int exponent = 0, i, status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
-    if (status != FOOTPOINT_OK)
-        return status;
-    for (i = 0; i < vectors; i++)
-        z[i] = y[i];
-    status = nearest(z, 0.0, at, region);
-    at[2] = footpoint_detail_signed_root(at[2]);
-    at[2] = exponent ? ldexp(at[2], exponent) : at[2];
-    return status;
-}
-
-/* NAME_closest, with the distance in at: where the status is FOOTPOINT_ERR_DEGENERATE once more. */
-FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, const double *const *x,
-                                            int nodes, int vectors, double at[4], int *region)
-{
-    double other[4] = {0.0, 0.0, 0.0, 0.0};
-    int i, where = 0, status = nearest(x, 0.0, at, region);
-    at[2] = footpoint_detail_signed_root(at[2]);
-    if (status == FOOTPOINT_ERR_DEGENERATE) {
-        status = footpoint_detail_closest_again(nearest, x, nodes, vectors, other, &where);
-        for (i = 0; i < 4; i++)
-            at[i] = other[i];
-        *region = where;
-    }
-    return status;
-}
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[3], int *region);
 
 /* Its answer to the caller, if there is one. */
-FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[4], int where,
+FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3], int where,
                                                    double loc[2], double *dist, int *region)
 {
     if (status == FOOTPOINT_OK) {
@@ -587,32 +670,31 @@ FOOTPOINT_PART double footpoint_detail_curve_end(const double *a, const double *
     *t = second < first - 4.0 * 4e-16 * (first + size) ? v : u;
     return second < first - 4.0 * 4e-16 * (first + size) ? second : first;
 }
-
-/* Tangents u and v, d = xS - r and its square dd to at[2] and at[3], see footpoint_detail_nearest; returns the square of
- * u x v. */
-FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double d[3],
-                                            double dd, double at[4])
-{
-    const double nx = u[1] * v[2] - u[2] * v[1];
-    const double ny = u[2] * v[0] - u[0] * v[2];
-    const double nz = u[0] * v[1] - u[1] * v[0];
-    const double nn = nx * nx + ny * ny + nz * nz;
-    const double side = d[0] * nx + d[1] * ny + d[2] * nz;
-    at[2] = side < 0.0 ? -dd : dd;
-    at[3] = side * side / (nn * dd + 2.2250738585072014e-308);
-    return nn;
-}
 #endif
 
 #ifndef FOOTPOINT_TRI6_NEAREST
 #define FOOTPOINT_TRI6_NEAREST
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  The normal is that an eighth
- * of the way to the middle. */
-FOOTPOINT_PART int footpoint_detail_tri6_nearest(const double *const *x, unsigned long long flaw, double least,
-                                                 double xi, double eta, double at[4], int *region)
+/* The normal m, of any length, at the point 0.0009765625 of the way from (xi,eta) to the middle; from an edge whose ends are
+ * one point, on the bisector there. */
+FOOTPOINT_PART void footpoint_detail_tri6_inward(const double *const *x, double xi, double eta, double m[3])
 {
-    double c[5][8], places[8], ee[3], t[3], dd[3], u[3], v[3], d[3], e[3], nn, inner, all;
+    const double middle = footpoint_detail_triangle_middle();
+    double at[2], u[3], v[3], d[3];
+    at[0] = xi;
+    at[1] = eta;
+    footpoint_detail_triangle_bisect(x, at);
+    at[0] += 0.0009765625 * (middle - at[0]);
+    at[1] += 0.0009765625 * (middle - at[1]);
+    footpoint_detail_tri6_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_cross(u, v, m);
+}
+
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer. */
+FOOTPOINT_PART int footpoint_detail_tri6_nearest(const double *const *x, unsigned long long flaw, double least,
+                                                 double xi, double eta, double at[3], int *region)
+{
+    double c[5][8], places[8], ee[3], t[3], dd[3], u[3], v[3], d[3], m[3], inner, all;
     double size, longest, best, edge, edge_u, edge_v, along;
     int within, inside, k, second, last;
     flaw |= footpoint_detail_infinite(xi + eta);
@@ -647,20 +729,334 @@ FOOTPOINT_PART int footpoint_detail_tri6_nearest(const double *const *x, unsigne
     best = inside ? inner : best;
     xi = inside ? xi : edge_u;
     eta = inside ? eta : edge_v;
+    footpoint_detail_tri6_inward(x, xi, eta, m);
     footpoint_detail_tri6_surface(x, xi, eta, u, v, d);
-    footpoint_detail_tri6_surface(x, 0.875 * xi + 0.125 / 3.0, 0.875 * eta + 0.125 / 3.0, u, v, e);
     at[0] = xi;
     at[1] = eta;
-    nn = footpoint_detail_side(u, v, d, best, at);
+    at[2] = copysign(best, footpoint_detail_side(u, v, m, d, best, size, inside ? 0.0 : 1.0));
     k = last ? 2 : second;
     *region = (1 - inside) * (1 + k + 3 * (along <= -1.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, edge, longest);
+    return footpoint_detail_closest_status(flaw, all, footpoint_detail_dot(m, m), size, least, best,
+                                           edge, longest);
+}
+
+/* Returns the next corner, after k in the order `step`, 1 or 3 - 1, that is not the same point as k; or k. */
+FOOTPOINT_COLD int footpoint_detail_tri6_next(const double *const *x, int k, int step)
+{
+    int next = (k + step) % 3;
+    while (next != k && footpoint_detail_same(x[next], x[k]))
+        next = (next + step) % 3;
+    return next;
+}
+
+/* The direction e in which the edge to that corner leaves the point of corner k. */
+FOOTPOINT_COLD void footpoint_detail_tri6_leave(const double *const *x, int k, int step, double e[3])
+{
+    const int to = footpoint_detail_tri6_next(x, k, step), from = (to + 3 - step) % 3;
+    footpoint_detail_from(x[from], x[to], e);
+    if (6 > 3) { /* e is half of the slope unless that vanishes: middles at a quarter */
+        const double *const middle = x[3 + (step == 1 ? from : to)];
+        double slope[3];
+        int i;
+        for (i = 0; i < 3; i++)
+            slope[i] = 4.0 * (middle[i] - x[from][i]) - e[i];
+        if (footpoint_detail_dot(slope, slope) > 1e-20 * footpoint_detail_dot(e, e))
+            for (i = 0; i < 3; i++)
+                e[i] = slope[i];
+    }
+}
+
+/* Adds `angle` times the unit normal at (xi,eta) to fan. */
+FOOTPOINT_COLD void footpoint_detail_tri6_add_normal(const double *const *x, const double at[2],
+                                                     double angle, double fan[3])
+{
+    double u[3], v[3], d[3], n[3], m[3], nn, mm, over;
+    int i, large;
+    footpoint_detail_tri6_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_tri6_inward(x, at[0], at[1], m);
+    footpoint_detail_cross(u, v, n);
+    nn = footpoint_detail_dot(n, n);
+    mm = footpoint_detail_dot(m, m);
+    large = nn > 0.0009765625 * 0.0009765625 * mm;
+    over = angle / sqrt((large ? nn : mm) + 2.2250738585072014e-308);
+    for (i = 0; i < 3; i++)
+        fan[i] += over * (large ? n[i] : m[i]);
+}
+
+/* Adds the normal of a face at its corner k, or at t, from -1 to 1, of its edge k. */
+FOOTPOINT_COLD void footpoint_detail_tri6_add_corner(const double *const *x, int k, double fan[3])
+{
+    double a[3], b[3], c[3], at[2], angle;
+    footpoint_detail_tri6_leave(x, k, 1, a);
+    footpoint_detail_tri6_leave(x, k, 3 - 1, b);
+    footpoint_detail_cross(a, b, c);
+    angle = atan2(sqrt(footpoint_detail_dot(c, c)), footpoint_detail_dot(a, b));
+    footpoint_detail_triangle_corner(k, at);
+    footpoint_detail_tri6_add_normal(x, at, angle, fan);
+}
+
+FOOTPOINT_COLD void footpoint_detail_tri6_add_edge(const double *const *x, int k, double t, double fan[3])
+{
+    double from[2], to[2], at[2];
+    int i;
+    footpoint_detail_triangle_corner(k, from);
+    footpoint_detail_triangle_corner((k + 1) % 3, to);
+    for (i = 0; i < 2; i++)
+        at[i] = 0.5 * ((1.0 - t) * from[i] + (1.0 + t) * to[i]);
+    footpoint_detail_tri6_add_normal(x, at, 3.1415926535897931, fan);
+}
+
+/* The corners a and b between which the closest point at loc, in `region` > 0 of a face, lies, one if it is a corner or an
+ * edge of no length; returns where it lies on the edge, from -1 to 1. */
+FOOTPOINT_COLD double footpoint_detail_tri6_feature(const double *const *x, const double loc[2],
+                                                    int region, const double *end[2])
+{
+    const int k = (region - 1) % 3, next = (k + 1) % 3;
+    double from[2], to[2], along, across;
+    footpoint_detail_triangle_corner(k, from);
+    footpoint_detail_triangle_corner(next, to);
+    along = (loc[0] - from[0]) * (to[0] - from[0]) + (loc[1] - from[1]) * (to[1] - from[1]);
+    across = (to[0] - from[0]) * (to[0] - from[0]) + (to[1] - from[1]) * (to[1] - from[1]);
+    end[0] = x[k];
+    end[1] = region > 3 || footpoint_detail_same(x[k], x[next]) ? x[k] : x[next];
+    return 2.0 * along / across - 1.0;
+}
+
+/* Adds the normal of one face, if it has that edge or corner. */
+FOOTPOINT_COLD void footpoint_detail_tri6_add_face(const double *const *x, const double *const end[2],
+                                                   double t, double fan[3])
+{
+    double y[10][3];
+    const double *z[10];
+    int exponent, k, i, found = 0;
+    for (i = 0; i < 7; i++)
+        z[i] = y[i];
+    for (k = 0; k < 3; k++) {
+        const double *const here = x[k], *const next = x[(k + 1) % 3];
+        const int single = end[0] == end[1], first = footpoint_detail_same(here, end[0]);
+        const int there = first & footpoint_detail_same(next, end[1]);
+        const int back = footpoint_detail_same(here, end[1]) & footpoint_detail_same(next, end[0]);
+        if (!(single ? first & !there : there | back)) /* of corners that are one point, the last */
+            continue;
+        if (!found && footpoint_detail_scale(x, 6, 7, y, &exponent) != FOOTPOINT_OK)
+            return;
+        found = 1;
+        if (single)
+            footpoint_detail_tri6_add_corner(z, k, fan);
+        else
+            footpoint_detail_tri6_add_edge(z, k, there ? t : -t, fan);
+    }
+}
+
+/* Returns 1 if the slave node, the last of x, lies behind the point at loc: of the surface that has the normal `fan` there, or,
+ * if that is NULL, of the face, `edge` if the point is on an edge of it. */
+FOOTPOINT_COLD int footpoint_detail_tri6_behind(const double *const *x, const double loc[2], int edge,
+                                                const double *fan)
+{
+    double y[10][3], u[3], v[3], d[3], m[3], dd;
+    const double *z[10];
+    int exponent, i;
+    if (footpoint_detail_scale(x, 6, 7, y, &exponent) != FOOTPOINT_OK)
+        return 0;
+    for (i = 0; i < 7; i++)
+        z[i] = y[i];
+    footpoint_detail_tri6_surface(z, loc[0], loc[1], u, v, d);
+    footpoint_detail_tri6_inward(z, loc[0], loc[1], m);
+    dd = footpoint_detail_dot(d, d);
+    return (fan ? footpoint_detail_facing(fan, d, dd, 1.0, 1.0, 1.0)
+                : footpoint_detail_side(u, v, m, d, dd, 1.0, edge ? 1.0 : 0.0)) < 0.0;
+}
+
+/* Half of the Hessian of the square of the distance at (xi,eta), {11, 12, 22}: second derivatives by differences, and without
+ * them, as Gauss and Newton have it, where it is not positive definite. */
+FOOTPOINT_COLD void footpoint_detail_tri6_second(const double *const *x, const double at[2],
+                                                 const double u[3], const double v[3], const double d[3],
+                                                 double h[3])
+{
+    const double step = 0.0009765625, uu = footpoint_detail_dot(u, u), uv = footpoint_detail_dot(u, v);
+    const double vv = footpoint_detail_dot(v, v), ud = footpoint_detail_dot(u, d);
+    const double vd = footpoint_detail_dot(v, d);
+    double a[3], b[3], e[3];
+    footpoint_detail_tri6_surface(x, at[0] + step, at[1], a, b, e);
+    h[0] = uu - (footpoint_detail_dot(a, d) - ud) / step;
+    h[1] = uv - (footpoint_detail_dot(b, d) - vd) / step;
+    footpoint_detail_tri6_surface(x, at[0], at[1] + step, a, b, e);
+    h[2] = vv - (footpoint_detail_dot(b, d) - vd) / step;
+    if (!(h[0] > 0.0 && h[2] > 0.0 && h[0] * h[2] > h[1] * h[1])) {
+        h[0] = uu;
+        h[1] = uv;
+        h[2] = vv;
+    }
+}
+
+/* From (xi,eta) inside the face downhill to the foot point, or towards an edge: Newton's steps, damped where the distance does
+ * not fall. */
+FOOTPOINT_COLD void footpoint_detail_tri6_descend(const double *const *x, double at[2])
+{
+    double u[3], v[3], d[3], dd, damp = 0.0;
+    int i, k;
+    footpoint_detail_tri6_surface(x, at[0], at[1], u, v, d);
+    dd = footpoint_detail_dot(d, d);
+    for (i = 0; i < 100 && damp < 1e6; i++) {
+        const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+        const double ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
+        const double more = damp + 4e-16;
+        const double least = 4e-16 * 4e-16 * (uu + vv) + 2.2250738585072014e-308;
+        double h[3], to[2], a[3], b[3], e[3], ee, over;
+        footpoint_detail_tri6_second(x, at, u, v, d, h);
+        h[0] += more * uu + least;
+        h[2] += more * vv + least;
+        over = 1.0 / (h[0] * h[2] - h[1] * h[1]);
+        to[0] = at[0] + over * (h[2] * ud - h[1] * vd);
+        to[1] = at[1] + over * (h[0] * vd - h[1] * ud);
+        footpoint_detail_triangle_clamp(at, to);
+        footpoint_detail_tri6_surface(x, to[0], to[1], a, b, e);
+        ee = footpoint_detail_dot(e, e);
+        if (ee > dd + 4e-16 * (dd + sqrt(dd * (uu + vv)) + 4e-16 * (uu + vv))) {
+            damp = damp > 0.0 ? 10.0 * damp : 1e-3;
+            continue;
+        }
+        damp = damp > 1e-6 ? 0.1 * damp : 0.0;
+        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 4e-16)
+            i = 100;
+        for (k = 0; k < 2; k++)
+            at[k] = to[k];
+        for (k = 0; k < 3; k++) {
+            u[k] = a[k];
+            v[k] = b[k];
+            d[k] = e[k];
+        }
+        dd = ee;
+    }
+}
+
+/* The closest point by a descent from `start`, in a unit of length in which the segment is about 1 long. */
+FOOTPOINT_COLD int footpoint_detail_tri6_closest_from(const double *const *x, const double start[2],
+                                                      double at[3], int *region)
+{
+    double y[10][3], to[2];
+    const double *z[10];
+    int exponent = 0, i, status = footpoint_detail_scale(x, 6, 7, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 7; i++)
+        z[i] = y[i];
+    for (i = 0; i < 2; i++)
+        to[i] = start[i] + 0.0009765625 * (footpoint_detail_triangle_middle() - start[i]);
+    footpoint_detail_tri6_descend(z, to);
+    status = footpoint_detail_tri6_nearest(z, 0, 1e-6, to[0], to[1], at, region);
+    if (status == FOOTPOINT_OK && *region == 0) { /* beside an edge, a descent does not get there */
+        double other[3];
+        int where;
+        const double dd = fabs(at[2]);
+        (void)footpoint_detail_tri6_nearest(z, 0, 1e-6, 9.0, 9.0, other, &where);
+        if (fabs(other[2]) <= dd + 4e-16 * (dd + 8.0 * sqrt(dd))) {
+            for (i = 0; i < 3; i++)
+                at[i] = other[i];
+            *region = where;
+        }
+    }
+    at[2] = ldexp(footpoint_detail_signed_root(at[2]), exponent);
+    return status;
+}
+
+/* _closest in that unit, unless the search has none, which `scalable` tells; where that has no answer either, by a descent
+ * from the middle. */
+FOOTPOINT_COLD int footpoint_detail_tri6_closest_again(footpoint_detail_nearest *nearest,
+                                                       const double *const *x, int scalable,
+                                                       double at[3], int *region)
+{
+    const double middle[2] = {footpoint_detail_triangle_middle(), footpoint_detail_triangle_middle()};
+    double y[10][3];
+    const double *z[10];
+    int exponent = 0, i, status = footpoint_detail_scale(x, 6, 7, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 7; i++)
+        z[i] = y[i];
+    status = scalable ? nearest(z, 0.0, at, region) : FOOTPOINT_ERR_DEGENERATE;
+    at[2] = ldexp(footpoint_detail_signed_root(at[2]), exponent);
+    if (status == FOOTPOINT_ERR_DEGENERATE)
+        status = footpoint_detail_tri6_closest_from(x, middle, at, region);
+    return status;
+}
+
+/* Writes the tangent e, counter-clockwise, of edge k at a point of it where r_xi and r_eta are u and v. */
+FOOTPOINT_PART void footpoint_detail_tri6_tangent(const double u[3], const double v[3], int k,
+                                                  double e[3])
+{
+    double from[2], to[2];
+    int i;
+    footpoint_detail_triangle_corner(k, from);
+    footpoint_detail_triangle_corner((k + 1) % 3, to);
+    for (i = 0; i < 3; i++)
+        e[i] = (to[0] - from[0]) * u[i] + (to[1] - from[1]) * v[i];
+}
+
+/* The distance that a better search might find, where the point at `at` is no foot point, or on an edge beside which xS lies
+ * over the face: twice as much less as there is in the tangent plane to be gained. */
+FOOTPOINT_PART double footpoint_detail_tri6_least(const double *const *x, const double at[3], int region)
+{
+    double u[3], v[3], d[3], e[3], n[3], in[3], dd, ahead, height;
+    if (region > 3)
+        return fabs(at[2]);
+    footpoint_detail_tri6_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_cross(u, v, n);
+    if (region > 0) {
+        footpoint_detail_tri6_tangent(u, v, region - 1, e);
+        footpoint_detail_cross(n, e, in);
+        if (footpoint_detail_dot(in, d) <= 0.0)
+            return fabs(at[2]);
+    }
+    dd = footpoint_detail_dot(d, d);
+    ahead = footpoint_detail_dot(d, n);
+    height = ahead * ahead / (footpoint_detail_dot(n, n) + 2.2250738585072014e-308);
+    if (dd - height <= 1e-12 * dd)
+        return fabs(at[2]);
+    height = 2.0 * height - dd;
+    return sqrt(height > 0.0 ? height : 0.0);
+}
+
+/* The status of a point that is farther off than the longest edge: once more, by a descent, where errors of the search may
+ * hide a nearer one. */
+FOOTPOINT_COLD int footpoint_detail_tri6_closest_beyond(const double *const *x, double at[3],
+                                                        int *region)
+{
+    const double least = footpoint_detail_tri6_least(x, at, *region);
+    double longest = 0.0, e[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        footpoint_detail_from(x[k], x[(k + 1) % 3], e);
+        longest = footpoint_detail_dot(e, e) > longest ? footpoint_detail_dot(e, e) : longest;
+    }
+    if (least * least > longest || least >= fabs(at[2]))
+        return FOOTPOINT_ERR_DOMAIN;
+    return footpoint_detail_tri6_closest_from(x, at, at, region);
+}
+
+/* _closest, with the distance in at: once more where that has no answer. */
+FOOTPOINT_PART int footpoint_detail_tri6_closest(footpoint_detail_nearest *nearest,
+                                                 const double *const *x, int scalable, double at[3],
+                                                 int *region)
+{
+    double other[3] = {0.0, 0.0, 0.0};
+    int i, where = 0, status = nearest(x, 0.0, at, region);
+    at[2] = footpoint_detail_signed_root(at[2]);
+    if (status == FOOTPOINT_ERR_DOMAIN)
+        status = footpoint_detail_tri6_closest_beyond(x, at, region);
+    else if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_tri6_closest_again(nearest, x, scalable, other, &where);
+        for (i = 0; i < 3; i++)
+            at[i] = other[i];
+        *region = where;
+    }
+    return status;
 }
 
 /* Roots of the squares in dist, and once more what _closest does in another unit of length, behind the loop. */
 FOOTPOINT_PART void
 footpoint_detail_tri6_closest_n(footpoint_detail_nearest *nearest, size_t n, const double *const *x,
-                                int nodes, double *FOOTPOINT_RESTRICT xi,
+                                int scalable, double *FOOTPOINT_RESTRICT xi,
                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
                                 int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
@@ -672,7 +1068,7 @@ footpoint_detail_tri6_closest_n(footpoint_detail_nearest *nearest, size_t n, con
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
-        double at[4];
+        double at[3];
         status[i] = nearest(row, zero, at, &region[i]);
         xi[i] = at[0];
         eta[i] = at[1];
@@ -681,14 +1077,19 @@ footpoint_detail_tri6_closest_n(footpoint_detail_nearest *nearest, size_t n, con
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)
-        if (status[i] == FOOTPOINT_ERR_DEGENERATE) {
+        if (status[i] != FOOTPOINT_OK) {
             const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
             const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
-            double at[4];
-            int where;
-            status[i] = footpoint_detail_closest(nearest, row, nodes, 7, at, &where);
+            double at[3];
+            int where = region[i];
+            at[0] = xi[i];
+            at[1] = eta[i];
+            at[2] = dist[i];
+            status[i] = status[i] == FOOTPOINT_ERR_DOMAIN
+                            ? footpoint_detail_tri6_closest_beyond(row, at, &where)
+                            : footpoint_detail_tri6_closest(nearest, row, scalable, at, &where);
             if (status[i] == FOOTPOINT_OK) {
                 xi[i] = at[0];
                 eta[i] = at[1];
@@ -698,43 +1099,82 @@ footpoint_detail_tri6_closest_n(footpoint_detail_nearest *nearest, size_t n, con
         }
 }
 
-/* Of faces as near as each other, to rounding, that which xS lies straightest over: where they share an edge or a
- * corner, its side is the right one. */
-FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *nearest, size_t n,
-                                                    const double *const *x, const double *xS, int nodes,
-                                                    double loc[2], double *dist, int *region,
-                                                    size_t *which)
+/* The vectors of face i and its slave node. */
+FOOTPOINT_PART void footpoint_detail_tri6_row(const double *const *x, const double *xS, size_t i,
+                                              const double *row[7])
 {
-    double least = 0.0, straightest = 0.0;
-    int found = FOOTPOINT_ERR_DOMAIN, k;
+    int k;
+    for (k = 0; k < 6; k++)
+        row[k] = x[6 * i + (size_t)k];
+    row[6] = xS;
+}
+
+/* Returns 1 if xS lies behind the surface that n faces make at loc, in `region` > 0 of face `which`. */
+FOOTPOINT_COLD int footpoint_detail_tri6_behind_all(size_t n, const double *const *x, const double *xS,
+                                                    size_t which, const double loc[2], int region)
+{
+    const double *row[7], *end[2];
+    double fan[3] = {0.0, 0.0, 0.0}, t;
     size_t i;
+    footpoint_detail_tri6_row(x, xS, which, row);
+    t = footpoint_detail_tri6_feature(row, loc, region, end);
     for (i = 0; i < n; i++) {
-        const double *row[7];
-        double at[4], away, more;
-        int where, status;
-        for (k = 0; k < 6; k++)
-            row[k] = x[6 * i + (size_t)k];
-        row[6] = xS;
-        status = footpoint_detail_closest(nearest, row, nodes, 7, at, &where);
+        footpoint_detail_tri6_row(x, xS, i, row);
+        footpoint_detail_tri6_add_face(row, end, t, fan);
+    }
+    footpoint_detail_tri6_row(x, xS, which, row);
+    return footpoint_detail_tri6_behind(row, loc, 1, fan);
+}
+
+/* The nearest of n faces, and the side of the surface that they make.  A face is searched once more, by a descent, if errors of
+ * the search may hide that it is the nearest. */
+FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *nearest, size_t n,
+                                                    const double *const *x, const double *xS,
+                                                    int scalable, double loc[2], double *dist,
+                                                    int *region, size_t *which)
+{
+    const double *row[7], *chosen[7];
+    double best[3] = {0.0, 0.0, 0.0}, best_least = 0.0;
+    int found = FOOTPOINT_ERR_DOMAIN, best_where = 0;
+    size_t i, best_i = 0;
+    for (i = 0; i < n; i++) {
+        double at[3], least;
+        int where, status, none, contest, k;
+        footpoint_detail_tri6_row(x, xS, i, row);
+        status = footpoint_detail_tri6_closest(nearest, row, scalable, at, &where);
         if (status != FOOTPOINT_OK) {
             found = found == FOOTPOINT_OK ? found : status;
             continue;
         }
-        away = fabs(at[2]);
-        more = 4.0 * 4e-16 * (away + least);
-        if (found == FOOTPOINT_OK &&
-            !(away < least - more || (away <= least + more && at[3] > straightest)))
+        least = footpoint_detail_tri6_least(row, at, where);
+        none = found != FOOTPOINT_OK;
+        contest = !none && least < fabs(best[2]) && best_least < fabs(at[2]);
+        if (contest && best_least < fabs(best[2])) {
+            footpoint_detail_tri6_row(x, xS, best_i, chosen);
+            (void)footpoint_detail_tri6_closest_from(chosen, best, best, &best_where);
+            best_least = fabs(best[2]);
+        }
+        if (least < fabs(at[2]) && (contest || where > 0)) {
+            (void)footpoint_detail_tri6_closest_from(row, at, at, &where);
+            least = fabs(at[2]);
+        }
+        if (!none && fabs(at[2]) >= fabs(best[2]))
             continue;
         found = FOOTPOINT_OK;
-        least = away;
-        straightest = at[3];
-        loc[0] = at[0];
-        loc[1] = at[1];
-        *dist = at[2];
-        *region = where;
-        *which = i;
+        for (k = 0; k < 3; k++)
+            best[k] = at[k];
+        best_where = where;
+        best_least = least;
+        best_i = i;
     }
-    return found;
+    if (found == FOOTPOINT_OK) {
+        if (best_where > 0)
+            best[2] = footpoint_detail_tri6_behind_all(n, x, xS, best_i, best, best_where)
+                          ? -fabs(best[2])
+                          : fabs(best[2]);
+        *which = best_i;
+    }
+    return footpoint_detail_closest_answer(found, best, best_where, loc, dist, region);
 }
 #endif
 
@@ -752,16 +1192,24 @@ FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *ne
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* _closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
- *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (the normal an eighth of the way from there to the middle) is), and region, where it lies:
- *           0 inside, 1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C.
+/* _closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
+ *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C.
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
+ *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
+ *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat
+ *           segment, in its plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if
+ *           _closest_of has dist < 0 for all segments there.
  *           Points of edges are right to the rounding of their distances; inside it is _at's point, unless one of
  *           an edge is nearer.  On error all untouched: as the search, and FOOTPOINT_ERR_DOMAIN if r is farther from xS
  *           than the longest edge is long, slave nodes for which no search was measured.
  * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
- * _closest_of:  the nearest of n segments, the nodes of segment i being x[6 i] and on, such as a
- *           search for neighbours hands over; which is its number, of several as near as each other to rounding that
- *           of the one which xS lies straightest over.  Segments without an answer are passed over; if all are, the
+ * _closest_of:  finds the nearest of n segments, the nodes of segment i being x[6 i] and on, such as a
+ *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
+ *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
+ *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
+ *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
+ *           are the same if their coordinates are.  Where errors of _at could hide which of two segments is nearer,
+ *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 /* footpoint_tri6_fast
@@ -850,7 +1298,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_over_n(const double *const nodes[6], siz
     footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_fast, nodes, n, x, 6, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_fast(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_fast(const double *const *x, double zero, double at[3],
                                                                 int *region)
 {
     double xi, eta;
@@ -864,10 +1312,9 @@ FOOTPOINT_FN int footpoint_tri6_fast_closest(const double xA[3], const double xB
                                              const double xS[3], double loc[2], double *dist, int *region)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_tri6_fast, x, 6, 7, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_fast, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -876,15 +1323,14 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_closest_n(size_t n, const double *const 
                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_fast, n, x, 6, xi, eta, dist, region,
-                                    status);
+    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_fast, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                 double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_fast, n, x, xS, 6, loc, dist,
-                                            region, which);
+    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_fast, n, x, xS, 1, loc, dist, region,
+                                            which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -999,7 +1445,7 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_over_n(const double *const nodes[6], s
     footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_coarse, nodes, n, x, 6, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_coarse(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_coarse(const double *const *x, double zero, double at[3],
                                                                   int *region)
 {
     double xi, eta;
@@ -1013,10 +1459,9 @@ FOOTPOINT_FN int footpoint_tri6_coarse_closest(const double xA[3], const double 
                                                const double xS[3], double loc[2], double *dist, int *region)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_tri6_coarse, x, 6, 7, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_coarse, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1025,16 +1470,15 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_closest_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_coarse, n, x, 6, xi, eta, dist, region,
-                                    status);
+    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_coarse, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                   double loc[2],
                                                   double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_coarse, n, x, xS, 6, loc, dist,
-                                            region, which);
+    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_coarse, n, x, xS, 1, loc, dist, region,
+                                            which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1150,7 +1594,7 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_over_n(const double *const nodes[6], s
     footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_medium, nodes, n, x, 6, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_medium(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_medium(const double *const *x, double zero, double at[3],
                                                                   int *region)
 {
     double xi, eta;
@@ -1164,10 +1608,9 @@ FOOTPOINT_FN int footpoint_tri6_medium_closest(const double xA[3], const double 
                                                const double xS[3], double loc[2], double *dist, int *region)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_tri6_medium, x, 6, 7, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_medium, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1176,16 +1619,15 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_closest_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_medium, n, x, 6, xi, eta, dist, region,
-                                    status);
+    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_medium, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_medium_closest_of(size_t n, const double *const *x, const double xS[3],
                                                   double loc[2],
                                                   double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_medium, n, x, xS, 6, loc, dist,
-                                            region, which);
+    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_medium, n, x, xS, 1, loc, dist, region,
+                                            which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1207,7 +1649,8 @@ static const double footpoint_tri6_medium_points[][25] = {
  *   genome_sha256:  b181a78e2c24b356495067ac2ab3c616e995497cef41e8681758401ac5390f18
  *   poles:          t36 * t35 - t34 * t34: proved free of zeros, |...| >= 81 (rounding error <= 3.8e-13)
  *   poles:          t67 * t67 - t69 * t68: proved free of zeros, |...| >= 16 (rounding error <= 2.1e-07)
- *   poles:          t81 * t81 - t82 * t78: proved free of zeros, |...| >= 14
+ *   poles:          t81 * t81 - t82 * t78: proved free of zeros, |...| >= 14 (rounding error <= 1.1e-11 on the hull);
+ *     status if computed as 0 or not finite
  *   rounding:       xi <= 2.7e-14 on the hull, 4e-15 at points, 1e-15 sampled; eta <= 1.2e-14 on the hull, 2.2e-15 at
  *     points, 4.9e-16 sampled (10000 points, hull of 10000)
  *   found_both:     seed 1 generations 120 islands 2
@@ -1312,7 +1755,7 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_over_n(const double *const nodes[6],
     footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_balanced, nodes, n, x, 6, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_balanced(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_balanced(const double *const *x, double zero, double at[3],
                                                                     int *region)
 {
     double xi, eta;
@@ -1326,10 +1769,9 @@ FOOTPOINT_FN int footpoint_tri6_balanced_closest(const double xA[3], const doubl
                                                  const double xS[3], double loc[2], double *dist, int *region)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_tri6_balanced, x, 6, 7, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_balanced, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1338,16 +1780,15 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_closest_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_balanced, n, x, 6, xi, eta, dist, region,
-                                    status);
+    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_balanced, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
                                                     double loc[2],
                                                     double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_balanced, n, x, xS, 6, loc, dist,
-                                            region, which);
+    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_balanced, n, x, xS, 1, loc, dist, region,
+                                            which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1369,7 +1810,8 @@ static const double footpoint_tri6_balanced_points[][25] = {
  *   genome_sha256:  515635fb099d8d2d301e6d380a95d0bc1feb647f6d619e8d9519eec22964487f
  *   poles:          divisor of t35: proved free of zeros, |...| >= 79 (rounding error <= 4.1e-13)
  *   poles:          t69 * t69 + t68 * t70: proved free of zeros, |...| >= 16 (rounding error <= 2.1e-07)
- *   poles:          t83 * t83 + t82 * t79: proved free of zeros, |...| >= 14
+ *   poles:          t83 * t83 + t82 * t79: proved free of zeros, |...| >= 14 (rounding error <= 1.2e-11 on the hull);
+ *     status if computed as 0 or not finite
  *   rounding:       xi <= 2.5e-14 on the hull, 3.9e-15 at points, 1.4e-15 sampled; eta <= 8.3e-15 on the hull,
  *     2.4e-15 at points, 4.1e-16 sampled (9803 points, hull of 10000)
  *   found_both:     seed 1 generations 120 islands 2
@@ -1483,7 +1925,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_over_n(const double *const nodes[6], siz
     footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_fine, nodes, n, x, 6, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_fine(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_fine(const double *const *x, double zero, double at[3],
                                                                 int *region)
 {
     double xi, eta;
@@ -1497,10 +1939,9 @@ FOOTPOINT_FN int footpoint_tri6_fine_closest(const double xA[3], const double xB
                                              const double xS[3], double loc[2], double *dist, int *region)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_tri6_fine, x, 6, 7, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_fine, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1509,15 +1950,14 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_closest_n(size_t n, const double *const 
                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_fine, n, x, 6, xi, eta, dist, region,
-                                    status);
+    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_fine, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                 double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_fine, n, x, xS, 6, loc, dist,
-                                            region, which);
+    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_fine, n, x, xS, 1, loc, dist, region,
+                                            which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1540,7 +1980,8 @@ static const double footpoint_tri6_fine_points[][25] = {
  *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 5 (rounding error <= 2.6e-14)
  *   poles:          t67 * t68 - t66 * t66: proved free of zeros, |...| >= 1.1 (rounding error <= 4.8e-09)
  *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93 (rounding error <= 0.0017)
- *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87
+ *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87 (rounding error <= 6.1e-13 on the
+ *     hull); status if computed as 0 or not finite
  *   rounding:       xi <= 2.4e-14 on the hull, 6.5e-15 at points, 1.8e-15 sampled; eta <= 8e-15 on the hull, 1.8e-15
  *     at points, 4e-16 sampled (8888 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
@@ -1659,7 +2100,7 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_over_n(const double *const nodes[6], 
     footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_precise, nodes, n, x, 6, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_precise(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_precise(const double *const *x, double zero, double at[3],
                                                                    int *region)
 {
     double xi, eta;
@@ -1673,10 +2114,9 @@ FOOTPOINT_FN int footpoint_tri6_precise_closest(const double xA[3], const double
                                                 const double xS[3], double loc[2], double *dist, int *region)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_tri6_precise, x, 6, 7, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_precise, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1685,16 +2125,15 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_precise, n, x, 6, xi, eta, dist, region,
-                                    status);
+    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_precise, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_precise_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_precise, n, x, xS, 6, loc, dist,
-                                            region, which);
+    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_precise, n, x, xS, 1, loc, dist, region,
+                                            which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1717,8 +2156,10 @@ static const double footpoint_tri6_precise_points[][25] = {
  *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 5 (rounding error <= 2.7e-14)
  *   poles:          t67 * t68 - t66 * t66: proved free of zeros, |...| >= 1.1 (rounding error <= 5.9e-09)
  *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93 (rounding error <= 0.0021)
- *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87
- *   poles:          t154 * t154 + t153 * t155: proved free of zeros, |...| >= 0.87
+ *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87 (rounding error <= 6.1e-13 on the
+ *     hull); status if computed as 0 or not finite
+ *   poles:          t154 * t154 + t153 * t155: proved free of zeros, |...| >= 0.87 (rounding error <= 6e-13 on the
+ *     hull); status if computed as 0 or not finite
  *   rounding:       xi <= 2.4e-14 on the hull, 3.6e-15 at points, 1.4e-15 sampled; eta <= 8e-15 on the hull, 2.1e-15
  *     at points, 5.5e-16 sampled (7220 points, hull of 10000)
  *   found:          seed 1 generations 0 islands 2
@@ -1850,7 +2291,7 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_over_n(const double *const nodes[6],
     footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_accurate, nodes, n, x, 6, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_accurate(const double *const *x, double zero, double at[4],
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_accurate(const double *const *x, double zero, double at[3],
                                                                     int *region)
 {
     double xi, eta;
@@ -1864,10 +2305,9 @@ FOOTPOINT_FN int footpoint_tri6_accurate_closest(const double xA[3], const doubl
                                                  const double xS[3], double loc[2], double *dist, int *region)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[4];
+    double at[3];
     int where;
-    const int status =
-        footpoint_detail_closest(footpoint_detail_closest_footpoint_tri6_accurate, x, 6, 7, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_accurate, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1876,16 +2316,15 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_closest_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_accurate, n, x, 6, xi, eta, dist, region,
-                                    status);
+    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_accurate, n, x, 1, xi, eta, dist, region, status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
                                                     double loc[2],
                                                     double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_accurate, n, x, xS, 6, loc, dist,
-                                            region, which);
+    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_accurate, n, x, xS, 1, loc, dist, region,
+                                            which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1912,6 +2351,12 @@ static const double footpoint_tri6_accurate_points[][25] = {
 #ifndef FOOTPOINT_NOT_UNIQUE
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
+
+/* The larger one without a branch, which would keep loops from being vectorised. */
+FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
+{
+    return 0.5 * (a + b + fabs(a - b));
+}
 
 /* How far |x| is above 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
@@ -2004,18 +2449,75 @@ FOOTPOINT_PART double footpoint_detail_tri6_bend(const double k[9], double u, do
     return u * bend + v * (v * k[5]);
 }
 
+/* Bounds of the slopes of footpoint_detail_tri6_bend where |u|, |v| <= wide, no less than reach; |k[3] + k[8] v^2| is
+ * largest where v is 0 or wide.  The highest bit of what it returns is set unless |k[0]| is more than |u + bend| where
+ * |u|, |v| <= reach. */
+FOOTPOINT_PART unsigned long long footpoint_detail_tri6_bounds(const double k[9], double reach, double wide,
+                                                               double slope[2])
+{
+    const double top = 6 > 8 ? 0.5 * (wide * wide * k[8]) : 0.0;
+    const double u = 6 > 8 ? fabs(k[3] + top) + fabs(top) : fabs(k[3]);
+    const double v = 6 > 8 ? fabs(k[5] + top) + fabs(top) : fabs(k[5]);
+    const double a = u + fabs(k[4]);
+    double all = a + v;
+    slope[0] = a + u;
+    slope[1] = all - u + v;
+    if (6 > 6) {
+        const double b = fabs(k[6]) + fabs(k[7]);
+        slope[0] += wide * (b + fabs(k[6]));
+        slope[1] += wide * (b + fabs(k[7]));
+        all += reach * b;
+    }
+    slope[0] *= wide;
+    slope[1] *= wide;
+    return footpoint_detail_bits(fabs(k[0]) - 1.001 * (reach + reach * reach * all));
+}
+
+/* The point at = {u, v} where u + bend = k[0] and v + bend = l[0].  Bends as they are without bends, then a few of Newton's
+ * steps.  The highest bit of what it returns is set unless the last one is shorter than the root of `stands` and no other
+ * point with |u|, |v| <= reach is proved to be there.  Proofs: with bounds A, B of the slopes of u's bend and C, D of v's as
+ * far as `at` lies, two such points would differ by du and dv where (1 - A) |du| <= B |dv| and (1 - D) |dv| <= C |du|, so
+ * that (1 - A) (1 - D) > B C leaves one; or u + bend = k[0] or v + bend = l[0] nowhere within reach, and `at` lies beyond. */
+FOOTPOINT_PART unsigned long long footpoint_detail_tri6_meet(const double k[9], const double l[9], double reach,
+                                                             double stands, double at[2])
+{
+    double f[2], g[2], u, v, s, t, wide, over, moved = 0.0;
+    unsigned long long within;
+    int i;
+    u = k[0] - footpoint_detail_tri6_bend(k, k[0], l[0], f);
+    v = l[0] - footpoint_detail_tri6_bend(l, k[0], l[0], g);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < (6 > 6 ? 4 : 3); i++) {
+        s = k[0] - u - footpoint_detail_tri6_bend(k, u, v, f);
+        t = l[0] - v - footpoint_detail_tri6_bend(l, u, v, g);
+        over = 1.0 / ((1.0 + f[0]) * (1.0 + g[1]) - f[1] * g[0]);
+        f[1] = over * ((1.0 + g[1]) * s - f[1] * t);
+        g[0] = over * ((1.0 + f[0]) * t - g[0] * s);
+        u += f[1];
+        v += g[0];
+        moved = f[1] * f[1] + g[0] * g[0];
+    }
+    at[0] = u;
+    at[1] = v;
+    wide = footpoint_detail_larger(footpoint_detail_larger(fabs(u), fabs(v)), reach);
+    within = footpoint_detail_tri6_bounds(k, reach, wide, f);
+    within &= footpoint_detail_tri6_bounds(l, reach, wide, g);
+    over = 1.0 - f[0];
+    return footpoint_detail_above(moved, stands) |
+           (within & (footpoint_detail_bits(over) |
+                      footpoint_detail_bits(over * (1.0 - g[1]) - f[1] * g[0] - 0.01)));
+}
+
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
- * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  Bends as they are
- * without bends, then a few of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
- * that the next one would be of the size of rounding errors, and the face is far from folded there; not where it is so
- * far away that its bends, fourth powers, make any step short. */
+ * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  The highest bit of
+ * what it returns is set where that does not tell; where the point is so far away that bends, fourth powers, make any step
+ * short; and where p is in the plane of c1 and c2.  The distance may be infinite. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *const *x, const double p[3],
                                                               double at[3], int *status)
 {
-    double c[3][9], k[9], l[9], a[3], b[3], m[3], n[3], f[2], g[2];
-    double u, v, s, t, over, folds = 0.0, moved = 0.0, size;
+    double c[3][9], k[9], l[9], a[3], b[3], m[3], n[3], w[2], slope[2], across, over;
     const double pp = footpoint_detail_dot(p, p);
-    double across;
+    unsigned long long flaw;
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
@@ -2028,37 +2530,139 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *cons
     across = footpoint_detail_dot(a, m);
     over = 1.0 / across;
     FOOTPOINT_UNROLL
-    for (i = 0; i < 9; i++) {
-        k[i] = over * (m[0] * c[0][i] + m[1] * c[1][i] + m[2] * c[2][i]);
-        l[i] = over * (n[0] * c[0][i] + n[1] * c[1][i] + n[2] * c[2][i]);
+    for (i = 0; i < 3; i++) {
+        m[i] *= over;
+        n[i] *= over;
     }
-    u = k[0] - footpoint_detail_tri6_bend(k, k[0], l[0], f);
-    v = l[0] - footpoint_detail_tri6_bend(l, k[0], l[0], g);
     FOOTPOINT_UNROLL
-    for (i = 0; i < (6 > 6 ? 4 : 3); i++) {
-        s = k[0] - u - footpoint_detail_tri6_bend(k, u, v, f);
-        t = l[0] - v - footpoint_detail_tri6_bend(l, u, v, g);
-        folds = (1.0 + f[0]) * (1.0 + g[1]) - f[1] * g[0];
-        over = 1.0 / folds;
-        f[1] = over * ((1.0 + g[1]) * s - f[1] * t);
-        g[0] = over * ((1.0 + f[0]) * t - g[0] * s);
-        u += f[1];
-        v += g[0];
-        moved = f[1] * f[1] + g[0] * g[0];
+    for (i = 0; i < (6 > 6 ? 9 : 6); i++) {
+        k[i] = m[0] * c[0][i] + m[1] * c[1][i] + m[2] * c[2][i];
+        l[i] = n[0] * c[0][i] + n[1] * c[1][i] + n[2] * c[2][i];
     }
+    flaw = footpoint_detail_tri6_meet(k, l, 6 > 6 ? 1.0 : 2.0 / 3.0, 4e-16, w);
     footpoint_detail_triangle_start(0, at);
-    at[0] += u;
-    at[1] += v;
+    at[0] += w[0];
+    at[1] += w[1];
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++)
-        at[2] += p[i] * (c[i][0] - u * a[i] - v * b[i] - footpoint_detail_tri6_bend(c[i], u, v, f));
-    size = footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b);
+        at[2] += p[i] * (c[i][0] - w[0] * a[i] - w[1] * b[i] -
+                         footpoint_detail_tri6_bend(c[i], w[0], w[1], slope));
+    over = footpoint_detail_dot(a, a) * footpoint_detail_dot(b, b);
     *status = footpoint_detail_triangle_beyond(at[0], at[1]) > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
-    return footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
-           footpoint_detail_bits(across * across - 100.0 * 1e-20 * (size * size * pp)) |
-           footpoint_detail_bits(folds - 0.1) | footpoint_detail_above(moved, 4e-16) |
-           footpoint_detail_above(u * u + v * v, 1e4) |
-           footpoint_detail_infinite(at[0] + at[1] + at[2]);
+    return flaw | footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
+           footpoint_detail_bits(across * across - 100.0 * 1e-20 * (over * pp)) |
+           footpoint_detail_above(w[0] * w[0] + w[1] * w[1], 1e4);
+}
+
+/* c about (u, v) with `half` for a unit. */
+FOOTPOINT_FN void footpoint_detail_tri6_moved(const double c[9], double u, double v, double half,
+                                              double part[9])
+{
+    const double square = half * half, cube = half * square, top = 6 > 8 ? c[8] : 0.0;
+    const double a = 6 > 6 ? c[6] + 2.0 * v * top : 0.0, b = 6 > 6 ? c[7] : 0.0;
+    double slope[2];
+    part[0] = c[0] - u * c[1] - v * c[2] - footpoint_detail_tri6_bend(c, u, v, slope);
+    part[1] = half * (c[1] + slope[0]);
+    part[2] = half * (c[2] + slope[1]);
+    part[3] = square * (c[3] + v * (a - v * top));
+    part[4] = square * (c[4] + 2.0 * (u * a + v * b));
+    part[5] = square * (c[5] + u * (b + u * top));
+    part[6] = cube * a;
+    part[7] = cube * (b + 2.0 * u * top);
+    part[8] = half * cube * top;
+}
+
+/* 1 if the control points of both polynomials lie on one side of a line through 0: `right` and `left` enclose them. */
+FOOTPOINT_FN int footpoint_detail_tri6_misses(double q[2][9])
+{
+    double right[2], left[2], z[2];
+    int n, m;
+    for (n = 0; n < 9; n++) {
+        const double i = (double)(n % 3 - 1), j = (double)(n / 3 - 1), e = 2.0 * i * i - 1.0;
+        const double d = 2.0 * j * j - 1.0;
+        double a, b;
+        for (m = 0; m < 2; m++)
+            z[m] = q[m][0] - i * q[m][1] - j * q[m][2] - e * q[m][3] - i * j * q[m][4] -
+                   d * q[m][5] - e * j * q[m][6] - i * d * q[m][7] - e * d * q[m][8];
+        a = n ? right[0] * z[1] - right[1] * z[0] : 0.0;
+        b = n ? z[0] * left[1] - z[1] * left[0] : 0.0;
+        if (n && a >= 0.0 && b >= 0.0 &&
+            (z[0] * right[0] + z[1] * right[1] > 0.0 || z[0] * left[0] + z[1] * left[1] > 0.0))
+            continue;
+        if (n && !(a > 0.0) && !(b > 0.0))
+            return 0;
+        for (m = 0; m < 2; m++) {
+            left[m] = n == 0 || a > 0.0 ? z[m] : left[m];
+            right[m] = n == 0 || !(a > 0.0) ? z[m] : right[m];
+        }
+    }
+    return 1;
+}
+
+/* 1 if it is proved that a part holds no point, or one, which joins the n that are found if it is none of these. */
+FOOTPOINT_FN int footpoint_detail_tri6_part(double q[2][9], double u, double v, double half,
+                                            double found[8][2], int *n)
+{
+    double part[2][9], k[9], l[9], w[2], across, aa, bb;
+    const double *const f = part[0], *const g = part[1];
+    int i;
+    for (i = 0; i < 2; i++)
+        footpoint_detail_tri6_moved(q[i], u, v, half, part[i]);
+    if (footpoint_detail_tri6_misses(part))
+        return 1;
+    across = f[1] * g[2] - g[1] * f[2];
+    aa = f[1] * f[1] + g[1] * g[1];
+    bb = f[2] * f[2] + g[2] * g[2];
+    if (!(across * across > 100.0 * 1e-20 * (aa * bb)))
+        return 0;
+    for (i = 0; i < 9; i++) {
+        k[i] = (g[2] * f[i] - f[2] * g[i]) / across;
+        l[i] = (f[1] * g[i] - g[1] * f[i]) / across;
+    }
+    if (footpoint_detail_tri6_meet(k, l, 1.0, 1e-8, w) >> 63)
+        return 0;
+    if (fabs(w[0]) > 0.9995 || fabs(w[1]) > 0.9995)
+        return 1;
+    for (i = 0; i < *n; i++)
+        if (fabs(found[i][0] - u) <= half && fabs(found[i][1] - v) <= half)
+            return 1;
+    if (*n == 8)
+        return 0;
+    found[*n][0] = u + half * w[0];
+    found[*n][1] = v + half * w[1];
+    ++*n;
+    return 1;
+}
+
+/* The number of points in the face or at its edges, found[] = {u, v}; -1 if thousands of parts do not tell, as where the
+ * line touches the surface.  Parts are numbered i, j on their level. */
+FOOTPOINT_FN int footpoint_detail_tri6_meets(double q[2][9], double found[8][2])
+{
+    const double low = 6 > 6 ? -1.0 : -1.0 / 3.0;
+    double half = 6 > 6 ? 1.0 : 0.5;
+    int level = 0, i = 0, j = 0, n = 0, visits;
+    for (visits = 0; visits < 4000; visits++) {
+        const double u = low + half * (double)(2 * i + 1), v = low + half * (double)(2 * j + 1);
+        const int beyond = 6 < 7 && u + v > 1.0 / 3.0 + 2.01 * half;
+        if (!beyond && !footpoint_detail_tri6_part(q, u, v, 1.001 * half, found, &n)) {
+            if (++level > 53 / 2 + 3)
+                return -1;
+            half *= 0.5;
+            i *= 2;
+            j *= 2;
+            continue;
+        }
+        for (; i & j & 1; level--) {
+            half *= 2.0;
+            i >>= 1;
+            j >>= 1;
+        }
+        if (level == 0)
+            return n;
+        j += i & 1;
+        i ^= 1;
+    }
+    return -1;
 }
 
 /* One step of (xi,eta) = at to where xS - r is a multiple of p; at[2] becomes their distance, to second order in the step,
@@ -2084,51 +2688,110 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along_step(const double 
            footpoint_detail_bits(across * across - 100.0 * 1e-20 * size);
 }
 
-/* In full: short steps from five points.  Of what they find that in the segment, of two there the nearer one, of none the
- * one less far outside. */
-FOOTPOINT_COLD int footpoint_detail_tri6_along_full(const double *const *x, const double p[3],
-                                                    double at[3])
+/* 1 if p is in the plane of the tangents at 16 places: then it is everywhere, as the volume that the three span is of
+ * degree 3 in xi and in eta. */
+FOOTPOINT_FN int footpoint_detail_tri6_edge_on(const double *const *x, const double p[3])
 {
-    int found = FOOTPOINT_ERR_NO_CONVERGENCE, flat = 0, i, k;
-    double beyond = 0.0;
+    const double low = 6 > 6 ? -1.0 : 0.0, third = (1.0 - low) / 3.0;
+    double u[3], v[3], d[3], n[3], across, size;
+    int i;
+    for (i = 0; i < 16; i++) {
+        footpoint_detail_tri6_surface(x, low + third * (double)(i & 3), low + third * (double)(i >> 2),
+                                      u, v, d);
+        footpoint_detail_cross(u, v, n);
+        across = footpoint_detail_dot(n, p);
+        size = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v) * footpoint_detail_dot(p, p);
+        if (across * across > 100.0 * 1e-20 * size)
+            return 0;
+    }
+    return 1;
+}
+
+/* The face as two polynomials, along two directions at right angles to p and each other.  A line that passes a face of size 1
+ * by more than 1e3 passes it by 1e3, so that products stay in the range of numbers. */
+FOOTPOINT_FN void footpoint_detail_tri6_seen(const double *const *x, const double p[3], double q[2][9])
+{
+    double c[3][9], e[2][3], far;
+    const int least = fabs(p[0]) < fabs(p[1]) ? (fabs(p[2]) < fabs(p[0]) ? 2 : 0)
+                                              : (fabs(p[2]) < fabs(p[1]) ? 2 : 1);
+    int i, k;
+    for (i = 0; i < 3; i++) {
+        footpoint_detail_tri6_powers(x, i, c[i]);
+        e[0][i] = i == least ? 1.0 : 0.0;
+    }
+    footpoint_detail_cross(p, e[0], e[1]);
+    footpoint_detail_cross(e[1], p, e[0]);
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < (6 > 6 ? 9 : 6); i++)
+            q[k][i] = e[k][0] * c[0][i] + e[k][1] * c[1][i] + e[k][2] * c[2][i];
+    far = 1e-3 * (fabs(q[0][0]) + fabs(q[1][0]));
+    for (k = 0; k < 2; k++)
+        q[k][0] = far > 1.0 ? q[k][0] / far : q[k][0];
+}
+
+/* Where the line meets the surface beyond the edges: of short steps from five places, the first that lead to a point. */
+FOOTPOINT_FN int footpoint_detail_tri6_beside(const double *const *x, const double p[3], double at[3])
+{
+    int i, k;
     for (k = 0; k < 5; k++) {
-        double y[3], moved = 1.0, over;
+        double y[3], moved = 1.0;
         unsigned long long flaw = 0;
         footpoint_detail_triangle_start(k, y);
         for (i = 0; i < 50 && !(flaw >> 63) &&
                     footpoint_detail_above(moved, 4e-16) >> 63;
              i++)
             flaw = footpoint_detail_tri6_along_step(x, p, 0.25, y, &moved);
-        flat += i == 1 && flaw >> 63;
         if ((flaw | footpoint_detail_above(moved, 4e-16) |
              footpoint_detail_infinite(y[0] + y[1] + y[2])) >>
-            63)
+                63 ||
+            footpoint_detail_triangle_beyond(y[0], y[1]) <= 0.0)
             continue;
-        over = footpoint_detail_triangle_beyond(y[0], y[1]);
-        if (found == FOOTPOINT_OK || found == FOOTPOINT_NOT_UNIQUE) {
-            const double apart = fabs(y[0] - at[0]) + fabs(y[1] - at[1]);
-            if (over > 0.0 || apart < 1e-3)
-                continue;
-            found = FOOTPOINT_NOT_UNIQUE;
-            if (fabs(y[2]) > fabs(at[2]))
-                continue;
-        } else if (found == FOOTPOINT_OUTSIDE && over > beyond)
-            continue;
-        else
-            found = over > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
-        beyond = over;
-        at[0] = y[0];
-        at[1] = y[1];
-        at[2] = y[2];
+        for (i = 0; i < 3; i++)
+            at[i] = y[i];
+        return FOOTPOINT_OUTSIDE;
     }
-    return flat == 5 ? FOOTPOINT_ERR_DEGENERATE : found;
+    return FOOTPOINT_ERR_DOMAIN;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long. */
+/* Of the points in the face the nearest one; of none the one less far outside. */
+FOOTPOINT_COLD int footpoint_detail_tri6_along_full(const double *const *x, const double p[3],
+                                                    double at[3])
+{
+    double q[2][9], found[8][2], best = 0.0;
+    int inside = 0, points, i, k;
+    if (footpoint_detail_tri6_edge_on(x, p))
+        return FOOTPOINT_ERR_DEGENERATE;
+    footpoint_detail_tri6_seen(x, p, q);
+    points = footpoint_detail_tri6_meets(q, found);
+    if (points < 0)
+        return FOOTPOINT_ERR_NO_CONVERGENCE;
+    for (k = 0; k < points; k++) {
+        double y[3], moved, over, rank;
+        footpoint_detail_triangle_start(0, y);
+        y[0] += found[k][0];
+        y[1] += found[k][1];
+        for (i = 0; i < 3; i++)
+            (void)footpoint_detail_tri6_along_step(x, p, 0.25, y, &moved);
+        over = footpoint_detail_triangle_beyond(y[0], y[1]);
+        rank = over > 0.0 ? over : fabs(y[2]);
+        if (k == 0 || (over > 0.0 ? inside == 0 && rank < best : inside == 0 || rank < best)) {
+            best = rank;
+            for (i = 0; i < 3; i++)
+                at[i] = y[i];
+        }
+        inside += over <= 0.0;
+    }
+    if (points == 0)
+        return footpoint_detail_tri6_beside(x, p, at);
+    return inside > 1 ? FOOTPOINT_NOT_UNIQUE : inside == 1 ? FOOTPOINT_OK : FOOTPOINT_OUTSIDE;
+}
+
+/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
+ * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
 FOOTPOINT_COLD int footpoint_detail_tri6_along_again(const double *const *x, const double along[3],
                                                      double loc[2], double *dist)
 {
-    double y[7][3], p[3], at[3];
+    double y[7][3], p[3], at[3], away;
     const double *z[7];
     int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
     const int nodes = footpoint_detail_scale(x, 7 - 1, 7, y, &exponent);
@@ -2138,22 +2801,31 @@ FOOTPOINT_COLD int footpoint_detail_tri6_along_again(const double *const *x, con
         return status;
     for (i = 0; i < 7; i++)
         z[i] = y[i];
+    for (i = 0; i < 3; i++)
+        if (footpoint_detail_above(y[7 - 1][i], 1e-4 / 2.2250738585072014e-308) >> 63)
+            return FOOTPOINT_ERR_DOMAIN;
     status = footpoint_detail_tri6_along_full(z, p, at);
     if (status < FOOTPOINT_OK)
         return status;
+    away = exponent ? ldexp(at[2], exponent) : at[2];
+    if (footpoint_detail_infinite(away) >> 63)
+        return FOOTPOINT_ERR_DOMAIN;
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    *dist = away;
     return status;
 }
 #endif
 
 /* footpoint_tri6_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  By steps to rounding.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
- *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
- *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_NO_CONVERGENCE: no step came upon it,
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           normal that is the gap.  By steps to rounding.  Returns FOOTPOINT_OK: the line meets the segment once;
+ *           FOOTPOINT_NOT_UNIQUE: more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE: it passes by, and
+ *           the answer is a point where it meets the surface beyond the edges; and where loc and dist are untouched
+ *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and
+ *           no steps come upon a point beyond the edges; FOOTPOINT_ERR_NO_CONVERGENCE: it touches the
+ *           segment or goes through a collapsed edge, to rounding, so that thousands of parts do not tell;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
  *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_tri6_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_tri6_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -2163,11 +2835,13 @@ FOOTPOINT_FN int footpoint_tri6_along(const double xA[3], const double xB[3], co
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int status;
-    if (footpoint_detail_tri6_along(x, along, at, &status) >> 63)
+    const unsigned long long flaw = footpoint_detail_tri6_along(x, along, at, &status);
+    const double away = at[2] / sqrt(footpoint_detail_dot(along, along));
+    if ((flaw | footpoint_detail_infinite(away)) >> 63)
         return footpoint_detail_tri6_along_again(x, along, loc, dist);
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = at[2] / sqrt(footpoint_detail_dot(along, along));
+    *dist = away;
     return status;
 }
 
@@ -2197,7 +2871,7 @@ FOOTPOINT_LOOP void footpoint_tri6_along_n(size_t n, const double *const x[21],
         dist[i] /= sqrt(footpoint_detail_dot(q, q));
     }
     for (i = 0; i < n; i++)
-        if (status[i] < FOOTPOINT_OK) {
+        if (status[i] < FOOTPOINT_OK || footpoint_detail_infinite(dist[i]) >> 63) {
             const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};

@@ -24,29 +24,34 @@
 #ifndef FOOTPOINT_WHOLE_QUAD4_H
 #define FOOTPOINT_WHOLE_QUAD4_H
 
+#if (defined(__CUDACC__) || defined(__HIP__) || defined(__HIPCC__)) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DEVICE /* functions are compiled for a device, too */
+#endif
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
 #ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
 #ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
-#if defined(__GNUC__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
@@ -54,27 +59,27 @@
 #endif
 #ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
                        * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
 #ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
-#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict
 #else
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
-#ifndef __CUDACC_RTC__
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
@@ -154,7 +159,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
-    double most = 0.0;
+    double most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -166,9 +171,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 
@@ -748,7 +755,8 @@ static const double footpoint_whole_quad4_taper_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  688e9885bfb2ce4dde964bafee57b83e098997941dc48a40e811aeab34ee2022
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08
+ *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08 (rounding error <= 1.3e-09 on the
+ *     hull); status if computed as 0 or not finite
  *   rounding:       xi <= 1.7e-09 on the hull, 4.9e-11 at points, 2.5e-11 sampled; eta <= 1.1e-09 on the hull, 9e-10
  *     at points, 2.5e-10 sampled (10000 points, hull of 10000 in 3 parts)
  *   found:          seed 1 generations 0 islands 2
@@ -947,7 +955,8 @@ static const double footpoint_whole_quad4_coarse_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  01d136801ad3cbfdeec49394a2f8039ee6c7d212bc903c3a0586b2682e9f86b1
  *   poles:          t23: proved free of zeros, |t23| >= 0.0027 (rounding error <= 1.3e-14)
- *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05
+ *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05 (rounding error <= 3.3e-13 on the
+ *     hull); status if computed as 0 or not finite
  *   rounding:       xi <= 2.2e-11 on the hull, 1.2e-12 at points, 1.8e-12 sampled; eta <= 3.1e-11 on the hull,
  *     1.8e-13 at points, 2.5e-12 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1049,7 +1058,8 @@ static const double footpoint_whole_quad4_newton_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  803a668d7623a80ebcdc77e3a84737ddb6965a82ac9b5544d87c89ddbe7cd51c
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 1.4e-14)
- *   poles:          t42: proved free of zeros, |t42| >= 0.00011
+ *   poles:          t42: proved free of zeros, |t42| >= 0.00011 (rounding error <= 8.8e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 1.6e-11 on the hull, 1.8e-13 at points, 2.9e-13 sampled; eta <= 1.1e-11 on the hull,
  *     2.4e-13 at points, 2.7e-13 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 60 islands 4
@@ -1152,8 +1162,10 @@ static const double footpoint_whole_quad4_medium_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  315bbd22a3cc90ce8ee70852c06d4ad84facc138db076981d0c3eef8da85b348
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t42: proved free of zeros, |t42| >= 0.001
- *   poles:          t56: proved free of zeros, |t56| >= 0.00033
+ *   poles:          t42: proved free of zeros, |t42| >= 0.001 (rounding error <= 4.7e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t56: proved free of zeros, |t56| >= 0.00033 (rounding error <= 7.3e-12 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 1.7e-10 on the hull, 7.3e-12 at points, 9.6e-13 sampled; eta <= 1.6e-10 on the hull,
  *     5.2e-13 at points, 6.6e-12 sampled (10000 points, hull of 10000 in 2 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1263,9 +1275,12 @@ static const double footpoint_whole_quad4_balanced_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  58617263a84014ec7640642d4ff416d1ed3d14df5e1202917c81cc3290202f89
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t30: proved free of zeros, |t30| >= 0.0014
- *   poles:          t43: proved free of zeros, |t43| >= 0.00035
- *   poles:          t58: proved free of zeros, |t58| >= 0.00031
+ *   poles:          t30: proved free of zeros, |t30| >= 0.0014 (rounding error <= 1.8e-10 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00035 (rounding error <= 4.3e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t58: proved free of zeros, |t58| >= 0.00031 (rounding error <= 4.8e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 4e-10 on the hull, 2.1e-12 at points, 4e-12 sampled; eta <= 9.3e-11 on the hull, 1.5e-13 at
  *     points, 1.3e-12 sampled (10000 points, hull of 10000 in 4 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1373,10 +1388,13 @@ static const double footpoint_whole_quad4_fine_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  1196ac9fb3cc0f2c5cf1fc1b91aacbc6e95b3c375d82e1f5bc10e0b8c3f4699c
  *   poles:          t19 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t32: proved free of zeros, |t32| >= 0.0014
- *   poles:          t44: proved free of zeros, |t44| >= 0.00035
- *   poles:          t59: proved free of zeros, |t59| >= 0.00037
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031
+ *   poles:          t32: proved free of zeros, |t32| >= 0.0014 (rounding error <= 7.9e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 0.00035 (rounding error <= 1.3e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00037 (rounding error <= 4.8e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
  *   rounding:       xi <= 4e-11 on the hull, 4.7e-10 at points, 7.2e-13 sampled; eta <= 5.8e-11 on the hull, 8.1e-10
  *     at points, 2.8e-11 sampled (10000 points, hull of 10000 in 11 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1491,11 +1509,16 @@ static const double footpoint_whole_quad4_precise_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  15fa7e7a3baf7ac07f2cf754d58266aa9923bc6e151128ad14b37ab3eb35a84e
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t35: proved free of zeros, |t35| >= 0.00098
- *   poles:          t45: proved free of zeros, |t45| >= 6e-05
- *   poles:          t51: proved free of zeros, |t51| >= 0.0036
- *   poles:          t62: proved free of zeros, |t62| >= 0.00031
- *   poles:          t78: proved free of zeros, |t78| >= 0.00031
+ *   poles:          t35: proved free of zeros, |t35| >= 0.00098 (rounding error <= 5e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t45: proved free of zeros, |t45| >= 6e-05 (rounding error <= 7.6e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t51: proved free of zeros, |t51| >= 0.0036 (rounding error <= 4.6e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t62: proved free of zeros, |t62| >= 0.00031 (rounding error <= 4.2e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t78: proved free of zeros, |t78| >= 0.00031 (rounding error <= 7.5e-09 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 2.2e-11 on the hull, 2.1e-10 at points, 2.5e-13 sampled; eta <= 9.2e-12 on the hull,
  *     1.1e-10 at points, 2.1e-13 sampled (10000 points, hull of 10000 in 5 parts)
  *   found_both:     seed 1 generations 80 islands 2
@@ -1613,11 +1636,14 @@ static const double footpoint_whole_quad4_accurate_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d8a6857ebd5b0a6a72adba55b3786834b5e5afa6b74a4b272123c2c480fe0c0d
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t33: proved free of zeros, |t33| >= 0.0014
- *   poles:          t46: proved free of zeros, |t46| >= 0.00035
- *   poles:          t61: proved free of zeros, |t61| >= 0.00031
- *   poles:          t77: proved free of zeros, |t77| >= 0.00031
- *   poles:          t93: proved free of zeros, |t93| >= 0.00031
+ *   poles:          t33: proved free of zeros, |t33| >= 0.0014 (rounding error <= 8.2e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t46: proved free of zeros, |t46| >= 0.00035 (rounding error <= 1.3e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t61: proved free of zeros, |t61| >= 0.00031 (rounding error <= 2.2e-10 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t77: proved free of zeros, |t77| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t93: proved free of zeros, |t93| >= 0.00031; status if computed as 0 or not finite
  *   rounding:       xi <= 5.7e-10 on the hull, 0.00027 at points, 3.6e-12 sampled; eta <= 1.2e-10 on the hull,
  *     0.00096 at points, 8.4e-12 sampled (10000 points, hull of 10000 in 14 parts)
  *   found_both:     seed 1 generations 40 islands 2
@@ -1738,10 +1764,14 @@ static const double footpoint_whole_quad4_full_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  41538ccd60f5c5730a6cdc30b0f0f19f6fd9d35d4aa5670cbaa821c6bdff18d0
  *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0012
- *   poles:          t43: proved free of zeros, |t43| >= 0.00034
- *   poles:          t47: proved free of zeros, |t47| >= 0.00086
- *   poles:          t59: proved free of zeros, |t59| >= 0.0003
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0012 (rounding error <= 6.7e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00034 (rounding error <= 1.7e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00086 (rounding error <= 6.6e-09 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.0003 (rounding error <= 2.6e-10 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 4e-11 on the hull, 1.3e-13 at points, 5e-13 sampled; eta <= 9.4e-11 on the hull, 2.6e-13 at
  *     points, 1.2e-12 sampled (10000 points, hull of 10000 in 4 parts)
  *   found_both:     seed 1 generations 2 islands 2
@@ -1851,11 +1881,16 @@ static const double footpoint_whole_quad4_program1_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  3da0e1ddb2002f68f65a872412b56d448cc19c5fdd98b5f25ecb73147ea16622
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
- *   poles:          t31: proved free of zeros, |t31| >= 0.0015
- *   poles:          t41: proved free of zeros, |t41| >= 0.0003
- *   poles:          t47: proved free of zeros, |t47| >= 0.0036
- *   poles:          t59: proved free of zeros, |t59| >= 0.00033
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031
+ *   poles:          t31: proved free of zeros, |t31| >= 0.0015 (rounding error <= 3.6e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t41: proved free of zeros, |t41| >= 0.0003 (rounding error <= 2.4e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0036 (rounding error <= 5e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00033 (rounding error <= 1.8e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031 (rounding error <= 6.5e-11 on the hull); status if
+ *     computed as 0 or not finite
  *   rounding:       xi <= 1.1e-11 on the hull, 1.4e-13 at points, 5.8e-13 sampled; eta <= 2.7e-11 on the hull,
  *     2.4e-13 at points, 1.5e-13 sampled (10000 points, hull of 10000 in 3 parts)
  *   found_both:     seed 1 generations 40 islands 2
@@ -1973,11 +2008,16 @@ static const double footpoint_whole_quad4_program2_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  330aa943140973d1844e110fccba0cf4181bb95fa7834a3efb5e7389619f0f26
  *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t32: proved free of zeros, |t32| >= 0.0014
- *   poles:          t42: proved free of zeros, |t42| >= 0.00035
- *   poles:          t48: proved free of zeros, |t48| >= 0.0036
- *   poles:          t59: proved free of zeros, |t59| >= 0.00037
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031
+ *   poles:          t32: proved free of zeros, |t32| >= 0.0014 (rounding error <= 8e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t42: proved free of zeros, |t42| >= 0.00035 (rounding error <= 1.3e-11 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.0036 (rounding error <= 4.4e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00037 (rounding error <= 9.3e-12 on the hull); status if
+ *     computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031 (rounding error <= 2.6e-10 on the hull); status if
+ *     computed as 0 or not finite
  *   poles:          t90: no zero where the region's requires hold, by no proved margin
  *   rounding:       xi <= 1.9e-11 on the hull, 1.9e-12 at points, 1.8e-12 sampled; eta <= 1.5e-10 on the hull,
  *     1.4e-12 at points, 5.8e-13 sampled (10000 points, hull of 10000 in 8 parts)
@@ -2106,6 +2146,12 @@ static const double footpoint_whole_quad4_program3_points[][19] = {
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
 
+/* The larger one without a branch, which would keep loops from being vectorised. */
+FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
+{
+    return 0.5 * (a + b + fabs(a - b));
+}
+
 /* How far |x| is above 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
 {
@@ -2206,17 +2252,20 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *con
                                                    footpoint_detail_excess(at[1])));
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`. */
+/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
 FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double slope)
 {
+    if (a == 0.0 && b == 0.0 && c == 0.0)
+        return 0.0;
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside. */
+/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside.  Of the two
+ * ways to compute the discriminant the one that loses fewer digits, as near a collapsed edge. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
-    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, b, discriminant;
+    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, a, b, discriminant;
     int i, found = 0, inside[2], best;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
@@ -2227,14 +2276,17 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
     if (footpoint_detail_bits(wide * wide - 10.0 * 1e-20 * (size * size) * (length * length)) >>
         63)
         return FOOTPOINT_ERR_DEGENERATE;
+    a = k[0] - k[3];
     b = k[0] + k[3];
-    discriminant = b * b - 4.0 * (k[2] * k[5]);
+    discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
+                       ? a * a - 4.0 * (k[1] * k[4])
+                       : b * b - 4.0 * (k[2] * k[5]);
     if (discriminant < 0.0)
         return FOOTPOINT_ERR_DOMAIN;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < (discriminant > 0.0 ? 2 : 1); i++) {
         const double slope = i ? -sqrt(discriminant) : sqrt(discriminant);
         double *const y = z[found];
-        y[0] = footpoint_detail_root(k[1], k[0] - k[3], k[4], slope);
+        y[0] = footpoint_detail_root(k[1], a, k[4], slope);
         y[1] = footpoint_detail_root(k[2], b, k[5], slope);
         y[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
         reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
@@ -2254,11 +2306,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
     return found == 2 && inside[0] && inside[1] ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long. */
+/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
+ * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, const double along[3],
                                                       double loc[2], double *dist)
 {
-    double y[5][3], p[3], at[3];
+    double y[5][3], p[3], at[3], away;
     const double *z[5];
     int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
     const int nodes = footpoint_detail_scale(x, 5 - 1, 5, y, &exponent);
@@ -2268,22 +2321,30 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
         return status;
     for (i = 0; i < 5; i++)
         z[i] = y[i];
+    for (i = 0; i < 3; i++)
+        if (footpoint_detail_above(y[5 - 1][i], 1e-4 / 2.2250738585072014e-308) >> 63)
+            return FOOTPOINT_ERR_DOMAIN;
     status = footpoint_detail_quad4_along_full(z, p, at);
     if (status < FOOTPOINT_OK)
         return status;
+    away = exponent ? ldexp(at[2], exponent) : at[2];
+    if (footpoint_detail_infinite(away) >> 63)
+        return FOOTPOINT_ERR_DOMAIN;
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    *dist = away;
     return status;
 }
 #endif
 
 /* footpoint_whole_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
- *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
- *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere,
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK: the line meets the segment once;
+ *           FOOTPOINT_NOT_UNIQUE: more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE: it passes by, and
+ *           the answer is a point where it meets the surface beyond the edges; and where loc and dist are untouched
+ *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and
+ *           meets the surface nowhere;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
  *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_whole_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_whole_quad4_along(const double xA[3], const double xB[3], const double xC[3],
@@ -2293,11 +2354,13 @@ FOOTPOINT_FN int footpoint_whole_quad4_along(const double xA[3], const double xB
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int status;
-    if (footpoint_detail_quad4_along(x, along, at, &status) >> 63)
+    const unsigned long long flaw = footpoint_detail_quad4_along(x, along, at, &status);
+    const double away = at[2] / sqrt(footpoint_detail_dot(along, along));
+    if ((flaw | footpoint_detail_infinite(away)) >> 63)
         return footpoint_detail_quad4_along_again(x, along, loc, dist);
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = at[2] / sqrt(footpoint_detail_dot(along, along));
+    *dist = away;
     return status;
 }
 
@@ -2326,7 +2389,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_along_n(size_t n, const double *const 
         dist[i] /= sqrt(footpoint_detail_dot(q, q));
     }
     for (i = 0; i < n; i++)
-        if (status[i] < FOOTPOINT_OK) {
+        if (status[i] < FOOTPOINT_OK || footpoint_detail_infinite(dist[i]) >> 63) {
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double q[3] = {along[0][i], along[1][i], along[2][i]};

@@ -22,6 +22,16 @@
 extern "C" {
 #endif
 
+/* Signs.  A gap or a distance is < 0 if the slave node xS lies behind the face, and > 0 in front of it: in every function, of
+ * every kind of face, of headers and library, C and Fortran.  Behind means (xS - r) . n < 0, n being the face's normal at the
+ * point r.  At a corner that has no normal, because an edge is collapsed or the angle is 180 degrees, n is the normal's
+ * limit on the bisector of the corner.  If r lies on an edge or a corner, xS is behind only if (xS - r) . n is below
+ * -1e-12 |xS - r| |n| and below rounding: a node beside a flat face, in its plane, is not behind it.  Where several faces
+ * share an edge or a corner, footpoint_face_select and NAME_closest_of of generated headers ask all of them.
+ * A sign is no contact.  A node penetrates a face if the distance is < 0 and r lies inside the face: region 0, or
+ * FOOTPOINT_OK of footpoint_robust, which says FOOTPOINT_OUTSIDE of edges; or if the distance is < 0 that
+ * footpoint_face_select gives for all faces there. */
+
 /* Statuses: an answer is written where status >= FOOTPOINT_OK, that is 0, and nothing where it is less.  Generated headers
  * define the same macros. */
 #ifndef FOOTPOINT_OK
@@ -221,8 +231,8 @@ int footpoint_certify(const double xA[3], const double xB[3], const double xC[3]
  *  twice the digits, of the nearest points of the edges and all stationary points, the list of which is proved to be
  *  complete.  The point r(xi,eta) is right to 1e-10 of the longest edge.
  *  @param[out] loc   {xi, eta}, in [-1,1]
- *  @param[out] dist  |xS - r|, mesh length; with the sign of (xS - r) . n, n = r_xi x r_eta: > 0 open, < 0 behind; > 0
- *                    where there is no normal.  At a foot point inside the segment this is the gap.
+ *  @param[out] dist  |xS - r|, mesh length; < 0 behind the segment, see "Signs" above; > 0 if the segment has no area.  At
+ *                    a foot point inside the segment this is the gap.
  *  @return FOOTPOINT_OK (the foot point, strictly inside: |xi| < 1 and |eta| < 1);
  *          with loc and dist written: FOOTPOINT_OUTSIDE (the closest point lies on the edge of the segment, xi or eta
  *          being -1 or 1; it may be a foot point all the same),

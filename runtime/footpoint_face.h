@@ -51,7 +51,7 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
 
 /** The closest point of the face, its edges and corners included, as NAME_closest of generated/: points of edges are
  *  right to the rounding of their distances; inside it is the foot point, unless one of an edge is nearer.
- *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face
+ *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face, see "Signs" in footpoint.h
  *  @param[out] region    where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; of a triangle
  *                        1 to 3 and 4 to 6
  *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long */
@@ -63,7 +63,7 @@ int footpoint_face_closest(enum footpoint_face face, const double *x, double loc
  *  find one to go on from.
  *  The distance is right to 1e-10 of the largest difference of a coordinate of xS and a node's, rounding included, with
  *  and without fused operations: loc is a point that far away, and no point of the face is nearer by more.
- *  @param[out] loc, distance, region  as of footpoint_face_closest; distance > 0 where there is no normal
+ *  @param[out] loc, distance, region  as of footpoint_face_closest; distance > 0 if the face has no area
  *  @return FOOTPOINT_OK (region 0: the closest point is strictly inside), FOOTPOINT_OUTSIDE (another region: loc lies on an
  *          edge or corner).  No other point is as near.  With the largest difference L of coordinates, as above,
  *          points within 2e-10 L + 3e-5 sqrt(L distance) of each other count as one (of quad4 see footpoint_robust);
@@ -77,9 +77,13 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
 /** The face that a slave node is closest to, of any number of them.
  *  @param[in]  xyz     coordinates by node index, mesh length
  *  @param[in]  seg     candidates x N node indices, from 0
- *  @param[out] chosen  which of the candidates, from 0: of several as near as each other to rounding, the one that xS
- *                      lies straightest over
- *  @param[out] loc, distance, region  as of footpoint_face_closest, on the chosen face
+ *  @param[out] chosen  which of the candidates, from 0
+ *  @param[out] loc, region  as of footpoint_face_closest, on the chosen face
+ *  @param[out] distance     mesh length; < 0 behind the surface that the candidates make: at an edge or a corner that of
+ *                      the sum of the unit normals of all candidates there, each times its angle.  That is the side of a
+ *                      closed surface if all faces at that edge or corner are candidates.  One call takes one kind of
+ *                      face: in a mesh of several kinds a corner may have more faces, and then the side is that of
+ *                      the candidates'.  Nodes are the same if their coordinates are.
  *  @return as footpoint_face_closest.  Faces without an answer are passed over; if all are, the status is that of the
  *          last one, and FOOTPOINT_ERR_DOMAIN if there are no candidates */
 int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,

@@ -27,10 +27,14 @@ void closest_print_helpers(const struct unit *u, FILE *out)
     const bool straight = lines_straight(u);
     char *own_nearest = new_format("%s_nearest", k->name);
     const char *nearest = straight ? own_nearest : k->triangle ? "curved_triangle_nearest" : "curved_quad_nearest";
-    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"closest", NULL}, precision, NULL, out);
+    const char *const names[] = {"inward", nearest, "fan", "closest_again", "closest_arrays", NULL};
+    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"side", "corner", "closest", NULL}, precision,
+                    NULL, out);
     templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
                     (const char *const[]){straight ? "edge" : "curve", NULL}, precision, NULL, out);
-    lines_print_templates(u, NULL, "NEAREST", (const char *const[]){nearest, "closest_arrays", NULL}, out);
+    if (k->bilinear)
+        lines_print_templates(u, NULL, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
+    lines_print_templates(u, NULL, "NEAREST", names, out);
     free(own_nearest);
 }
 
@@ -46,7 +50,7 @@ static void print_nearest(const struct unit *u, const struct function *f, FILE *
     const enum precision precision = u->options.precision;
     char *vectors = lines_rows(u, "x"), *least = sizes_least_name(u);
     char *nearest = new_format("    return footpoint_detail_%s_nearest(x, flaw, ", u->file->segment->name);
-    fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s zero, %s at[4],\n%*sint *region)\n{\n", name,
+    fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s zero, %s at[3],\n%*sint *region)\n{\n", name,
             lines_real(u), lines_real(u), lines_real(u), (int)strlen(name) + 20, "");
     fprintf(out, "    %s xi, eta;\n", lines_real(u));
     lines_print_search(u, f, vectors, "&xi, &eta", "    ", out);

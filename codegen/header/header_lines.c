@@ -128,15 +128,13 @@ static struct placeholder *words_of(const struct unit *u, const struct function 
                {"SHAPE", new_format("%s", k->triangle ? "triangle" : "square")},
                {"EDGES", new_format("%s", k->triangle ? "1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C"
                                                       : "1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D")},
-               {"NORMAL", new_format("%s", !straight     ? "the normal an eighth of the way from there to the middle"
-                                           : k->triangle ? "AB x AC"
-                                                         : "AC x BD")},
                {"ACCURACY", new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding")},
                {"MISSED", new_format("%s", straight ? "meets the surface nowhere" : missed)},
                {"REACH_TO_GROWTH", power_text("reach", k->growth)},
                {"VECTORS", new_format("%zu", n)},
                {"SEGMENT_VECTORS", new_format("%zu", n - 1)},
                {"NODES", new_format("%zu", strlen(k->nodes))},
+               {"CORNERS", new_format("%zu", k->corners)},
                {"COORDINATES", new_format("%zu", 3 * n)},
                {"NODE_PARAMETERS", parameters_text(u)},
                {"NODE_NAMES", lines_vectors(u)},
@@ -145,6 +143,7 @@ static struct placeholder *words_of(const struct unit *u, const struct function 
                {"SEGMENT_ROWS", rows_text("c", n - 1)},
                {"NAME", new_format("%s", name)},
                {"SCALED_NODES", new_format("%zu", f ? lines_scaled_nodes(u, f) : 0)},
+               {"SCALABLE", new_format("%d", f && lines_scaled_nodes(u, f) > 0)},
                {"BARE_SEARCH", new_format("footpoint_detail_%s", name)},
                {"CHECKED_SEARCH", new_format("footpoint_detail_checked_%s", name)},
                {"CLOSEST_SEARCH", new_format("footpoint_detail_closest_%s", name)}};

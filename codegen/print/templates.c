@@ -27,6 +27,10 @@ static const struct {
             {"REAL_HIGH", {"512", "32"}},
             {"REAL_FLAT", {"1e-20", "1e-9f"}},   /* the square of the sine below which tangents are parallel */
             {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
+            {"REAL_ANGLE", {"1e-24", "1e-12f"}}, /* the square of the sine below which a vector lies in a plane */
+            {"REAL_SMALL", {"1e-29", "1e-12f"}}, /* the square of the rounding errors of a vector, over its parts */
+            {"REAL_INWARD", {"0.0009765625", "0.03125f"}}, /* of the way to the middle, where corners have normals */
+            {"atan2", {"atan2", "atan2f"}},
             {"copysign", {"copysign", "copysignf"}},
             {"fabs", {"fabs", "fabsf"}},
             {"frexp", {"frexp", "frexpf"}},

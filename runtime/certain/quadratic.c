@@ -257,10 +257,12 @@ static double least_of(double at, double slope, double bend, double gauss)
     return by > 0.0 ? clamp(at - slope / by) : at;
 }
 
-/* The x next to 0 where skew x + bow x^2 = to; not a number if there is none. */
+/* Returns the x next to 0 where skew x + bow x^2 = to, or 0 if there is none. */
 static double where_bent(double skew, double bow, double to)
 {
-    return 2.0 * to / (skew + copysign(sqrt(skew * skew + 4.0 * bow * to), skew));
+    const double square = skew * skew + 4.0 * bow * to;
+    const double below = square > 0.0 ? skew + copysign(sqrt(square), skew) : 0.0;
+    return below != 0.0 ? 2.0 * to / below : 0.0;
 }
 
 /* Where a step leads; what it leaves as it is holds in `at`.  Its first part goes along the parabola at + s (to - at - bow)
@@ -286,7 +288,8 @@ static void step_from(const struct slopes *m, const double at[2], double to[2], 
     const double along = at[way] + y + (m->skew + m->bow * across) * across;
     to[way] = clamp(along);
     if (to[way] != along) {
-        const double part = where_bent(m->skew, m->bow, to[way] - at[way] - y) / across;
+        const double bent = where_bent(m->skew, m->bow, to[way] - at[way] - y);
+        const double part = across != 0.0 ? bent / across : 0.0;
         if (!(part > 0.0 && part < 1.0)) {
             to[other] =
                 least_of(at[other], g[other] + m->h12 * (to[way] - at[way]), way ? m->h11 : m->h22, m->gauss[other]);
@@ -332,7 +335,7 @@ static void descend(const struct quadratic *f, double at[2], struct quadratic_ta
 
 /* ---- the closest point ---- */
 
-/* r_u x r_v an eighth of the way to the middle, as in generated/: there collapsed corners have a normal, too. */
+/* r_u x r_v an eighth of the way to the middle, where collapsed corners have a normal, too. */
 static void normal_beside(const struct quadratic *f, const double at[2], double n[3])
 {
     const double middle = f->triangle ? 1.0 / 3.0 : 0.5, u = quadratic_u(f, at), v = at[1];
@@ -408,6 +411,6 @@ int footpoint_quadratic_closest(int nodes, const double *x, const double start[2
     const int on_a_line = !(vector_dot(n, n) > FLAT) && all_on_a_line(&f);
     loc[0] = place[0];
     loc[1] = place[1];
-    *distance = !on_a_line && vector_dot(n, r) > 0.0 ? -length : length;
+    *distance = length;
     return on_a_line && status != FOOTPOINT_UNPROVED ? FOOTPOINT_NO_AREA : status;
 }

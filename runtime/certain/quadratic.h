@@ -51,7 +51,7 @@ static inline double quadratic_u(const struct quadratic *f, const double at[2])
  *  @param[in]  nodes          6, 8 or 9
  *  @param[in]  x              their coordinates and xS's
  *  @param[in]  start          {xi, eta} to begin from
- *  @param[out] loc, distance  as of footpoint_face_robust
+ *  @param[out] loc, distance  as of footpoint_face_robust; the distance without its sign
  *  @param[in,out] boxes       how many parts of the face may be looked at; how many are left
  *  @return as footpoint_face_robust, but FOOTPOINT_OK on edges, too */
 int footpoint_quadratic_closest(int nodes, const double *x, const double start[2], double loc[2], double *distance,

@@ -27,20 +27,12 @@ struct edge_point {
     double loc[2], d[3], square;
 };
 
-/* Of d, whose square is d . d, by the side of the normal n that it is on. */
-static double signed_length(const double n[3], const double d[3], double square)
-{
-    const double size = sqrt(square);
-    return vector_dot(n, d) < 0.0 ? -size : size;
-}
-
 /* From near a foot point to it, by Newton's method.  1 if it is proved, lies in the segment, and nothing is nearer. */
 static int find_foot(const struct bilinear *f, double xi, double eta, struct answer *answer)
 {
     for (int n = 0; n < STEPS; n++) {
         struct bilinear_point p;
         struct bilinear_proof proof;
-        double normal[3];
         if (!(fabs(xi) <= FAR_START && fabs(eta) <= FAR_START))
             return 0;
         const int proved = footpoint_bilinear_prove(f, xi, eta, &p, &proof);
@@ -54,10 +46,9 @@ static int find_foot(const struct bilinear *f, double xi, double eta, struct ans
                 return 0;
             for (int i = 0; i < 3; i++)
                 p.d[i] -= p.a[i] * (u - xi) + (p.b[i] + f->c3[i] * (u - xi)) * (v - eta);
-            vector_cross(p.a, p.b, normal);
             answer->loc[0] = u;
             answer->loc[1] = v;
-            answer->dist = signed_length(normal, p.d, vector_dot(p.d, p.d));
+            answer->dist = sqrt(vector_dot(p.d, p.d));
             return 1;
         }
         xi = x;
@@ -126,7 +117,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
         return 0;
     answer->loc[0] = best.loc[0];
     answer->loc[1] = best.loc[1];
-    answer->dist = signed_length(normal, best.d, best.square);
+    answer->dist = sqrt(best.square);
     return 1;
 }
 
@@ -228,17 +219,11 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
         if (higher < -same || (higher <= same && c[k].least > c[best].least) || (higher < 0.0 && c[k].least))
             best = k;
     }
-    struct bilinear_point p;
-    double normal[3];
-    bilinear_at(f, c[best].loc[0], c[best].loc[1], &p);
-    vector_cross(p.a, p.b, normal);
     answer->loc[0] = c[best].loc[0];
     answer->loc[1] = c[best].loc[1];
-    answer->dist = signed_length(normal, c[best].d, vector_dot(c[best].d, c[best].d));
-    if (!footpoint_bilinear_has_area(f)) {
-        answer->dist = fabs(answer->dist);
+    answer->dist = sqrt(vector_dot(c[best].d, c[best].d));
+    if (!footpoint_bilinear_has_area(f))
         return FOOTPOINT_NO_AREA;
-    }
     if (!c[best].least)
         return FOOTPOINT_UNPROVED;
     for (int k = 0; k < all; k++)
@@ -274,6 +259,19 @@ static int is_on_edge(const double loc[2])
     return fabs(loc[0]) >= 1.0 || fabs(loc[1]) >= 1.0;
 }
 
+/* Whether xS lies behind the point at loc, by the rule of generated/; small segments in a unit that suits it. */
+static int is_behind(const double *const x[5], const struct bilinear *f, const double loc[2])
+{
+    const double *z[5];
+    double y[5][3];
+    for (int k = 0; k < 5; k++) {
+        for (int i = 0; i < 3; i++)
+            y[k][i] = ldexp(x[k][i], -f->exponent);
+        z[k] = y[k];
+    }
+    return footpoint_detail_quad4_behind(z, loc, is_on_edge(loc), NULL);
+}
+
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *dist)
 {
@@ -290,6 +288,8 @@ int footpoint_robust(const double xA[3], const double xB[3], const double xC[3],
         footpoint_quad4_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
     if (!find_foot(&f, xi, eta, &answer) && !find_edge(&f, &answer))
         status = compare_all(x, &f, &answer);
+    if (status != FOOTPOINT_NO_AREA && is_behind(x, &f, answer.loc))
+        answer.dist = -answer.dist;
     if (f.exponent != 0)
         answer.dist = ldexp(answer.dist, f.exponent);
     if (!isfinite(answer.dist))

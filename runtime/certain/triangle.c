@@ -19,7 +19,6 @@ enum { ORDINARY = 200, FARTHEST = 200 };
 /* Lengths are in 2^exponent mesh lengths, those of `from` in 2^(exponent + far). */
 struct triangle {
     struct twofold way[3][3], from[3][3]; /* AB, BC, CA; from A, B, C to xS */
-    double normal[3];                     /* of any length */
     int exponent, far;
 };
 
@@ -75,7 +74,7 @@ static int longest_of(const struct triangle *f)
     return square[1] > square[0] ? 1 + (square[2] > square[1]) : 2 * (square[2] > square[0]);
 }
 
-/* Finds the foot point, d away from xS, and the normal.
+/* Finds the foot point, d away from xS.
  *  @return 1 if it is inside, 0 if it is not, -1 if the triangle has no area */
 static int find_foot(struct triangle *f, double loc[2], double d[3])
 {
@@ -83,15 +82,11 @@ static int find_foot(struct triangle *f, double loc[2], double d[3])
     const struct twofold *const e = f->way[k], *const back = f->way[(k + 2) % 3], *const from = f->from[k];
     const struct twofold ee = twofold_dot(e, e);
     struct twofold h[3], rest[3], part[3];
-    double along[3], high[3];
     if (!(ee.high > 0.0))
         return -1;
     const struct twofold t = twofold_divide(twofold_dot(e, back), ee); /* of C to A: with the sign turned */
     take(back, t, e, h);
     const struct twofold hh = twofold_dot(h, h);
-    highs(e, along);
-    highs(h, high);
-    vector_cross(high, along, f->normal);
     if (!(hh.high > FLAT * FLAT * ee.high))
         return -1;
     const struct twofold p = twofold_divide(twofold_dot(e, from), ee), q = twofold_divide(twofold_dot(h, from), hh);
@@ -129,12 +124,6 @@ static void find_edge(const struct triangle *f, double loc[2], double d[3])
     }
 }
 
-static double signed_length(const double normal[3], const double d[3])
-{
-    const double length = sqrt(vector_dot(d, d));
-    return vector_dot(normal, d) < 0.0 ? -length : length;
-}
-
 int footpoint_triangle_closest(const double x[12], double loc[2], double *distance)
 {
     struct triangle f;
@@ -145,7 +134,7 @@ int footpoint_triangle_closest(const double x[12], double loc[2], double *distan
     const int found = find_foot(&f, at, d);
     if (found <= 0)
         find_edge(&f, at, d);
-    double length = found < 0 ? sqrt(vector_dot(d, d)) : signed_length(f.normal, d);
+    double length = sqrt(vector_dot(d, d));
     if (f.exponent + f.far != 0)
         length = ldexp(length, f.exponent + f.far);
     if (!isfinite(length))

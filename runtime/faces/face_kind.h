@@ -26,6 +26,16 @@
     {                                                                                                                  \
         return footpoint_##kind##_##tier##_closest_of(n, x, s, loc, distance, region, which);                          \
     }                                                                                                                  \
+    static int behind(const double *const *x, const double *s, const double *loc, int edge, const double *fan)         \
+    {                                                                                                                  \
+        const double *const all[] = {X##count, s};                                                                     \
+        return footpoint_detail_##kind##_behind(all, loc, edge, fan);                                                  \
+    }                                                                                                                  \
+    static void add_face(const double *const *x, const double *s, const double *const *end, double t, double *fan)     \
+    {                                                                                                                  \
+        const double *const all[] = {X##count, s};                                                                     \
+        footpoint_detail_##kind##_add_face(all, end, t, fan);                                                          \
+    }                                                                                                                  \
     static int place(const double *const *x, const double *s, const double *loc, double *phi, double *r_xi,            \
                      double *r_eta, double *normal, double *gap)                                                       \
     {                                                                                                                  \
@@ -42,7 +52,14 @@
         return footpoint_##kind##_hessian(X##count, s, loc, gap, d_xi, d_eta, d_gap, d_normal, second);                \
     }                                                                                                                  \
     BLOCKS_OF(kind, tier)                                                                                              \
-    const struct face footpoint_face_##kind = {                                                                        \
-        {count, 0, locate, block}, closest, nearest, place, differentiate, hessian};
+    const struct face footpoint_face_##kind = {{count, 0, locate, block},                                              \
+                                               closest,                                                                \
+                                               nearest,                                                                \
+                                               behind,                                                                 \
+                                               footpoint_detail_##kind##_feature,                                      \
+                                               add_face,                                                               \
+                                               place,                                                                  \
+                                               differentiate,                                                          \
+                                               hessian};
 
 #endif

@@ -10,6 +10,10 @@ struct face {
     /* Of n faces, the nodes of which x has one face after the other. */
     int (*nearest)(size_t n, const double *const *x, const double *s, double *loc, double *distance, int *region,
                    size_t *which);
+    /* As footpoint_detail_KIND_behind, _feature and _add_face of generated/. */
+    int (*behind)(const double *const *x, const double *s, const double *loc, int edge, const double *fan);
+    double (*feature)(const double *const *x, const double *loc, int region, const double **end);
+    void (*add_face)(const double *const *x, const double *s, const double *const *end, double t, double *fan);
     int (*place)(const double *const *x, const double *s, const double *loc, double *phi, double *r_xi, double *r_eta,
                  double *normal, double *gap);
     int (*differentiate)(const double *const *x, const double *s, const double *loc, double *phi, double *r_xi,

@@ -103,6 +103,10 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
     if (status < FOOTPOINT_OK)
         return status;
     *region = region_of(corners, loc);
+    if (status != FOOTPOINT_NO_AREA) {
+        const struct rows r = rows_of(f, x);
+        *distance = copysign(*distance, f->behind(r.x, r.s, loc, *region > 0, NULL) ? -1.0 : 1.0);
+    }
     return status == FOOTPOINT_OK && *region ? FOOTPOINT_OUTSIDE : status;
 }
 
@@ -139,7 +143,30 @@ int footpoint_face_hessian(enum footpoint_face face, const double *x, const doub
 
 /* ---- one slave node, many faces ---- */
 
-/* In groups, in each of which the best one of those before comes first. */
+/* Nodes of one of the candidates. */
+static struct rows candidate_of(const struct face *f, const double *xyz, const int *seg, size_t candidate,
+                                const double xS[3])
+{
+    struct rows r = {.s = xS};
+    for (int k = 0; k < f->pairs.nodes; k++)
+        r.x[k] = xyz + 3 * (size_t)seg[candidate * (size_t)f->pairs.nodes + (size_t)k];
+    return r;
+}
+
+/* Whether xS lies behind the surface that all candidates make at loc, on an edge or a corner of one of them. */
+static int is_behind_all(const struct face *f, const double *xyz, size_t candidates, const int *seg,
+                         const struct rows *chosen, const double loc[2], int region)
+{
+    const double *end[2], t = f->feature(chosen->x, loc, region, end);
+    double fan[3] = {0.0, 0.0, 0.0};
+    for (size_t i = 0; i < candidates; i++) {
+        const struct rows r = candidate_of(f, xyz, seg, i, chosen->s);
+        f->add_face(r.x, r.s, end, t, fan);
+    }
+    return f->behind(chosen->x, chosen->s, loc, 1, fan);
+}
+
+/* In groups, in each of which the best one of those before comes first: it may have to be searched once more. */
 int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
                           const double xS[3], size_t *chosen, double loc[2], double *distance, int *region)
 {
@@ -168,8 +195,13 @@ int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t ca
         if (one >= FOOTPOINT_OK || !found)
             status = one;
     }
-    if (found)
-        *chosen = best;
+    if (!found)
+        return status;
+    *chosen = best;
+    if (*region > 0) {
+        const struct rows r = candidate_of(f, xyz, seg, best, xS);
+        *distance = copysign(*distance, is_behind_all(f, xyz, candidates, seg, &r, loc, *region) ? -1.0 : 1.0);
+    }
     return status;
 }
 

@@ -33,17 +33,24 @@ void findContactPoint(PenetrationInfo &p_info, FEBase * /*fe_elem*/, FEBase *fe_
     if (!search_succeeded)
         return;
 
-    std::vector<Point> points = {Point(loc[0], loc[1], 0)};
+    // At a collapsed corner and at one of 180 degrees the normal is its limit, from the direction of the middle.
+    const double inward = 1 - 1. / 1024;
+    std::vector<Point> points = {Point(inward * loc[0], inward * loc[1], 0)};
+    fe_side->reinit(p_info._side, &points);
+    const Point limit = fe_side->get_dxyzdxi()[0].cross(fe_side->get_dxyzdeta()[0]);
+    points[0] = Point(loc[0], loc[1], 0);
     fe_side->reinit(p_info._side, &points);
     p_info._closest_point_ref = points[0];
     p_info._closest_point = fe_side->get_xyz()[0];
     p_info._normal = fe_side->get_dxyzdxi()[0].cross(fe_side->get_dxyzdeta()[0]);
+    if (!(p_info._normal.norm() > limit.norm() / 1024))
+        p_info._normal = limit;
     p_info._normal /= p_info._normal.norm();
     const Point offset = p_info._closest_point - secondary_point;
     const double along = offset * p_info._normal, square = offset * offset - along * along;
     const bool beside = status == FOOTPOINT_OUTSIDE;
     p_info._tangential_distance = beside ? std::sqrt(square > 0 ? square : 0) : 0;
-    p_info._distance = beside ? (along >= 0 ? offset.norm() : -offset.norm()) : along;
+    p_info._distance = beside ? -distance : along;
     p_info._dxyzdxi = fe_side->get_dxyzdxi();
     p_info._dxyzdeta = fe_side->get_dxyzdeta();
     p_info._d2xyzdxideta = fe_side->get_d2xyzdxideta();

@@ -10,14 +10,16 @@ contains
     real*8, intent(in)    :: xA(3), xB(3), xC(3), xD(3), xS(3)
     real*8, intent(inout) :: loc(2), gap
     integer :: status, iterations
-    real*8  :: at(2), g
+    real*8  :: at(2), edge(2), g
 
     status = footpoint_locate(xA, xB, xC, xD, xS, loc, gap)
     if (status == FOOTPOINT_OK) return
     status = footpoint_robust(xA, xB, xC, xD, xS, at, g)
     if (status == FOOTPOINT_OUTSIDE) then
+      edge = at
       status = footpoint_newton(xA, xB, xC, xD, xS, 20, 1d-12, at, g, iterations)
-      if (status == FOOTPOINT_OK .and. maxval(abs(at)) <= 1) status = FOOTPOINT_OUTSIDE
+      ! a foot point inside that is not the closest point
+      if (status == FOOTPOINT_OK .and. maxval(abs(at)) <= 1 .and. maxval(abs(at - edge)) > 1d-9) status = FOOTPOINT_OUTSIDE
     end if
     if (status /= FOOTPOINT_OK) return
     loc = at

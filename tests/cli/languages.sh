@@ -304,6 +304,8 @@ FOR_BOTH static inline double sqrt(double x) { return __builtin_sqrt(x); }
 FOR_BOTH static inline float sqrtf(float x) { return __builtin_sqrtf(x); }
 FOR_BOTH static inline double copysign(double x, double y) { return __builtin_copysign(x, y); }
 FOR_BOTH static inline float copysignf(float x, float y) { return __builtin_copysignf(x, y); }
+FOR_BOTH double atan2(double y, double x);
+FOR_BOTH float atan2f(float y, float x);
 FOR_BOTH double frexp(double x, int *exponent);
 FOR_BOTH float frexpf(float x, int *exponent);
 FOR_BOTH double ldexp(double x, int exponent);

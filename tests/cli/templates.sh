@@ -5,11 +5,11 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
 {
     echo '#include <math.h>'
     echo '#ifdef SINGLE'
-    for function in copysign fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
+    for function in atan2 copysign fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
     for name in macros bits power scale products weighted relative height; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for name in again closest edge curve along curved_domain; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in again side corner closest edge curve along curved_domain; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
         columns= rows= names= parameters= segment=
@@ -20,9 +20,9 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             names="$names${names:+, }x$k"
             parameters="$parameters${parameters:+, }const REAL x$k[3]"
         done
-        case $nearest in curved_triangle) shape=triangle ;; *) shape=square ;; esac
-        words="VECTORS SEGMENT_VECTORS NODES COORDINATES SCALED_NODES COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH"
-        printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" \
+        case $kind in tri*) shape=triangle corners=3 ;; *) shape=square corners=4 ;; esac
+        words="VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH"
+        printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" "#define CORNERS $corners" "#define SCALABLE 1" \
             "#define COORDINATES $((3 * others + 3))" "#define SCALED_NODES $nodes" "#define COLUMNS $columns" "#define ROWS $rows" \
             "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
             '#define REACH_TO_GROWTH (reach * reach)'
@@ -31,17 +31,19 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             echo "#define $name $is"
             words="$words $name"
         done
+        closest="inward ${nearest}_nearest fan closest_again closest_arrays"
+        [ "$kind" != quad4 ] || closest="quad4_surface $closest"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
         files="$files arrays over"
         case $nearest in
         '') ;;
-        curved*) files="$files ${nearest}_nearest closest_arrays ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
-        *) files="$files ${nearest}_nearest closest_arrays ${nearest}_along along_again along_calls closest_calls" ;;
+        curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
+        *) files="$files $closest ${nearest}_along along_again along_calls closest_calls" ;;
         esac
         echo "REAL_BITS ${kind}_bare($parameters, REAL zero, REAL *xi, REAL *eta);"
         echo "REAL_BITS ${kind}_checked(const REAL *const *x, int full, REAL zero, REAL *xi, REAL *eta, REAL *gap);"
-        echo "int ${kind}_closest(const REAL *const *x, REAL zero, REAL at[4], int *region);"
+        echo "int ${kind}_closest(const REAL *const *x, REAL zero, REAL at[3], int *region);"
         for name in $files arrays_calls over_calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done
@@ -49,8 +51,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
-double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16'
-float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f'
+double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625'
+float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f'
 float="$float -fsingle-precision-constant -DSINGLE"
 for compiler in 'gcc -std=c99' 'clang -std=c99' 'g++ -std=c++11' 'clang++ -std=c++11'; do
     case $compiler in *++*) source=all.cpp ;; *) source=all.c ;; esac

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #define double long double
+#define atan2 atan2l
 #define sqrt sqrtl
 #define copysign copysignl
 #define fabs fabsl

@@ -114,7 +114,12 @@ static inline wide_number sqrt(wide_number a)
         root = 0.5 * (root + x / root);
     return root * wide_number::power(half);
 }
+static inline wide_number atan2(wide_number a, wide_number b)
+{
+    return atan2((double)a.value, (double)b.value);
+}
 
+#define atan2f atan2
 #define copysignf copysign
 #define fabsf fabs
 #define sqrtf sqrt

@@ -2,6 +2,7 @@
 // codes.
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <vector>
 
 static int failures;
@@ -12,7 +13,7 @@ static void check(const char *name, bool good)
     failures += !good;
 }
 
-static const double face[4][3] = {{0, 0, 0}, {2, 0, 0.1}, {2.2, 1.5, 0}, {0, 1.2, 0.1}};
+static double face[4][3] = {{0, 0, 0}, {2, 0, 0.1}, {2.2, 1.5, 0}, {0, 1.2, 0.1}};
 static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
 // r, r_xi, r_eta and the normal.
@@ -231,6 +232,21 @@ static void moose_test()
           info._off_edge_nodes.size() == 1 && info._off_edge_nodes[0]->number == 2 && info._distance < 0);
     footpoint_moose::findContactPoint(info, &element, &element, type, Vector(NAN, 0, 0), false, 0., on_side, found);
     check("MOOSE: refused", !found);
+    double corner_d[3];
+    std::memcpy(corner_d, face[3], sizeof corner_d);
+    std::memcpy(face[3], face[2], sizeof corner_d); // a triangle
+    for (int behind = 0; behind < 2; behind++) {
+        slave_at(0, 0, behind ? -0.05 : 0.05, xs);
+        double middle[3];
+        slave_at(0, 0, 0, middle);
+        for (int k = 0; k < 3; k++) // straight over the collapsed corner
+            xs[k] += face[2][k] - middle[k];
+        footpoint_moose::findContactPoint(info, &element, &element, type, Vector(xs[0], xs[1], xs[2]), false, 0.,
+                                          on_side, found);
+        check("MOOSE: collapsed corner", found && near(std::fabs(info._distance), 0.05) &&
+                                             (info._distance > 0) == (behind == 1) && near(info._normal.norm(), 1));
+    }
+    std::memcpy(face[3], corner_d, sizeof corner_d);
 }
 
 // ---- NimbleSM, ArborX ----

@@ -16,7 +16,7 @@ FOOTPOINT_FN int footpoint_detail_finite(const REAL *const *x, int n)
 FOOTPOINT_FN int footpoint_detail_scale(const REAL *const *x, int nodes, int vectors, REAL (*y)[3],
                                         int *exponent)
 {
-    REAL most = 0.0;
+    REAL most = 0.0, first, second;
     int i, j;
     if (!footpoint_detail_finite(x, vectors))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -28,9 +28,11 @@ FOOTPOINT_FN int footpoint_detail_scale(const REAL *const *x, int nodes, int vec
     if ((footpoint_detail_below(most, REAL_MIN) | footpoint_detail_infinite(most)) >> REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
-            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+            y[i][j] = i < nodes || i == vectors - 1 ? first * x[i][j] * second : x[i][j];
     return FOOTPOINT_OK;
 }
 

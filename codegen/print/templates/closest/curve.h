@@ -86,18 +86,3 @@ FOOTPOINT_PART REAL footpoint_detail_curve_end(const REAL *a, const REAL *m, con
     *t = second < first - 4.0 * REAL_MARGIN * (first + size) ? v : u;
     return second < first - 4.0 * REAL_MARGIN * (first + size) ? second : first;
 }
-
-/* Tangents u and v, d = xS - r and its square dd to at[2] and at[3], see footpoint_detail_nearest; returns the square of
- * u x v. */
-FOOTPOINT_PART REAL footpoint_detail_side(const REAL u[3], const REAL v[3], const REAL d[3],
-                                          REAL dd, REAL at[4])
-{
-    const REAL nx = u[1] * v[2] - u[2] * v[1];
-    const REAL ny = u[2] * v[0] - u[0] * v[2];
-    const REAL nz = u[0] * v[1] - u[1] * v[0];
-    const REAL nn = nx * nx + ny * ny + nz * nz;
-    const REAL side = d[0] * nx + d[1] * ny + d[2] * nz;
-    at[2] = side < 0.0 ? -dd : dd;
-    at[3] = side * side / (nn * dd + REAL_MIN);
-    return nn;
-}

@@ -1,12 +1,11 @@
 /* The closest point of the closed triangle with curved edges. */
 
 /* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  The normal is that an eighth
- * of the way to the middle. */
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer. */
 FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
-                                                 REAL xi, REAL eta, REAL at[4], int *region)
+                                                 REAL xi, REAL eta, REAL at[3], int *region)
 {
-    REAL c[5][8], places[8], ee[3], t[3], dd[3], u[3], v[3], d[3], e[3], nn, inner, all;
+    REAL c[5][8], places[8], ee[3], t[3], dd[3], u[3], v[3], d[3], m[3], inner, all;
     REAL size, longest, best, edge, edge_u, edge_v, along;
     int within, inside, k, second, last;
     flaw |= footpoint_detail_infinite(xi + eta);
@@ -41,12 +40,13 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
     best = inside ? inner : best;
     xi = inside ? xi : edge_u;
     eta = inside ? eta : edge_v;
+    footpoint_detail_KIND_inward(x, xi, eta, m);
     footpoint_detail_KIND_surface(x, xi, eta, u, v, d);
-    footpoint_detail_KIND_surface(x, 0.875 * xi + 0.125 / 3.0, 0.875 * eta + 0.125 / 3.0, u, v, e);
     at[0] = xi;
     at[1] = eta;
-    nn = footpoint_detail_side(u, v, d, best, at);
+    at[2] = copysign(best, footpoint_detail_side(u, v, m, d, best, size, inside ? 0.0 : 1.0));
     k = last ? 2 : second;
     *region = (1 - inside) * (1 + k + 3 * (along <= -1.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, edge, longest);
+    return footpoint_detail_closest_status(flaw, all, footpoint_detail_dot(m, m), size, least, best,
+                                           edge, longest);
 }

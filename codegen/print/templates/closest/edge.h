@@ -1,18 +1,5 @@
 /* Closest points of straight edges. */
 
-/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
- * being vectorised and is foreseen badly. */
-FOOTPOINT_PART REAL footpoint_detail_step(REAL x)
-{
-    return 0.5 + copysign(0.5, x);
-}
-
-/* a where step is 0, b where it is 1; both finite. */
-FOOTPOINT_PART REAL footpoint_detail_either(REAL step, REAL a, REAL b)
-{
-    return (1.0 - step) * a + step * b;
-}
-
 /* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
  * lies, from 0 to 1; returns the square of their distance. */
 FOOTPOINT_PART REAL footpoint_detail_edge(const REAL a[3], const REAL b[3], const REAL s[3],

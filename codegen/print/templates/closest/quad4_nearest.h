@@ -1,14 +1,14 @@
 /* The closest point of the closed bilinear segment. */
 
 /* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  n, the product of the
- * diagonals, is at right angles to both, so that the height of r over A is that of B times a function of xi and eta. */
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  m, the product of the
+ * diagonals, is 8 times the normal in the middle: normals are linear in xi and eta. */
 FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
-                                                  REAL xi, REAL eta, REAL at[4], int *region)
+                                                  REAL xi, REAL eta, REAL at[3], int *region)
 {
-    REAL e[4][3], p[4][3], ee[4], t[4], dd[4], d[3], f[3], g[3], n[3], nn, size, longest, other;
-    REAL up, on, across, edge, sides, u, v, s, h, inner, room, within, best, side;
-    int left, right, below, above;
+    REAL e[4][3], p[4][3], ee[4], t[4], dd[4], d[3], f[3], g[3], m[3], mm, size, longest, other;
+    REAL up, on, across, edge, sides, u, v, inner, room, within, best;
+    int left, right, below, above, i;
     dd[0] = footpoint_detail_edge(x[0], x[1], x[4], e[0], p[0], &ee[0], &t[0]);
     dd[1] = footpoint_detail_edge(x[1], x[2], x[4], e[1], p[1], &ee[1], &t[1]);
     dd[2] = footpoint_detail_edge(x[3], x[2], x[4], e[2], p[2], &ee[2], &t[2]);
@@ -25,11 +25,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BIT
     edge = sides < edge ? sides : edge;
     u = footpoint_detail_either(across, footpoint_detail_either(up, t[0], t[2]), on);
     v = footpoint_detail_either(across, up, footpoint_detail_either(on, t[3], t[1]));
-    s = 0.5 * (1.0 + xi);
-    h = 0.5 * (1.0 + eta);
-    d[0] = p[0][0] - s * e[0][0] - h * (e[3][0] + s * (e[2][0] - e[0][0]));
-    d[1] = p[0][1] - s * e[0][1] - h * (e[3][1] + s * (e[2][1] - e[0][1]));
-    d[2] = p[0][2] - s * e[0][2] - h * (e[3][2] + s * (e[2][2] - e[0][2]));
+    footpoint_detail_quad4_surface(x, xi, eta, f, g, d);
     inner = footpoint_detail_dot(d, d);
     room = 1.0 - fabs(xi);
     other = 1.0 - fabs(eta);
@@ -42,19 +38,21 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BIT
     best = footpoint_detail_either(within, edge, inner);
     footpoint_detail_from(x[0], x[2], f);
     footpoint_detail_from(x[1], x[3], g);
-    footpoint_detail_cross(f, g, n);
-    side = footpoint_detail_dot(n, p[0]) - 0.5 * footpoint_detail_dot(n, e[0]) * (1.0 - xi * eta);
+    footpoint_detail_cross(f, g, m);
+    mm = footpoint_detail_dot(m, m);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        m[i] *= 0.125 * REAL_INWARD;
+    footpoint_detail_quad4_surface(x, xi, eta, f, g, d);
     at[0] = xi;
     at[1] = eta;
-    nn = footpoint_detail_dot(n, n);
-    at[2] = copysign(best, side);
-    at[3] = side * side / (nn * best + REAL_MIN);
+    at[2] = copysign(best, footpoint_detail_side(f, g, m, d, best, size, 1.0 - within));
     left = xi <= -1.0;
     right = xi >= 1.0;
     below = eta <= -1.0;
     above = eta >= 1.0;
     *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
     return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(inner),
-                                           p[0][0] + p[0][1] + p[0][2], nn, size, least, best, edge,
+                                           p[0][0] + p[0][1] + p[0][2], mm, size, least, best, edge,
                                            longest);
 }

@@ -3,10 +3,10 @@
 /* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
  * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
-                                                 REAL xi, REAL eta, REAL at[4], int *region)
+                                                 REAL xi, REAL eta, REAL at[3], int *region)
 {
     REAL e[3][3], p[3][3], ee[3], t[3], dd[3], d[3], n[3], nn, size, longest, other;
-    REAL second, third, edge, along, u, v, inner, room, within, best, side;
+    REAL second, third, edge, along, u, v, inner, room, within, best;
     int last, k;
     dd[0] = footpoint_detail_edge(x[0], x[1], x[3], e[0], p[0], &ee[0], &t[0]);
     dd[1] = footpoint_detail_edge(x[1], x[2], x[3], e[1], p[1], &ee[1], &t[1]);
@@ -34,11 +34,12 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS
     at[0] = footpoint_detail_either(within, u, xi);
     at[1] = footpoint_detail_either(within, v, eta);
     best = footpoint_detail_either(within, edge, inner);
+    d[0] = p[0][0] - at[0] * e[0][0] + at[1] * e[2][0];
+    d[1] = p[0][1] - at[0] * e[0][1] + at[1] * e[2][1];
+    d[2] = p[0][2] - at[0] * e[0][2] + at[1] * e[2][2];
     footpoint_detail_cross(e[2], e[0], n);
-    side = footpoint_detail_dot(n, p[0]);
     nn = footpoint_detail_dot(n, n);
-    at[2] = copysign(best, side);
-    at[3] = side * side / (nn * best + REAL_MIN);
+    at[2] = copysign(best, footpoint_detail_facing(n, d, best, size, ee[0] * ee[2], 1.0 - within));
     last = third > 0.5;
     k = (second > 0.5) * (1 - last) + 2 * last;
     *region = (within < 0.5) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));

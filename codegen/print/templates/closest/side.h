@@ -1,0 +1,44 @@
+/* The sign of distances: on which side of a face a slave node lies.  All kinds and functions share this one rule. */
+
+/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
+ * being vectorised and is foreseen badly. */
+FOOTPOINT_PART REAL footpoint_detail_step(REAL x)
+{
+    return 0.5 + copysign(0.5, x);
+}
+
+/* a where step is 0, b where it is 1; both finite. */
+FOOTPOINT_PART REAL footpoint_detail_either(REAL step, REAL a, REAL b)
+{
+    return (1.0 - step) * a + step * b;
+}
+
+/* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
+ * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the product
+ * of the vectors whose cross product n is. */
+FOOTPOINT_PART REAL footpoint_detail_facing(const REAL n[3], const REAL d[3], REAL dd, REAL size,
+                                            REAL spread, REAL edge)
+{
+    const REAL ahead = footpoint_detail_dot(n, d), nn = footpoint_detail_dot(n, n);
+    const REAL beside =
+        nn * (REAL_ANGLE * dd + REAL_SMALL * size) + REAL_SMALL * (dd * spread) + REAL_MIN;
+    return ahead * fabs(ahead) + edge * beside;
+}
+
+/* The same for the normal u x v, u = r_xi and v = r_eta, or, where that vanishes, as it does at collapsed and at straight
+ * corners, for m, the normal at a point REAL_INWARD of the way to the middle. */
+FOOTPOINT_PART REAL footpoint_detail_side(const REAL u[3], const REAL v[3], const REAL m[3],
+                                          const REAL d[3], REAL dd, REAL size, REAL edge)
+{
+    const REAL spread = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v);
+    REAL n[3], large;
+    int i;
+    footpoint_detail_cross(u, v, n);
+    large = footpoint_detail_step(footpoint_detail_dot(n, n) -
+                                  REAL_INWARD * REAL_INWARD * footpoint_detail_dot(m, m));
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        n[i] = footpoint_detail_either(large, m[i], n[i]);
+    return footpoint_detail_facing(n, d, dd, size, spread, edge);
+}
