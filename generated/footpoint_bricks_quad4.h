@@ -436,10 +436,23 @@ FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
     return (1.0 - step) * a + step * b;
 }
 
+/* By how much the square dd of the distance of a point inside may exceed that of a point of an edge and still be taken: by the
+ * rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta as far as rounding lets it be; if it is not, no
+ * foot point lies there, and dd has to be less by as much. */
+FOOTPOINT_PART double footpoint_detail_leeway(const double u[3], const double v[3], const double d[3],
+                                              double dd, double size)
+{
+    const double ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
+    const double tilt = 4e-16 * dd + 1e-29 * size;
+    const double over = tilt * footpoint_detail_dot(u, u) - ud * ud;
+    const double other = tilt * footpoint_detail_dot(v, v) - vd * vd;
+    return copysign(4e-16 * (dd + size), other < over ? other : over);
+}
+
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
- * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the product
- * of the vectors whose cross product n is. */
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
+ * whose differences n is. */
 FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[3], double dd, double size,
                                               double spread, double edge)
 {
@@ -454,7 +467,7 @@ FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[
 FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double m[3],
                                             const double d[3], double dd, double size, double edge)
 {
-    const double spread = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v);
+    const double spread = size * (footpoint_detail_dot(u, u) + footpoint_detail_dot(v, v));
     double n[3], large;
     int i;
     footpoint_detail_cross(u, v, n);
@@ -636,7 +649,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_inward(const double *const *x, double
 }
 
 /* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  m, the product of the
+ * footpoint_detail_nearest.  Where rounding hides which is nearer, see footpoint_detail_leeway.  m, the product of the
  * diagonals, is 8 times the normal in the middle: normals are linear in xi and eta. */
 FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsigned long long flaw, double least,
                                                   double xi, double eta, double at[3], int *region)
@@ -665,9 +678,9 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsign
     room = 1.0 - fabs(xi);
     other = 1.0 - fabs(eta);
     room = other < room ? other : room;
-    other = edge + 4e-16 * (edge + size) - inner;
+    other = edge + footpoint_detail_leeway(f, g, d, inner, size) - inner;
     room = other < room ? other : room;
-    within = footpoint_detail_step(room);
+    within = footpoint_detail_step(room - 2.2250738585072014e-308);
     xi = footpoint_detail_either(within, 2.0 * u - 1.0, xi);
     eta = footpoint_detail_either(within, 2.0 * v - 1.0, eta);
     best = footpoint_detail_either(within, edge, inner);

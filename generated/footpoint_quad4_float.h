@@ -539,10 +539,23 @@ FOOTPOINT_PART float footpoint_detail_f_either(float step, float a, float b)
     return (1.0f - step) * a + step * b;
 }
 
+/* By how much the square dd of the distance of a point inside may exceed that of a point of an edge and still be taken: by the
+ * rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta as far as rounding lets it be; if it is not, no
+ * foot point lies there, and dd has to be less by as much. */
+FOOTPOINT_PART float footpoint_detail_f_leeway(const float u[3], const float v[3], const float d[3],
+                                               float dd, float size)
+{
+    const float ud = footpoint_detail_f_dot(u, d), vd = footpoint_detail_f_dot(v, d);
+    const float tilt = 2e-7f * dd + 1e-12f * size;
+    const float over = tilt * footpoint_detail_f_dot(u, u) - ud * ud;
+    const float other = tilt * footpoint_detail_f_dot(v, v) - vd * vd;
+    return copysignf(2e-7f * (dd + size), other < over ? other : over);
+}
+
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
- * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the product
- * of the vectors whose cross product n is. */
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
+ * whose differences n is. */
 FOOTPOINT_PART float footpoint_detail_f_facing(const float n[3], const float d[3], float dd, float size,
                                                float spread, float edge)
 {
@@ -557,7 +570,7 @@ FOOTPOINT_PART float footpoint_detail_f_facing(const float n[3], const float d[3
 FOOTPOINT_PART float footpoint_detail_f_side(const float u[3], const float v[3], const float m[3],
                                              const float d[3], float dd, float size, float edge)
 {
-    const float spread = footpoint_detail_f_dot(u, u) * footpoint_detail_f_dot(v, v);
+    const float spread = size * (footpoint_detail_f_dot(u, u) + footpoint_detail_f_dot(v, v));
     float n[3], large;
     int i;
     footpoint_detail_f_cross(u, v, n);
@@ -739,7 +752,7 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_inward(const float *const *x, float
 }
 
 /* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_f_nearest.  A point inside is taken where rounding hides which is nearer.  m, the product of the
+ * footpoint_detail_f_nearest.  Where rounding hides which is nearer, see footpoint_detail_f_leeway.  m, the product of the
  * diagonals, is 8 times the normal in the middle: normals are linear in xi and eta. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_nearest(const float *const *x, unsigned int flaw, float least,
                                                     float xi, float eta, float at[3], int *region)
@@ -768,9 +781,9 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_nearest(const float *const *x, unsig
     room = 1.0f - fabsf(xi);
     other = 1.0f - fabsf(eta);
     room = other < room ? other : room;
-    other = edge + 2e-7f * (edge + size) - inner;
+    other = edge + footpoint_detail_f_leeway(f, g, d, inner, size) - inner;
     room = other < room ? other : room;
-    within = footpoint_detail_f_step(room);
+    within = footpoint_detail_f_step(room - 1.1754944e-38f);
     xi = footpoint_detail_f_either(within, 2.0f * u - 1.0f, xi);
     eta = footpoint_detail_f_either(within, 2.0f * v - 1.0f, eta);
     best = footpoint_detail_f_either(within, edge, inner);

@@ -455,10 +455,23 @@ FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
     return (1.0 - step) * a + step * b;
 }
 
+/* By how much the square dd of the distance of a point inside may exceed that of a point of an edge and still be taken: by the
+ * rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta as far as rounding lets it be; if it is not, no
+ * foot point lies there, and dd has to be less by as much. */
+FOOTPOINT_PART double footpoint_detail_leeway(const double u[3], const double v[3], const double d[3],
+                                              double dd, double size)
+{
+    const double ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
+    const double tilt = 4e-16 * dd + 1e-29 * size;
+    const double over = tilt * footpoint_detail_dot(u, u) - ud * ud;
+    const double other = tilt * footpoint_detail_dot(v, v) - vd * vd;
+    return copysign(4e-16 * (dd + size), other < over ? other : over);
+}
+
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
- * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the product
- * of the vectors whose cross product n is. */
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
+ * whose differences n is. */
 FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[3], double dd, double size,
                                               double spread, double edge)
 {
@@ -473,7 +486,7 @@ FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[
 FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double m[3],
                                             const double d[3], double dd, double size, double edge)
 {
-    const double spread = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v);
+    const double spread = size * (footpoint_detail_dot(u, u) + footpoint_detail_dot(v, v));
     double n[3], large;
     int i;
     footpoint_detail_cross(u, v, n);
@@ -635,13 +648,14 @@ FOOTPOINT_PART void footpoint_detail_tri3_inward(const double *const *x, double 
     footpoint_detail_cross(u, v, m);
 }
 
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer. */
+/* The foot point, where it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point
+ * (xi,eta) of the search is found once more, from areas: the search's Gram determinant has rounding errors that grow with the
+ * square of the aspect ratio.  The distance of a point inside is the one to the plane, whatever the errors of xi and eta are. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearest(const double *const *x, unsigned long long flaw, double least,
                                                  double xi, double eta, double at[3], int *region)
 {
-    double e[3][3], p[3][3], ee[3], t[3], dd[3], d[3], n[3], nn, size, longest, other;
-    double second, third, edge, along, u, v, inner, room, within, best;
+    double e[3][3], p[3][3], ee[3], t[3], dd[3], d[3], n[3], f[3], nn, size, longest, other;
+    double second, third, edge, along, u, v, ahead, room, within, best;
     int last, k;
     dd[0] = footpoint_detail_edge(x[0], x[1], x[3], e[0], p[0], &ee[0], &t[0]);
     dd[1] = footpoint_detail_edge(x[1], x[2], x[3], e[1], p[1], &ee[1], &t[1]);
@@ -656,29 +670,28 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearest(const double *const *x, unsigne
     along = footpoint_detail_either(third, footpoint_detail_either(second, t[0], t[1]), t[2]);
     u = (1.0 - third) * footpoint_detail_either(second, t[0], 1.0 - t[1]);
     v = footpoint_detail_either(third, second * t[1], 1.0 - t[2]);
-    d[0] = p[0][0] - xi * e[0][0] + eta * e[2][0];
-    d[1] = p[0][1] - xi * e[0][1] + eta * e[2][1];
-    d[2] = p[0][2] - xi * e[0][2] + eta * e[2][2];
-    inner = footpoint_detail_dot(d, d);
+    footpoint_detail_cross(e[2], e[0], n);
+    nn = footpoint_detail_dot(n, n) + 2.2250738585072014e-308;
+    footpoint_detail_cross(e[2], p[0], f);
+    xi = footpoint_detail_dot(f, n) / nn;
+    footpoint_detail_cross(e[0], p[0], f);
+    eta = footpoint_detail_dot(f, n) / nn;
     room = xi < eta ? xi : eta;
     other = 1.0 - (xi + eta);
-    room = other < room ? other : room;
-    other = edge + 4e-16 * (edge + size) - inner;
     room = other < room ? other : room;
     within = footpoint_detail_step(room - 2.2250738585072014e-308);
     at[0] = footpoint_detail_either(within, u, xi);
     at[1] = footpoint_detail_either(within, v, eta);
-    best = footpoint_detail_either(within, edge, inner);
     d[0] = p[0][0] - at[0] * e[0][0] + at[1] * e[2][0];
     d[1] = p[0][1] - at[0] * e[0][1] + at[1] * e[2][1];
     d[2] = p[0][2] - at[0] * e[0][2] + at[1] * e[2][2];
-    footpoint_detail_cross(e[2], e[0], n);
-    nn = footpoint_detail_dot(n, n);
+    ahead = footpoint_detail_dot(n, d);
+    best = footpoint_detail_either(within, edge, ahead * ahead / nn);
     at[2] = copysign(best, footpoint_detail_facing(n, d, best, size, ee[0] * ee[2], 1.0 - within));
     last = third > 0.5;
     k = (second > 0.5) * (1 - last) + 2 * last;
     *region = (within < 0.5) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(inner),
+    return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(ahead),
                                            p[0][0] + p[0][1] + p[0][2], nn, size, least, best, edge,
                                            longest);
 }

@@ -67,6 +67,9 @@ static int ask_all(const struct kind *k, const double *x, struct answer a[8])
     n++;
     a[n] = (struct answer){.who = "footpoint_quad4_accurate_closest"};
     a[n].status = footpoint_quad4_accurate_closest(x, x + 3, x + 6, x + 9, s, a[n].loc, &a[n].dist, &a[n].region);
+    n++;
+    a[n] = (struct answer){.who = "footpoint_quad4_full_closest"};
+    a[n].status = footpoint_quad4_full_closest(x, x + 3, x + 6, x + 9, s, a[n].loc, &a[n].dist, &a[n].region);
     return n + 1;
 }
 
@@ -208,9 +211,61 @@ static void draw_node(gsl_rng *stream, const struct kind *k, double beside, doub
         xs[i] = x[c][i] + t * e[i] + (beside > 0 ? -beside / sqrt(size) : 0.3) * w[i] - (i == 2 ? below : 0);
 }
 
+/* A slave node in the plane of a face whose corner c is also the next one: beside that point, at right angles to an edge that
+ * leaves it, so that points inside are as near as rounding can tell. */
+static void draw_beside_collapsed(gsl_rng *stream, int c, double beside, double (*x)[3])
+{
+    const int ahead = (int)gsl_rng_uniform_int(stream, 2), along = (c + (ahead ? 2 : 3)) % 4;
+    const int other = (c + (ahead ? 3 : 2)) % 4;
+    double ee = 0, we = 0, size = 0, e[3], w[3];
+    for (int i = 0; i < 3; i++) {
+        e[i] = x[along][i] - x[c][i];
+        w[i] = x[other][i] - x[c][i];
+        ee += e[i] * e[i];
+        we += w[i] * e[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        w[i] -= we / ee * e[i];
+        size += w[i] * w[i];
+    }
+    for (int i = 0; i < 3; i++)
+        x[4][i] = x[c][i] - beside / sqrt(size) * w[i];
+}
+
 static int penetrates(const struct answer *a)
 {
     return a->status == FOOTPOINT_OK && a->dist < 0 && a->region == 0;
+}
+
+static void nodes_beside_collapsed_corners_do_not_penetrate(void **state)
+{
+    (void)state;
+    gsl_rng *stream = gsl_rng_alloc(gsl_rng_taus2);
+    gsl_rng_set(stream, SEED + 3);
+    for (int m = 2; m < KINDS; m++)
+        for (long n = 0; n < samples(); n++) {
+            const struct kind *const k = &kinds[m];
+            const int c = (int)(n % 4), away = (int)(n / 4 % 2);
+            double x[MOST][3];
+            struct answer a[8];
+            draw_corners(stream, k, x);
+            spoil(stream, c, 0, x);
+            draw_beside_collapsed(stream, c, pow(10, gsl_ran_flat(stream, away ? -6 : -9, -0.2)), x);
+            memcpy(x[k->nodes], x[4], sizeof *x);
+            add_middles(k, x);
+            move(stream, x, k->nodes + 1, away ? FAR : 0);
+            memcpy(x[k->corners + c], x[c], k->nodes > 4 ? sizeof *x : 0);
+            const double away_from = distance(x[c], x[k->nodes]);
+            const int all = ask_all(k, x[0], a);
+            for (int i = 0; i < all; i++) {
+                if (penetrates(&a[i]) || (!away && a[i].status >= FOOTPOINT_OK && a[i].dist < 0))
+                    fail_msg("%d nodes, sample %ld: %s: region %d, %g", k->nodes, n, a[i].who, a[i].region, a[i].dist);
+                if (a[i].status == FOOTPOINT_OK && fabs(fabs(a[i].dist) - away_from) > (away ? 1e-9 : 1e-14))
+                    fail_msg("%d nodes, sample %ld: %s: distance %g, not %g", k->nodes, n, a[i].who, a[i].dist,
+                             away_from);
+            }
+        }
+    gsl_rng_free(stream);
 }
 
 static void nodes_beside_do_not_penetrate(void **state)
@@ -273,6 +328,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(corners_without_normals),
         cmocka_unit_test(nodes_beside_do_not_penetrate),
+        cmocka_unit_test(nodes_beside_collapsed_corners_do_not_penetrate),
         cmocka_unit_test(nodes_below_penetrate),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -245,6 +245,31 @@ static void ridges_and_valleys(void **state)
     gsl_rng_free(stream);
 }
 
+/* ---- slim triangles ---- */
+
+/* Two triangles of a slim wall that meet at right angles with one of the plate under it; the slave node within 1e-10 of the wall,
+ * so that errors in xi and eta, aspect ratio times rounding, are larger than its distance. */
+static void slim_triangles(void **state)
+{
+    (void)state;
+    const struct function *const f = &functions[0];
+    gsl_rng *stream = gsl_rng_alloc(gsl_rng_taus2);
+    gsl_rng_set(stream, SEED + 2);
+    for (long n = 0; n < samples(); n++) {
+        const double h = pow(10, gsl_ran_flat(stream, -5, -2)), t = gsl_ran_flat(stream, 0.05, 0.95);
+        const double deep = pow(10, gsl_ran_flat(stream, -12, -10)), below = h * pow(10, gsl_ran_flat(stream, -7, -1));
+        const int outside = (int)(n & 1);
+        const double faces[3][3][3] = {
+            {{0, 0, h}, {1, 1, h}, {0, 1, h}}, {{0, 1, 0}, {0, 1, h}, {1, 1, 0}}, {{0, 1, h}, {1, 1, h}, {1, 1, 0}}};
+        struct patch p = {.faces = 3, .xs = {t, outside ? 1 + deep : 1 - deep, h - below}};
+        for (int k = 0; k < 3; k++)
+            memcpy(p.x[(n / 2 + k) % 3], faces[k], sizeof faces[k]);
+        if (below > 2 * deep)
+            ask(f, &p, outside ? 1 : -1, "slim triangle", deep);
+    }
+    gsl_rng_free(stream);
+}
+
 /* ---- corners ---- */
 
 /* Faces around a corner at 0, seen from above in order of their azimuths: ends[k] to ends[k + 1], all of them below or above the
@@ -377,6 +402,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ridges_and_valleys),
+        cmocka_unit_test(slim_triangles),
         cmocka_unit_test(corners),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

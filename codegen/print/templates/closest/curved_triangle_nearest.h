@@ -1,7 +1,7 @@
 /* The closest point of the closed triangle with curved edges. */
 
 /* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer. */
+ * footpoint_detail_nearest.  Where rounding hides which is nearer, see footpoint_detail_leeway. */
 FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                  REAL xi, REAL eta, REAL at[3], int *region)
 {
@@ -34,7 +34,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
     eta = within ? eta : edge_v;
     footpoint_detail_KIND_surface(x, xi, eta, u, v, d);
     inner = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    inside = within & (inner <= best + REAL_MARGIN * (best + size));
+    inside = within & (inner <= best + footpoint_detail_leeway(u, v, d, inner, size));
     all = dd[0] + dd[1] + dd[2] + inner;
     edge = best;
     best = inside ? inner : best;

@@ -1,7 +1,7 @@
 /* The closest point of the closed bilinear segment. */
 
 /* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  m, the product of the
+ * footpoint_detail_nearest.  Where rounding hides which is nearer, see footpoint_detail_leeway.  m, the product of the
  * diagonals, is 8 times the normal in the middle: normals are linear in xi and eta. */
 FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                   REAL xi, REAL eta, REAL at[3], int *region)
@@ -30,9 +30,9 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BIT
     room = 1.0 - fabs(xi);
     other = 1.0 - fabs(eta);
     room = other < room ? other : room;
-    other = edge + REAL_MARGIN * (edge + size) - inner;
+    other = edge + footpoint_detail_leeway(f, g, d, inner, size) - inner;
     room = other < room ? other : room;
-    within = footpoint_detail_step(room);
+    within = footpoint_detail_step(room - REAL_MIN);
     xi = footpoint_detail_either(within, 2.0 * u - 1.0, xi);
     eta = footpoint_detail_either(within, 2.0 * v - 1.0, eta);
     best = footpoint_detail_either(within, edge, inner);

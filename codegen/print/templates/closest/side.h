@@ -13,10 +13,23 @@ FOOTPOINT_PART REAL footpoint_detail_either(REAL step, REAL a, REAL b)
     return (1.0 - step) * a + step * b;
 }
 
+/* By how much the square dd of the distance of a point inside may exceed that of a point of an edge and still be taken: by the
+ * rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta as far as rounding lets it be; if it is not, no
+ * foot point lies there, and dd has to be less by as much. */
+FOOTPOINT_PART REAL footpoint_detail_leeway(const REAL u[3], const REAL v[3], const REAL d[3],
+                                            REAL dd, REAL size)
+{
+    const REAL ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
+    const REAL tilt = REAL_MARGIN * dd + REAL_SMALL * size;
+    const REAL over = tilt * footpoint_detail_dot(u, u) - ud * ud;
+    const REAL other = tilt * footpoint_detail_dot(v, v) - vd * vd;
+    return copysign(REAL_MARGIN * (dd + size), other < over ? other : over);
+}
+
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
- * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the product
- * of the vectors whose cross product n is. */
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
+ * whose differences n is. */
 FOOTPOINT_PART REAL footpoint_detail_facing(const REAL n[3], const REAL d[3], REAL dd, REAL size,
                                             REAL spread, REAL edge)
 {
@@ -31,7 +44,7 @@ FOOTPOINT_PART REAL footpoint_detail_facing(const REAL n[3], const REAL d[3], RE
 FOOTPOINT_PART REAL footpoint_detail_side(const REAL u[3], const REAL v[3], const REAL m[3],
                                           const REAL d[3], REAL dd, REAL size, REAL edge)
 {
-    const REAL spread = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v);
+    const REAL spread = size * (footpoint_detail_dot(u, u) + footpoint_detail_dot(v, v));
     REAL n[3], large;
     int i;
     footpoint_detail_cross(u, v, n);

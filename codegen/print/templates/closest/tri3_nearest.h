@@ -1,12 +1,13 @@
 /* The closest point of the closed triangle. */
 
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer. */
+/* The foot point, where it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point
+ * (xi,eta) of the search is found once more, from areas: the search's Gram determinant has rounding errors that grow with the
+ * square of the aspect ratio.  The distance of a point inside is the one to the plane, whatever the errors of xi and eta are. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                  REAL xi, REAL eta, REAL at[3], int *region)
 {
-    REAL e[3][3], p[3][3], ee[3], t[3], dd[3], d[3], n[3], nn, size, longest, other;
-    REAL second, third, edge, along, u, v, inner, room, within, best;
+    REAL e[3][3], p[3][3], ee[3], t[3], dd[3], d[3], n[3], f[3], nn, size, longest, other;
+    REAL second, third, edge, along, u, v, ahead, room, within, best;
     int last, k;
     dd[0] = footpoint_detail_edge(x[0], x[1], x[3], e[0], p[0], &ee[0], &t[0]);
     dd[1] = footpoint_detail_edge(x[1], x[2], x[3], e[1], p[1], &ee[1], &t[1]);
@@ -21,29 +22,28 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS
     along = footpoint_detail_either(third, footpoint_detail_either(second, t[0], t[1]), t[2]);
     u = (1.0 - third) * footpoint_detail_either(second, t[0], 1.0 - t[1]);
     v = footpoint_detail_either(third, second * t[1], 1.0 - t[2]);
-    d[0] = p[0][0] - xi * e[0][0] + eta * e[2][0];
-    d[1] = p[0][1] - xi * e[0][1] + eta * e[2][1];
-    d[2] = p[0][2] - xi * e[0][2] + eta * e[2][2];
-    inner = footpoint_detail_dot(d, d);
+    footpoint_detail_cross(e[2], e[0], n);
+    nn = footpoint_detail_dot(n, n) + REAL_MIN;
+    footpoint_detail_cross(e[2], p[0], f);
+    xi = footpoint_detail_dot(f, n) / nn;
+    footpoint_detail_cross(e[0], p[0], f);
+    eta = footpoint_detail_dot(f, n) / nn;
     room = xi < eta ? xi : eta;
     other = 1.0 - (xi + eta);
-    room = other < room ? other : room;
-    other = edge + REAL_MARGIN * (edge + size) - inner;
     room = other < room ? other : room;
     within = footpoint_detail_step(room - REAL_MIN);
     at[0] = footpoint_detail_either(within, u, xi);
     at[1] = footpoint_detail_either(within, v, eta);
-    best = footpoint_detail_either(within, edge, inner);
     d[0] = p[0][0] - at[0] * e[0][0] + at[1] * e[2][0];
     d[1] = p[0][1] - at[0] * e[0][1] + at[1] * e[2][1];
     d[2] = p[0][2] - at[0] * e[0][2] + at[1] * e[2][2];
-    footpoint_detail_cross(e[2], e[0], n);
-    nn = footpoint_detail_dot(n, n);
+    ahead = footpoint_detail_dot(n, d);
+    best = footpoint_detail_either(within, edge, ahead * ahead / nn);
     at[2] = copysign(best, footpoint_detail_facing(n, d, best, size, ee[0] * ee[2], 1.0 - within));
     last = third > 0.5;
     k = (second > 0.5) * (1 - last) + 2 * last;
     *region = (within < 0.5) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(inner),
+    return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(ahead),
                                            p[0][0] + p[0][1] + p[0][2], nn, size, least, best, edge,
                                            longest);
 }
