@@ -686,7 +686,8 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearest(const double *const *x, unsigne
     d[1] = p[0][1] - at[0] * e[0][1] + at[1] * e[2][1];
     d[2] = p[0][2] - at[0] * e[0][2] + at[1] * e[2][2];
     ahead = footpoint_detail_dot(n, d);
-    best = footpoint_detail_either(within, edge, ahead * ahead / nn);
+    ahead *= ahead / nn;
+    best = footpoint_detail_either(within, edge, ahead);
     at[2] = copysign(best, footpoint_detail_facing(n, d, best, size, ee[0] * ee[2], 1.0 - within));
     last = third > 0.5;
     k = (second > 0.5) * (1 - last) + 2 * last;
