@@ -980,7 +980,7 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_descend(const float *const *x, floa
         footpoint_detail_f_square_clamp(at, to);
         footpoint_detail_f_quad4_surface(x, to[0], to[1], a, b, e);
         ee = footpoint_detail_f_dot(e, e);
-        if (ee > dd + 2e-7f * (dd + sqrtf(dd * (uu + vv)) + 2e-7f * (uu + vv))) {
+        if (ee > dd + 2e-7f * (dd + 8.0f * sqrtf(dd) + 2e-7f)) { /* more than rounding */
             damp = damp > 0.0f ? 10.0f * damp : 1e-3f;
             continue;
         }

@@ -877,7 +877,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_descend(const double *const *x, doubl
         footpoint_detail_square_clamp(at, to);
         footpoint_detail_quad4_surface(x, to[0], to[1], a, b, e);
         ee = footpoint_detail_dot(e, e);
-        if (ee > dd + 4e-16 * (dd + sqrt(dd * (uu + vv)) + 4e-16 * (uu + vv))) {
+        if (ee > dd + 4e-16 * (dd + 8.0 * sqrt(dd) + 4e-16)) { /* more than rounding */
             damp = damp > 0.0 ? 10.0 * damp : 1e-3;
             continue;
         }

@@ -869,7 +869,7 @@ FOOTPOINT_COLD void footpoint_detail_tri3_descend(const double *const *x, double
         footpoint_detail_triangle_clamp(at, to);
         footpoint_detail_tri3_surface(x, to[0], to[1], a, b, e);
         ee = footpoint_detail_dot(e, e);
-        if (ee > dd + 4e-16 * (dd + sqrt(dd * (uu + vv)) + 4e-16 * (uu + vv))) {
+        if (ee > dd + 4e-16 * (dd + 8.0 * sqrt(dd) + 4e-16)) { /* more than rounding */
             damp = damp > 0.0 ? 10.0 * damp : 1e-3;
             continue;
         }

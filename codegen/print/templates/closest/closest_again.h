@@ -45,7 +45,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_descend(const REAL *const *x, REAL at[
         footpoint_detail_SHAPE_clamp(at, to);
         footpoint_detail_KIND_surface(x, to[0], to[1], a, b, e);
         ee = footpoint_detail_dot(e, e);
-        if (ee > dd + REAL_MARGIN * (dd + sqrt(dd * (uu + vv)) + REAL_MARGIN * (uu + vv))) {
+        if (ee > dd + REAL_MARGIN * (dd + 8.0 * sqrt(dd) + REAL_MARGIN)) { /* more than rounding */
             damp = damp > 0.0 ? 10.0 * damp : 1e-3;
             continue;
         }
