@@ -11,6 +11,14 @@ CXX := g++
 endif
 
 MAKEFLAGS += --no-builtin-rules
+# All processors, unless the caller gives -j, or several goals of which some do more than build: these follow one another.
+ACTIONS := clean check check-long regenerate front bench calibrate perceptrons report rivals paper install install-runtime \
+           uninstall dist abi
+goals   := $(filter-out deps%,$(MAKECMDGOALS))
+given_j := $(filter -j% --jobs%,$(MAKEFLAGS) $(shell echo "$$MAKEFLAGS"))
+ifeq ($(MAKELEVEL)$(given_j)$(and $(word 2,$(goals)),$(filter $(ACTIONS),$(goals))),0)
+MAKEFLAGS += -j$(or $(JOBS),$(shell nproc))
+endif
 .SUFFIXES:
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -30,6 +38,8 @@ $(call demand,CONFIG,$(call one_of,CONFIG,$(CONFIGS)),not a configuration; there
 $(call demand,RANKS,$(call positive,RANKS),not a number of ranks)
 $(call demand,GENERATIONS,$(call whole,GENERATIONS),not a number of generations)
 $(call demand,SEED,$(call whole,SEED),not a whole number)
+scene_file = $(if $(findstring /,$(1))$(filter %.scene,$(1)),$(1),evolve/scenes/$(1).scene)
+$(foreach scene,$(SCENE),$(call demand,SCENE,$(wildcard $(call scene_file,$(scene))),there is no $(call scene_file,$(scene))))
 ifneq ($(JOBS),)
 $(call demand,JOBS,$(call positive,JOBS),not a number of jobs)
 endif
@@ -82,9 +92,13 @@ test_lib    := $(filter-out $(test_main),$(call sources,tests/support tests/riva
 bench_isa   := bench_methods bench_calls
 bench_lib   := $(filter-out tests/bench/bench_gregory.c $(bench_isa:%=tests/bench/%.c),$(call sources,tests/bench))
 
-# Instruction sets that the methods of the bench are compiled for; the bench takes the best that its machine has.
-ALL_ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
-ISAS     ?= $(ALL_ISAS)
+# Instruction sets that the methods of the bench are compiled for: this machine's, or those that ISAS= names, of which the
+# bench uses the best that its machine has.
+ALL_ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2> /dev/null)),x86-64 x86-64-v3 x86-64-v4,portable)
+best_isa  = $(if $(filter __AVX512VL__,$(1)),x86-64-v4,$(if $(filter __AVX2__,$(1)),x86-64-v3,x86-64))
+ifndef ISAS
+ISAS := $(or $(filter portable,$(ALL_ISAS)),$(call best_isa,$(shell $(CC) -march=native -dM -E -x c /dev/null)))
+endif
 $(call demand,ISAS,$(if $(filter-out $(ALL_ISAS) quick,$(ISAS)),,$(ISAS)),not instruction sets of the bench; there are $(ALL_ISAS))
 
 object = $(patsubst %.c,$(OBJ)/%.o,$(1))
@@ -119,8 +133,15 @@ $(call object,$(runtime_lib)): private CFLAGS += -fPIC -fno-semantic-interpositi
 # Tests call what is optimised; they themselves need not be.
 $(call object,$(test_main)): private CFLAGS += $(TEST_OPT_$(CONFIG))
 
-# A file with one line, written where that is new.
-line = mkdir -p $(@D) && { [ "$$(cat $@ 2> /dev/null)" = '$(1)' ] || echo '$(1)' > $@; }
+# $(call line,FILE,VARIABLE,CHECK): a file that contains the value of a variable, out of date if it contains another.
+define line
+ifneq ($$(file < $(1)),$$(strip $$($(2))))
+$(1): FORCE
+endif
+$(1):
+	$(Q)mkdir -p $$(@D)$(if $(3), && $(3)) && echo '$$(strip $$($(2)))' > $$@
+endef
+FORCE:
 
 # Templates of headers, as a table that codegen is compiled with.
 CFLAGS_templates := -I$(OBJ)
@@ -130,10 +151,10 @@ $(OBJ)/templates.inc: codegen/print/templates.awk $(wildcard codegen/print/templ
 	$(call say,GEN,$@)
 	$(Q)awk -f $< $(filter %.h,$^) > $@
 
-# New flags rebuild everything.
-$(OBJ)/flags: FORCE
-	@$(call line,$(CC) $(CFLAGS))
-FORCE:
+# New flags rebuild everything, if the compiler takes them.
+flags = $(CC) $(CFLAGS)
+$(eval $(call line,$(OBJ)/flags,flags,echo 'int footpoint;' | $$(flags) -fsyntax-only -x c -))
+$(OBJ)/flags check check-long: | $(filter deps%,$(MAKECMDGOALS))
 
 -include $(wildcard $(addprefix $(OBJ)/,*/*.d */*/*.d */*/*/*.d))
 
@@ -160,12 +181,12 @@ OWN     := $(filter-out $(SHIPPED),$(basename $(notdir $(SCENE))))
 METHODS := $(wildcard $(GENERATED) $(foreach scene,$(OWN),$(call header_of,$(scene))))
 DOUBLES := $(if $(METHODS),$(shell awk '/^ . precision: double/ { print FILENAME }' $(METHODS)))
 
-all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
+all: codegen runtime evolve calibrate-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
 evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
 runtime: $(LIB).a $(LIB)_ccx.a $(LIB).so $(MODULE) ## build the runtime library alone
 calibrate-program: $(BIN)/footpoint-calibrate
-bench-program: $(BIN)/footpoint-bench
+bench-program: $(BIN)/footpoint-bench ## build the bench: ISAS= of x86-64 x86-64-v3 x86-64-v4, else this machine's
 
 $(OBJ)/codegen.a: $(call object,$(codegen_lib))
 $(OBJ)/evolve.a: $(call object,$(evolve_lib))
@@ -228,12 +249,10 @@ $(BIN)/footpoint.mod: runtime/package/footpoint.f90
 	$(Q)$(FC) -std=f2003 -Wall -Wextra -pedantic -Werror -fsyntax-only -J$(@D) $<
 	@touch $@
 
-$(OBJ)/isas: FORCE
-	@$(call line,$(ISAS))
+$(eval $(call line,$(OBJ)/isas,ISAS))
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
-$(OBJ)/methods: FORCE
-	@$(call line,$(DOUBLES))
+$(eval $(call line,$(OBJ)/methods,DOUBLES))
 
 $(OBJ)/methods.h: $(DOUBLES) $(OBJ)/methods Makefile
 	$(Q)for h in $(DOUBLES); do echo "#include \"$$PWD/$$h\""; done > $@
@@ -251,8 +270,8 @@ $(OBJ)/calls.inc: $(CALLED) $(OBJ)/methods tests/bench/calls.awk Makefile
 	$(Q)awk -f tests/bench/calls.awk $(CALLED) > $@
 
 # The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.  A search for cheaper forms
-# finds none.
-$(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
+# finds none.  tests/cli/bench.sh checks that it is what codegen writes today.
+$(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen | $(BIN)/footpoint-codegen
 	$(call say,GEN,$@)
 	$(Q)$(BIN)/footpoint-codegen --allow-poles --effort 0 --quiet $< -o $@
 
@@ -345,18 +364,9 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_test)
 
-jobs := $(or $(JOBS),$(shell echo $$(($$(nproc) + 1))))
-
-# What takes longest comes first, but make comes back to what waits for something only when all others are under way: so
-# what that waits for is made before, in two steps.
-bench_text := $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/rival_counts.inc
-build_tests = for part in codegen bench-text build-tests; do \
-                  $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(jobs)) $$part || exit; \
-              done
-bench-text: bench-words evolve runtime
-bench-words: # by a make of its own, so that it begins with it
-	$(Q)$(MAKE) --no-print-directory $(bench_text)
-build-tests: $(isa_parts) all $(TESTS)
+# A make of its own, as packages that `make deps check` installs change what there is to build.
+build_tests = $(MAKE) --no-print-directory build-tests
+build-tests: $(TESTS) all bench-program
 
 # The longest first, so that processors are busy to the end.
 LONGEST := statuses evolve header hard checkpoint bench counts languages
@@ -365,7 +375,7 @@ in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \
     $(filter-out %/test_header_bounds,$(in_order)) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
-run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
+run_tests = BIN=$(BIN) OBJ=$(OBJ) CC=$(CC) CXX=$(CXX) tests/run.sh
 
 # The tests take the bench's methods that have been built before, or those that compile soonest.
 isa_objects = $(wildcard $(ALL_ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o))
@@ -374,6 +384,7 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 	$(Q)$(build_tests)
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
+check-long: export ISAS := $(ALL_ISAS)
 check-long: ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
 	$(Q)$(build_tests)
 	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(long_in_order) --alone $(wildcard tests/timed/*.sh)
@@ -440,9 +451,9 @@ DATADIR    := $(BINDIR)/../share/footpoint
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h runtime/footpoint_face.h runtime/footpoint_patch.h
 HEADERS := $(GENERATED) $(DERIVATIVES) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
-PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
+PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron)
 PAGES_1 := $(addprefix evolve/man/footpoint-,evolve.1 pga.1 perceptron.1) \
-           $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1) tests/bench/footpoint-bench.1
+           $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1)
 PAGES_3 := runtime/package/footpoint.3
 DATA_frames  := $(FRAMES:%=evolve/frames/%.gen)
 DATA_scenes  := $(SHIPPED:%=evolve/scenes/%.scene)
@@ -481,7 +492,7 @@ remove = rm -f $(foreach file,$(notdir $(1)),$(call to,$(2)/$(file)))
 # A folder of ours, unless there is something else in it.
 close = rmdir $(call to,$(1)) 2> /dev/null || :
 
-install: install-runtime codegen evolve calibrate-program bench-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR= MANDIR=
+install: install-runtime codegen evolve calibrate-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR= MANDIR=
 	$(Q)$(call put,$(PROGRAMS),$(BINDIR),755)
 	$(Q)$(foreach d,frames scenes genomes,$(call put,$(DATA_$(d)),$(DATADIR)/evolve/$(d)) &&) :
 	$(Q)$(call put,$(MESHES),$(DATADIR)/tests/meshes)
@@ -534,5 +545,5 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate front check check-long bench calibrate report \
-        perceptrons paper rivals bench-text bench-words build-tests deps deps-long deps-rivals install install-runtime uninstall \
+        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

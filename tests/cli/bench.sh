@@ -11,6 +11,10 @@ expect 'unknown instruction set' 2 '' "footpoint-bench: error: no methods for 'z
 expect 'no rounds' 2 '' "footpoint-bench: error: --rounds 0 is out of range" "$bench" --rounds 0
 expect 'unknown scene' 3 '' '*' "$bench" --scene none.scene
 
+codegen() { "$BIN/footpoint-codegen" --allow-poles --effort 0 --quiet "$@"; }
+expect 'the perceptrons' 0 '' '' codegen tests/paper/perceptron.gen -o "$work/footpoint_perceptron.h"
+expect 'are as codegen writes them' 0 '' '' cmp "$work/footpoint_perceptron.h" "${OBJ:-build/release}/footpoint_perceptron.h"
+
 expect 'a scene of no function' 0 '*' '' "$bench" --csv --quiet --rounds 5 --scene $scene
 cp "$work/stdout" "$work/small.csv"
 awk -F, '

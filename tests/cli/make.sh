@@ -1,4 +1,4 @@
-# What `make` refuses, what it installs out of a tree with files of one's own, and what it takes to build the library.
+# What `make` refuses, what it builds, what it installs out of a tree with files of one's own, and what it takes to build the library.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 unset MAKEFLAGS MAKELEVEL MFLAGS
@@ -22,6 +22,8 @@ refused check JOBS=0 'not a number of jobs'
 refused check JOBS=all 'not a number of jobs'
 refused bench ISAS=z80 'ISAS=z80: not instruction sets of the bench; there are '
 refused runtime OPENMP=yes 'OPENMP=yes: 0 or 1'
+refused bench SCENE=typo 'SCENE=typo: there is no evolve/scenes/typo\.scene'
+refused regenerate SCENE=none/typo.scene 'there is no none/typo\.scene'
 for target in install install-runtime uninstall; do
     for value in PREFIX= PREFIX=tools BINDIR=bin LIBDIR= INCLUDEDIR=./include MANDIR=man; do
         refused $target $value "${value%%=*}=.*: no absolute path"
@@ -36,6 +38,33 @@ done
 
 expect 'headers of genomes that did not change are not emitted anew' 0 'generated/footpoint_tri3_derivatives.h is as it was
 generated/footpoint_quad9_derivatives.h is as it was' '' env GENERATIONS=4 sh evolve/regenerate.sh --derivatives tri3 quad9
+
+# ---- what is built ----
+mkdir "$work/new" && cp -a Makefile evolve generated codegen runtime tests "$work/new"
+new() { make -C "$work/new" --no-print-directory "$@"; }
+for target in all install install-runtime; do
+    new -n $target > "$work/plan" && grep -q ' -c runtime/' "$work/plan" && ! grep -qE 'tests/bench|footpoint-bench' "$work/plan"
+    report $((! $?)) "make $target compiles nothing of the bench"
+done
+[ "$(new -n bench | grep -c 'bench_methods-.*\.o$')" = 1 ]; report $((! $?)) 'make bench compiles one instruction set'
+[ "$(new -n bench ISAS='x86-64 x86-64-v3' CC=gcc | grep -c 'bench_methods-.*\.o$')" = 2 ] || [ "$(uname -m)" != x86_64 ]
+report $((! $?)) 'or those asked for'
+fast='EXTRA_CFLAGS=-O0 build/release/runtime/faces/pairs.o'
+expect 'a file is compiled' 0 '' '*' new $fast
+expect 'and is up to date' 0 "make: 'build/release/runtime/faces/pairs.o' is up to date." '' new -n $fast
+new -n build/release/runtime/faces/pairs.o | grep -q ' -c '; report $((! $?)) 'but not with other flags'
+expect 'a mistyped compiler' 2 '' '*' new $fast CC=gccc
+expect 'or option fails' 2 '' '*' new build/release/runtime/faces/pairs.o EXTRA_CFLAGS=-fmistyped
+expect 'and puts nothing out of date' 0 "make: 'build/release/runtime/faces/pairs.o' is up to date." '' new -n $fast
+cat > "$work/parallel" <<'M'
+include Makefile
+$(info $(filter -j%,$(MAKEFLAGS)))
+M
+jobs_of() { new -f "$work/parallel" -n help | sed 1q; }
+expect 'all processors' 0 "-j$(nproc)" '' jobs_of
+export MAKEFLAGS=-j1
+expect 'unless the caller says otherwise' 0 '' '' jobs_of
+unset MAKEFLAGS
 
 # ---- a tree with files of one's own ----
 tree=$work/tree root=$PWD
