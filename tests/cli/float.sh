@@ -13,7 +13,7 @@ heldout_random
 heldout_even' '' sh -c "sed 1d '$work/f.samples' | cut -d, -f1 | uniq"
 expect 'coordinates are floats' 0 0 '' sh -c \
     "sed 1d '$work/f.samples' | cut -d, -f2-16 | tr , '\n' | grep -cvE '^-?0x[01](\.[0-9a-f]{1,6})?p[-+][0-9]+$'; :"
-expect 'header' 0 '' '' "$codegen" --quiet --effort 10 --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/f.h"
+expect 'header' 0 '' '' "$codegen" --quiet --effort 0 --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/f.h"
 expect 'in float' 0 ' * precision: float' '' grep '^ . precision' "$work/f.h"
 expect 'whose banner has errors of the float code alone' 0 4 '' grep -c '^ .   heldout' "$work/f.h"
 functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const float xA.*/\1/p' "$work/f.h" | grep -v -e _detail_ -e '_closest$' -e '_along$')
@@ -43,7 +43,7 @@ bound() { # range of A, of B and C: how many bounds the banner claims
     printf '%s\n' 'footpoint-genome 2' 'segment quad4 any' \
         "range A $1 $1 0 0 0 0, B $2 0 0 0 0, C $2 1 1 0 0, D $1 $1 1 1 0 0, S 0.5 0.6 0.5 0.6 0 0.1" \
         'genome example' 'xi = / - xC xB - xB xA' 'eta = / - yS yA - yC yA' 'end' > "$work/a.gen"
-    "$codegen" --quiet --effort 10 --samples "$work/f.samples" --precision float "$work/a.gen" -o "$work/a.h" &&
+    "$codegen" --quiet --effort 0 --samples "$work/f.samples" --precision float "$work/a.gen" -o "$work/a.h" &&
         grep '^ .   rounding' "$work/a.h" | grep -c proved
 }
 expect 'a bound where A is the origin' 0 1 '' bound 0 '1 1.001'

@@ -1,6 +1,6 @@
 # A generated header alone in a folder: compiles everywhere with warnings as errors, and answers as the library does.
-# One of each kind with the oldest C, quad4 and tri3 with the oldest C++, quad4 with CUDA, too; all of them with every
-# compiler and standard when FOOTPOINT_LONG is set.
+# One of each kind with the oldest C, quad4 and tri3 with the oldest C++, too; all of them with every compiler and standard,
+# and with CUDA, when FOOTPOINT_LONG is set.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
 strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
@@ -75,8 +75,7 @@ for header in generated/*.h; do
         [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
         report $((!good)) "$name computes nothing in double"
     fi
-    case $name in footpoint_quad4.h) few=1 ;; *) few=$FOOTPOINT_LONG ;; esac
-    if [ -n "$few" ] && command -v nvcc > /dev/null; then
+    if [ -n "$FOOTPOINT_LONG" ] && command -v nvcc > /dev/null; then
         (cd "$work/alone" && cp use.c use.cu && nvcc -c use.cu -o use.o) > "$work/log" 2>&1
         good=$?
         [ $good -eq 0 ] || sed 's/^/# /' "$work/log"

@@ -1,6 +1,7 @@
 # What codegen writes beside C in double: float, Fortran, infix, LaTeX.  Fortran gives the bits of C, infix its values.
 # Headers as HIP and CUDA, for AMD and NVIDIA GPUs; tests/long/cuda.sh compiles them by nvcc.
-# With FOOTPOINT_LONG all functions of three scenes, else two of quad4 and that of tri3.
+# With FOOTPOINT_LONG all functions of three scenes with four compilers, else two of quad4 and that of tri3 with two; device
+# code of all headers, else of the first of each kind.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
 codegen() { "$BIN/footpoint-codegen" --quiet --effort 0 "$@"; } # how the search ends is no matter here
@@ -168,7 +169,7 @@ if command -v gfortran > /dev/null; then
 fi
 
 # ---- segments ----
-later 'languages: paper-quad4, most functions of quad4, machine code of GPUs'
+later 'languages: paper-quad4, most functions of quad4, two compilers, second headers of a kind on GPUs, machine code of GPUs'
 for scene in tri3 ${FOOTPOINT_LONG:+paper-quad4} quad4; do
     file=$work/$scene.gen
     some evolve/genomes/$scene.gen > "$file"
@@ -210,7 +211,7 @@ END
             echo '}'
         } > "$work/both.c"
         echo "#include \"$type.h\"" > "$work/include.c"
-        for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++" "clang++ -std=c++17 -x c++"; do
+        for compiler in "clang -std=c11" "$CXX -std=c++11 -x c++" ${FOOTPOINT_LONG:+"$CC -std=c99" "clang++ -std=c++17 -x c++"}; do
             $compiler $strict -fsyntax-only "$work/include.c" > "$work/log" 2>&1
             good=$?
             [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
@@ -243,7 +244,7 @@ int main(void)
     return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
 }
 END
-for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++"; do
+for compiler in "$CC -std=c99" "$CXX -std=c++11 -x c++" ${FOOTPOINT_LONG:+"clang -std=c11"}; do
     $compiler $strict "$work/beside.c" -o "$work/beside" -lm > "$work/log" 2>&1 && "$work/beside"
     good=$?
     [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
@@ -280,7 +281,7 @@ END
 done
 echo 'int main(void) { const double x[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0.5, 0.5, 1}};
     return one(x[0], x[1], x[2], x[3]) | two(x[0], x[1], x[2], x[3]); }' >> "$work/prefixes.c"
-for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++"; do
+for compiler in "$CC -std=c99" "$CXX -std=c++11 -x c++" ${FOOTPOINT_LONG:+"clang -std=c11"}; do
     $compiler $strict "$work/prefixes.c" -o "$work/prefixes" -lm > "$work/log" 2>&1 && "$work/prefixes"
     good=$?
     [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
@@ -319,6 +320,10 @@ cat > "$work/device/words.h" <<'END'
 END
 
 for header in "${HEADERS:-$PWD/generated}"/*.h; do
+    case $header in
+    */footpoint_quad4.h) ;;
+    *_quad4.h | *paper*) [ -n "$FOOTPOINT_LONG$HEADERS" ] || continue ;;
+    esac
     device_kernel "$header" > "$work/device/$(basename "$header" .h).cu"
 done
 code=-fsyntax-only # which reports host functions that a kernel calls

@@ -2,15 +2,17 @@
 . tests/cli/expect.inc
 CXX=${CXX:-g++} FC=${FC:-gfortran}
 LIBRARY=$BIN/libfootpoint.a
-for compiler in "$CXX" clang++; do
+later 'replace: clang, optimised code, a device'
+[ -n "$FOOTPOINT_LONG" ] && level=-O1 || level=-O0
+for compiler in "$CXX" ${FOOTPOINT_LONG:+clang++}; do
     command -v "$compiler" > /dev/null || continue
-    "$compiler" -std=c++11 -O1 -Wall -Wextra -Wpedantic -Wshadow -Werror -Iruntime -Igenerated tests/replace/replace_main.cpp \
+    "$compiler" -std=c++11 $level -Wall -Wextra -Wpedantic -Wshadow -Werror -Iruntime -Igenerated tests/replace/replace_main.cpp \
         "$LIBRARY" -lm -o "$work/adapters"
     expect "Tribol, MOOSE, NimbleSM, ArborX: $compiler" 0 '' '' "$work/adapters"
 done
-for compiler in "${CC:-gcc}" clang; do
+for compiler in "${CC:-gcc}" ${FOOTPOINT_LONG:+clang}; do
     command -v "$compiler" > /dev/null || continue
-    "$compiler" -std=c11 -O1 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Igenerated runtime/replace/sfepy.c \
+    "$compiler" -std=c11 $level -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Igenerated runtime/replace/sfepy.c \
         tests/replace/replace_sfepy_main.c -lm -o "$work/sfepy"
     expect "sfepy: $compiler" 0 '' '' "$work/sfepy"
 done
@@ -18,7 +20,7 @@ if command -v "$FC" > /dev/null; then
     for code in openradioss frontistr code_aster abaqus; do
         adapter=$(ls runtime/replace/$code*.f90)
         # The program's modules come before the adapter that uses them.
-        "$FC" -std=gnu -O1 -Wall -Wextra -Wno-unused-dummy-argument -Wno-compare-reals -Werror -fno-range-check -J"$work" \
+        "$FC" -std=gnu $level -Wall -Wextra -Wno-unused-dummy-argument -Wno-compare-reals -Werror -fno-range-check -J"$work" \
             runtime/package/footpoint.f90 runtime/replace/unclamped.f90 tests/replace/replace_points.f90 \
             tests/replace/replace_${code}_main.f90 "$adapter" "$LIBRARY" -lm -o "$work/$code"
         expect "$code" 0 '' '' "$work/$code"
@@ -26,6 +28,6 @@ if command -v "$FC" > /dev/null; then
 else
     echo "# SKIP no $FC: adapters in Fortran"
 fi
-if command -v nvcc > /dev/null; then
+if [ -n "$FOOTPOINT_LONG" ] && command -v nvcc > /dev/null; then
     nvcc -std=c++17 -Iruntime -Igenerated -x cu -c tests/replace/replace_main.cpp -o "$work/device.o"; report $((! $?)) 'on a device'
 fi

@@ -1,7 +1,8 @@
 # Segments of any size: the functions of patches answer as for |AB| = 1, status included, whatever the unit of length.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CODEGEN=${BIN:-build}/footpoint-codegen
-strict='-std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -O1 -ffp-contract=off'
+strict='-std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off'
+[ -n "$FOOTPOINT_LONG" ] && strict="$strict -O1" || strict="$strict -O0"
 
 # Divides by what goes as the square and as the cube of lengths and is 0 where |AD| = |AB|/2, behind limits of xi and eta.
 {
@@ -94,6 +95,7 @@ sizes() {
 sizes "$work/sized.h" 0,-2,-2 'a pole is met at any size, and nothing else is'
 # A Gregory patch divides by the lengths of its edges, a Bezier patch does not.
 sizes "$PWD/generated/footpoint_bezier.h" 0,0,0 'footpoint_bezier.h at any size'
-for kind in gregory paper_gregory; do
+later 'sizes: paper_gregory, optimised code'
+for kind in gregory ${FOOTPOINT_LONG:+paper_gregory}; do
     sizes "$PWD/generated/footpoint_$kind.h" 0,0,-2 "footpoint_$kind.h at any size"
 done

@@ -209,8 +209,9 @@ static void test_proof_refuses(void **state)
 static void test_random_genomes(void **state)
 {
     (void)state;
+    const int genomes = getenv("FOOTPOINT_LONG") ? 300 : 120;
     uint64_t seed = 7;
-    for (int n = 0; n < 300; n++) {
+    for (int n = 0; n < genomes; n++) {
         char text[4000];
         size_t size = 0;
         long missing = 1, operators = 0;

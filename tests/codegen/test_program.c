@@ -225,21 +225,21 @@ static void test_segment(void **state)
     genome_file_free(f);
 }
 
-/* Long chains and deep nesting, some megabytes each, take time in proportion and no stack. */
+/* Long chains and deep nesting, a megabyte each and more, take time in proportion and no stack. */
 static void test_sizes(void **state)
 {
     (void)state;
-    enum { N = 200000 };
+    const size_t n = getenv("FOOTPOINT_LONG") ? 200000 : 50000;
     static const char *const part[][3] = {
         {"in_y + ", "in_x", ""}, {"(", "in_x", " + in_y)"}, {"-(", "in_x", ")"}, {"sqrt(fabs(", "in_x", "))"}};
-    static const size_t operations[] = {N, N, N, 2 * N};
+    const size_t operations[] = {n, n, n, 2 * n};
     struct genome_file *f = parse(one_output);
     for (size_t k = 0; k < sizeof part / sizeof *part; k++) {
-        char *text = new_array(20 * N, 1), *at = text + sprintf(text, "*out_r = ");
-        for (int i = 0; i < N; i++)
+        char *text = new_array(20 * n, 1), *at = text + sprintf(text, "*out_r = ");
+        for (size_t i = 0; i < n; i++)
             at += sprintf(at, "%s", part[k][0]);
         at += sprintf(at, "%s", part[k][1]);
-        for (int i = 0; i < N; i++)
+        for (size_t i = 0; i < n; i++)
             at += sprintf(at, "%s", part[k][2]);
         sprintf(at, ";\n");
         struct program *p = read_program(f, 0, text);

@@ -15,7 +15,7 @@
 
 #include <cmocka.h>
 
-static uint64_t count = 150, first = 1;
+static uint64_t count = 60, first = 1;
 
 /* A program in the making. */
 struct writer {

@@ -227,12 +227,12 @@ static void same_seed_same_result(void **state)
     }
 }
 
-/* With one of three seeds, with FOOTPOINT_LONG with three of five. */
+/* With one of three seeds, each breeding with one selection; with FOOTPOINT_LONG with three of five, with both. */
 static void finds_a_known_target(void **state)
 {
     const struct fixture *f = *state;
     const int seeds = getenv("FOOTPOINT_LONG") ? 5 : 3, enough = seeds - 2;
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k += seeds == 5 ? 1 : 3) {
         int found = 0;
         for (int seed = 1; seed <= seeds && found < enough; seed++) {
             int *report;

@@ -37,7 +37,7 @@ struct moved {
  * with the smaller. */
 static size_t samples(void)
 {
-    return getenv("FOOTPOINT_LONG") ? 20000 : 2000;
+    return getenv("FOOTPOINT_LONG") ? 20000 : 500;
 }
 
 static void move(const struct segment_kind *kind, const struct sample *s, double edges, struct moved *m)
@@ -130,7 +130,7 @@ int main(void)
     struct CMUnitTest tests[HEADER_FUNCTIONS];
     size_t n = 0;
     if (!getenv("FOOTPOINT_LONG"))
-        puts("# SKIP digits: whole-quad4, and 20,000 samples, not 6,000: make check-long");
+        puts("# SKIP digits: whole-quad4, and 20,000 samples, not 500: make check-long");
     for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
         if (i == 0 || strcmp(header_functions[i].scene, header_functions[i - 1].scene) != 0) {
             if (strcmp(header_functions[i].scene, "whole-quad4") == 0 && !getenv("FOOTPOINT_LONG"))
