@@ -273,12 +273,12 @@ $(OBJ)/calls.inc: $(CALLED) $(OBJ)/methods tests/bench/calls.awk Makefile
 	$(Q)awk -f tests/bench/calls.awk $(CALLED) > $@
 
 # The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.  A search for cheaper forms
-# finds none.  tests/cli/bench.sh checks that it is what codegen writes today.
-$(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen | $(BIN)/footpoint-codegen
-	$(call say,GEN,$@)
-	$(Q)$(BIN)/footpoint-codegen --allow-poles --effort 0 --quiet $< -o $@
+# finds none.  tests/cli/bench.sh compares the text with what codegen writes.
+emit_perceptrons = $(BIN)/footpoint-codegen --allow-poles --effort 0 --quiet tests/paper/perceptron.gen \
+                   -o tests/bench/footpoint_perceptron.h
 
-$(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/bench/methods.awk
+$(OBJ)/footpoint_perceptron.inc: tests/bench/footpoint_perceptron.h tests/bench/methods.awk
+	@mkdir -p $(@D)
 	$(Q)awk -f tests/bench/methods.awk $< > $@
 
 $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/rivals*.h) tests/rivals/trust_region.h tests/rivals/pinball.h
@@ -310,7 +310,7 @@ compile_isa = $(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(isa_opt) $(FAST) 
               -DBENCH_FLAGS='"$(strip $(isa_opt) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
 
 $(OBJ)/tests/bench/bench_methods-%.o: tests/bench/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
-                                $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
+                                tests/bench/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$< ($*))
 	$(Q)$(compile_isa)
@@ -325,7 +325,7 @@ FRONT   := $(BIN)/front/$(basename $(notdir $(SCENE)))
 MEMBERS ?= 6
 ifneq ($(SCENE),)
 $(FRONT)/bench_methods.o: tests/bench/bench_methods.c $(FRONT)/methods.h $(FRONT)/methods.inc $(OBJ)/rival_counts.inc \
-                          $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc
+                          tests/bench/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc
 	$(call say,CC,$< (front))
 	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(OPT_release) $(FAST) -march=native -I$(FRONT) -I$(OBJ) \
 	    -DBENCH_BARE -DBENCH_ISA=quick -DBENCH_ISA_NAME='"native"' -DBENCH_FLAGS='"$(OPT_release) $(FAST) -march=native"' -c $< -o $@
@@ -346,6 +346,7 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) SEED=$(SEED) FROM=$(FROM) \
 	    sh evolve/regenerate.sh $(or $(SCENE),$(SCENES))
 	$(if $(SCENE),,$(Q)BIN=$(BIN) GENERATIONS=$(GENERATIONS) sh evolve/regenerate.sh --derivatives $(FACES))
+	$(if $(SCENE),,$(Q)$(emit_perceptrons))
 
 front: codegen evolve ## which members of the fronts to ship as tiers, measured on validation samples: SCENE= MEMBERS= of each tier
 	$(call demand,SCENE,$(SCENE),no scene)
@@ -371,14 +372,14 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 build_tests = $(MAKE) --no-print-directory build-tests
 build-tests: $(TESTS) all bench-program
 
-# The longest first, so that processors are busy to the end.
-LONGEST := statuses evolve header hard checkpoint bench counts languages
-LONGEST := $(BIN)/tests/test_headers $(LONGEST:%=tests/cli/%.sh)
+# A line at once, then the longest first, so that processors are busy to the end.
+LONGEST := header evolve languages checkpoint bench make example statuses programs
+LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh)
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh))
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \
     $(filter-out %/test_header_bounds,$(in_order)) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
-run_tests = BIN=$(BIN) OBJ=$(OBJ) CC=$(CC) CXX=$(CXX) tests/run.sh
+run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 
 # The tests take the bench's methods that have been built before, or those that compile soonest.
 isa_objects = $(wildcard $(ALL_ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o))
@@ -397,8 +398,9 @@ bench: bench-program ## speed against error of every method on held-out samples:
 
 PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --iterations 100
 
-perceptrons: evolve ## train the perceptrons of the bench again, tests/paper/perceptron.gen
+perceptrons: evolve codegen ## train the perceptrons of the bench again, tests/paper/perceptron.gen, and emit them
 	$(Q)$(BIN)/footpoint-perceptron $(PERCEPTRONS) -o tests/paper/perceptron.gen
+	$(Q)$(emit_perceptrons)
 
 calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs; beside codegen/costs/
 	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs

@@ -82,13 +82,14 @@ refused 'no pair is near enough' "$work/m.inp: error: no slave node within a dis
 
 scene ''
 cp tests/scenes/small.scene "$work/"
-run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 40 --migrate-every 2 "$@"; }
+[ -n "$FOOTPOINT_LONG" ] && population=40 || population=16
+run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population $population --migrate-every 2 "$@"; }
 expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 5 --islands 3 -o "$work/r1.gen"
 for ranks in 2 3 ${FOOTPOINT_LONG:+4}; do
     run $ranks --from-scratch --generations 5 --islands 3 -o "$work/r$ranks.gen" > /dev/null
     cmp -s "$work/r1.gen" "$work/r$ranks.gen"; report $((! $?)) "$ranks ranks, the same bytes"
 done
-expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 40 --migrate-every 2 --from-scratch \
+expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population $population --migrate-every 2 --from-scratch \
     --generations 5 --islands 3 -o "$work/r0.gen"
 cmp -s "$work/r1.gen" "$work/r0.gen"; report $((! $?)) 'and the same bytes'
 run 2 --start "$work/r1.gen" --generations 0 -o "$work/again.gen" > /dev/null

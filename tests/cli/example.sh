@@ -12,7 +12,7 @@ below() { # below NAME VALUE LIMIT
     report $((!good)) "$1"
 }
 
-$CC $strict -O2 tests/example/impact.c -o "$work/impact" -lm > "$work/log" 2>&1
+$CC $strict -O1 tests/example/impact.c -o "$work/impact" -lm > "$work/log" 2>&1
 good=$?
 [ $good = 0 ] || sed 's/^/# /' "$work/log"
 report $((!good)) 'compiles'
@@ -36,7 +36,7 @@ report $((! $?)) 'the plates meet and part'
 expect 'usage' 2 '' 'usage: impact [SCALE [FOLDER]] | --inp       0 < SCALE <= 1: of the time step' "$work/impact" 0
 
 # ---- slide ----
-$CC $strict -O2 tests/example/slide.c runtime/geometry/gregory.c runtime/geometry/bezier.c runtime/geometry/node_normals.c -o "$work/slide" -lm \
+$CC $strict -O1 tests/example/slide.c runtime/geometry/gregory.c runtime/geometry/bezier.c runtime/geometry/node_normals.c -o "$work/slide" -lm \
     > "$work/log" 2>&1
 good=$?
 [ $good = 0 ] || sed 's/^/# /' "$work/log"

@@ -8,7 +8,7 @@ done | sort -g | tail -1)
 expect 'the check knows what the banner says' 0 "$worst" '' sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/certain/check.h
 expect 'and so do the hard cases' 0 "$worst" '' sed -n 's/^#define BANNER_WORST //p' tests/hard/judges.h
 LIBRARY="$BIN/libfootpoint_ccx.a $BIN/libfootpoint.a"
-hard_build "$work/hard" "${CC:-gcc}" -O2 -ffp-contract=off
+hard_build "$work/hard" "${CC:-gcc}" -O1 -ffp-contract=off
 hard_check 'families' "$work/hard" 100
 later 'hard: a million calls of each certain function, not 5,000'
 hard_check '5,000 calls of each certain function' "$work/hard" --certain 5000

@@ -1,4 +1,4 @@
-# Every source is formatted as .clang-format says, by clang-format 14: other versions differ in their opinions.
+# Every source that is typed is formatted as .clang-format says, by clang-format 14: other versions differ in their opinions.
 . tests/cli/expect.inc
 for format in clang-format-14 clang-format; do
     ! "$format" --version 2> /dev/null | grep -q 'version 14\.' || break
@@ -6,7 +6,7 @@ for format in clang-format-14 clang-format; do
 done
 [ -n "$format" ] || { echo 'ok 1 - formatted # SKIP no clang-format 14'; exit 0; }
 for folder in codegen evolve runtime tests; do
-    find $folder -name '*.[ch]' -exec "$format" --dry-run -Werror {} + 2>&1 | sed -n 's/: error: code should be .*//p' |
+    find $folder -name '*.[ch]' ! -name footpoint_perceptron.h -exec "$format" --dry-run -Werror {} + 2>&1 | sed -n 's/: error: code should be .*//p' |
         sed 's/:.*//' | sort | uniq -c | awk '{ print "# " $2 ": " $1 " places" }' > "$work/differ"
     cat "$work/differ"
     report $((! $(wc -l < "$work/differ"))) "$folder is formatted"
