@@ -24,7 +24,7 @@ fi
 report $((! $?)) 'the perceptrons are as codegen writes them (else make regenerate)'
 expect 'of this genome' 0 " * sha256: $(sha256sum < tests/paper/perceptron.gen | cut -d ' ' -f 1)" '' grep -m 1 sha256 $header
 
-expect 'a scene of no function' 0 '*' '' "$bench" --csv --quiet --rounds 5 --scene $scene
+expect 'a scene of no function' 0 '*' '' "$bench" --csv --quiet --rounds 1 --scene $scene
 cp "$work/stdout" "$work/small.csv"
 awk -F, '
     NR == 1 { columns = NF; bad += !/^scene,sample,method,ours,mode,mul,div,add,sqrt,ns,ratio,mean_xi,p99_xi,/; next }
@@ -68,7 +68,7 @@ expect 'rounding errors are alike' 0 '4 rivals below the front' '' \
 
 mkdir "$work/maps"
 sed 's/^heldout.*/heldout = 300;/; s/^training.*/training = 300;/' evolve/scenes/quad4.scene > "$work/quad4.scene"
-expect 'maps' 0 '*' '*' "$bench" --csv --rounds 5 --scene "$work/quad4.scene" --map "$work/maps"
+expect 'maps' 0 '*' '*' "$bench" --csv --rounds 1 --scene "$work/quad4.scene" --map "$work/maps"
 cp "$work/stdout" "$work/quad4.csv"
 [ "$(sed 's/[0-9]* s$/N s/' "$work/stderr")" = 'bench: quad4.scene, 1 of 1, N s' ]; report $((! $?)) 'what is done is told'
 awk '$1 == "DIMENSIONS" { cells = ($2 - 1) * ($3 - 1) } $1 == "CELL_DATA" { bad += $2 != cells } /^[0-9.e+-]+$/ { n++ }
@@ -149,7 +149,7 @@ expect 'table of the hard cases' 0 "<tr><td>flat</td>$flat</tr>" '' \
     sh -c "awk -f tests/report/hard.awk '$work/hard.csv' | grep flat"
 
 # The front alone: methods in the order of their errors, each faster than those after it in one of the modes.
-expect 'the front' 0 '*' '*' "$bench" --quiet --rounds 5 --scene $scene
+expect 'the front' 0 '*' '*' "$bench" --quiet --rounds 1 --scene $scene
 awk '/^[* ] [a-z]/ && NF > 9 && !/ method / { k = /^\*/; n++; bad += n > 1 && $(10 + k) + 0 > last; last = $(10 + k) + 0 }
     END { exit !(n > 3 && n < 40 && !bad) }' "$work/stdout"
 report $((! $?)) 'is some dozen lines, the most accurate last'
