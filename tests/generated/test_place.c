@@ -1,5 +1,5 @@
 /* What footpoint_KIND_derivatives.h gives at a foot point, against differences in quadruple precision, which share no code
- * with it; what must add up to zero; statuses, rows that are not wanted, sizes, arrays.  30 faces a kind, 1e5 with
+ * with it; what must add up to zero; statuses, rows that are not wanted, sizes, arrays.  100 faces a kind, 1e5 with
  * FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4_derivatives.h"
@@ -20,7 +20,7 @@
 
 #include <cmocka.h>
 
-enum { SAMPLES = 30, SAMPLES_LONG = 100000, ROWS = 40, C = MOST_COORDINATES, PACKED = C * (C + 1) / 2 };
+enum { SAMPLES = 100, SAMPLES_LONG = 100000, ROWS = 40, C = MOST_COORDINATES, PACKED = C * (C + 1) / 2 };
 #define STEP 1e-14      /* of differences: far below where the greatest third derivatives, 1e19, tell */
 #define CONDITIONED 1e4 /* of Hessian and metric: derivatives have so many digits less than the coordinates */
 #define NEAR 1e-9       /* relative error below that */
@@ -365,12 +365,13 @@ static quadruple slope_on_line(const struct exact_face *f, const quadruple *at, 
  * does where the face turns back; rounding leaves some area there. */
 static void lines_have_no_normal(void **state)
 {
+    const int faces = getenv("FOOTPOINT_LONG") ? 2000 : 200;
     (void)state;
     gsl_rng *stream = stream_new();
     stream_key(stream, 20245, 0, 0, 0);
     for (const struct kind *k = kinds; k < kinds + KINDS; k++) {
         const struct exact_face f = exact_face_of(k->nodes);
-        for (int face = 0; face < 2000; face++) {
+        for (int face = 0; face < faces; face++) {
             double x[MOST_NODES + 1][3], loc[2], along[3], from[3];
             quadruple at[C];
             draw(stream, &f, 0.1, x, loc);
@@ -401,12 +402,13 @@ static void lines_have_no_normal(void **state)
 /* The same at places up to 1e9 away, where a tangent is a sum of large terms that cancel. */
 static void lines_have_no_normal_far_away(void **state)
 {
+    const int faces = getenv("FOOTPOINT_LONG") ? 1000 : 100;
     (void)state;
     gsl_rng *stream = stream_new();
     stream_key(stream, 20246, 0, 0, 0);
     for (const struct kind *k = kinds; k < kinds + KINDS; k++) {
         const struct exact_face f = exact_face_of(k->nodes);
-        for (int face = 0; face < 1000; face++) {
+        for (int face = 0; face < faces; face++) {
             double x[MOST_NODES + 1][3], loc[2], along[3], from[3], low = -1e9, high = 1e9;
             quadruple at[C];
             draw(stream, &f, 0.1, x, loc);
@@ -436,7 +438,7 @@ static void lines_have_no_normal_far_away(void **state)
 /* Faces and slave nodes of sizes from 1e-300 to 1e300, places up to 1e300 away: all rows are finite, or none is written. */
 static void rows_are_finite_or_untouched(void **state)
 {
-    const int samples = getenv("FOOTPOINT_LONG") ? 100000 : 1000;
+    const int samples = getenv("FOOTPOINT_LONG") ? 100000 : 3000;
     (void)state;
     gsl_rng *stream = stream_new();
     stream_key(stream, 20247, 0, 0, 0);
