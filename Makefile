@@ -385,12 +385,12 @@ run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 isa_objects = $(wildcard $(ALL_ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o))
 check: export ISAS := $(or $(isa_objects:$(OBJ)/tests/bench/bench_methods-%.o=%),quick)
 check: ## run the tests, less those that take long (some minutes; JOBS= at a time)
-	$(Q)$(build_tests)
+	$(Q)+$(build_tests)
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
 check-long: export ISAS := $(ALL_ISAS)
 check-long: ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
-	$(Q)$(build_tests)
+	$(Q)+$(build_tests)
 	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(long_in_order) --alone $(wildcard tests/timed/*.sh)
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
