@@ -85,11 +85,12 @@ CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(THREA
 sources      = $(filter-out %_main.c,$(foreach room,$(1),$(wildcard $(room)/*.c)))
 codegen_lib := $(call sources,codegen codegen/*)
 evolve_lib  := $(call sources,evolve/*)
-evolve_mpi  := $(call sources,evolve/mpi evolve/run) evolve/evolve_main.c evolve/paper/pga_main.c
+evolve_mpi  := $(call sources,evolve/mpi evolve/run) evolve/evolve_main.c tests/paper/pga_main.c
 ccx_lib     := $(call sources,runtime/calculix)
 runtime_lib := $(filter-out $(ccx_lib) runtime/replace/%,$(call sources,runtime/*))
 test_main   := $(wildcard tests/*/test_*.c)
 test_lib    := $(filter-out $(test_main),$(call sources,tests/support tests/rivals))
+paper_lib   := $(filter-out $(test_main),$(call sources,tests/paper))
 bench_isa   := bench_methods bench_calls
 bench_lib   := $(filter-out tests/bench/bench_gregory.c $(bench_isa:%=tests/bench/%.c),$(call sources,tests/bench))
 
@@ -186,18 +187,20 @@ DOUBLES := $(if $(METHODS),$(shell awk '/^ . precision: double/ { print FILENAME
 
 all: codegen runtime evolve calibrate-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
-evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
+evolve: $(BIN)/footpoint-evolve
 runtime: $(LIB).a $(LIB)_ccx.a $(LIB).so $(MODULE) ## build the runtime library alone
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench ## build the bench: ISAS= of x86-64 x86-64-v3 x86-64-v4, else this machine's
+paper-programs: $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
 
 $(OBJ)/codegen.a: $(call object,$(codegen_lib))
 $(OBJ)/evolve.a: $(call object,$(evolve_lib))
 $(OBJ)/support.a: $(call object,$(test_lib))
+$(OBJ)/paper.a: $(call object,$(paper_lib))
 $(LIB).a: $(call object,$(runtime_lib))
 # The search for CalculiX, by the name that CalculiX gives it: for nobody else's programs.
 $(LIB)_ccx.a: $(call object,$(ccx_lib))
-$(addprefix $(OBJ)/,codegen.a evolve.a support.a) $(LIB).a $(LIB)_ccx.a: Makefile
+$(addprefix $(OBJ)/,codegen.a evolve.a support.a paper.a) $(LIB).a $(LIB)_ccx.a: Makefile
 	@mkdir -p $(@D) && rm -f $@
 	$(call say,AR,$@)
 	$(Q)$(AR) rcs $@ $(filter %.o,$^)
@@ -220,12 +223,12 @@ $(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c) $(evolve_parts)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_mpi) $(LIBS_evolve)
 
-$(BIN)/footpoint-pga: $(call object,evolve/paper/pga_main.c) $(evolve_parts)
+$(BIN)/footpoint-pga: $(call object,tests/paper/pga_main.c) $(OBJ)/paper.a $(evolve_parts)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_mpi) $(LIBS_evolve)
 
-$(BIN)/footpoint-perceptron: $(call object,evolve/paper/perceptron_main.c) $(evolve_parts)
+$(BIN)/footpoint-perceptron: $(call object,tests/paper/perceptron_main.c) $(OBJ)/paper.a $(evolve_parts)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_evolve)
@@ -363,19 +366,20 @@ TESTS := $(patsubst %.c,$(BIN)/tests/%,$(notdir $(test_main)))
 $(BIN)/tests/test_digits: $(OBJ)/tests/generated/headers_long.o $(OBJ)/tests/generated/header_functions.o
 $(BIN)/tests/test_headers: $(OBJ)/tests/generated/header_functions.o
 $(foreach test,$(test_main),$(eval $(BIN)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
-$(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
+$(TESTS): $(OBJ)/support.a $(OBJ)/paper.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_test)
 
 # A make of its own, as packages that `make deps check` installs change what there is to build.
 build_tests = $(MAKE) --no-print-directory build-tests
-build-tests: $(TESTS) all bench-program
+build-tests: $(TESTS) all bench-program paper-programs
 
 # A line at once, then the longest first, so that processors are busy to the end.
 LONGEST := header evolve languages checkpoint bench make example statuses programs
 LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh)
-in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh))
+paper_tests := tests/paper/pga.sh tests/paper/perceptron.sh
+in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh) $(paper_tests))
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \
     $(filter-out %/test_header_bounds,$(in_order)) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
@@ -398,7 +402,7 @@ bench: bench-program ## speed against error of every method on held-out samples:
 
 PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --iterations 100
 
-perceptrons: evolve codegen ## train the perceptrons of the bench again, tests/paper/perceptron.gen, and emit them
+perceptrons: paper-programs codegen ## train the perceptrons of the bench again, tests/paper/perceptron.gen, and emit them
 	$(Q)$(BIN)/footpoint-perceptron $(PERCEPTRONS) -o tests/paper/perceptron.gen
 	$(Q)$(emit_perceptrons)
 
@@ -413,7 +417,7 @@ rivals: runtime ## beside other libraries: table, and pictures in build/rivals/i
 report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report/report.sh build/report
 
-paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's tables and figures, build/paper/index.html (half an hour; goes on if interrupted): RANKS= FULL=1 (the paper's size)
+paper: codegen evolve paper-programs bench-program $(BIN)/tests/test_calibration ## the paper's tables and figures, build/paper/index.html (half an hour; goes on if interrupted): RANKS= FULL=1 (the paper's size)
 	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN) -n $(RANKS)' FULL=$(FULL) \
 	    PERCEPTRONS='$(PERCEPTRONS)' sh tests/paper/paper.sh build/paper
 
@@ -456,9 +460,8 @@ DATADIR    := $(BINDIR)/../share/footpoint
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h runtime/footpoint_face.h runtime/footpoint_patch.h
 HEADERS := $(GENERATED) $(DERIVATIVES) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
-PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron)
-PAGES_1 := $(addprefix evolve/man/footpoint-,evolve.1 pga.1 perceptron.1) \
-           $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1)
+PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve)
+PAGES_1 := evolve/man/footpoint-evolve.1 $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1)
 PAGES_3 := runtime/package/footpoint.3
 DATA_frames  := $(FRAMES:%=evolve/frames/%.gen)
 DATA_scenes  := $(SHIPPED:%=evolve/scenes/%.scene)
@@ -549,6 +552,6 @@ clean: ## remove everything that was built
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
-.PHONY: all codegen evolve runtime calibrate-program bench-program regenerate front check check-long bench calibrate report \
+.PHONY: all codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench calibrate report \
         perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

@@ -99,8 +99,6 @@ frame=$(sed -n 's/.*frame *= *"\([a-z0-9_]*\)".*/\1/p' "$work/small.scene" | hea
 mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve"
 refused evolve --output 'a frame' "$evolve" $run --root "$work/root" -o "$work/root/evolve/frames/$frame.gen"
 cmp evolve/frames/$frame.gen "$work/root/evolve/frames/$frame.gen"; report $((! $?)) 'the frame is still there'
-refused pga --output 'the scene' "$BIN/footpoint-pga" --scene "$work/small.scene" -o "$work/small.scene"
-refused perceptron --output 'the scene' "$BIN/footpoint-perceptron" --scene "$work/small.scene" -o "$work/small.scene"
 cmp "$work/small.scene" "$work/kept.scene"; report $((! $?)) 'the scene is still there'
 
 # ---- evolve's other files ----

@@ -40,7 +40,6 @@ evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/c
 evolve/mpi:         evolve/common codegen/genome
 evolve/archive:     evolve/island evolve/region evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
 evolve/run:         evolve/archive evolve/mpi evolve/island evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
-evolve/paper:       evolve/mpi evolve/fit evolve/region evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
 evolve:             evolve/* codegen/genome
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
@@ -55,6 +54,7 @@ tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated
 tests/replace:      runtime/replace runtime generated
 tests/example:      runtime runtime/* generated
+tests/paper:        codegen/* evolve/*
 tests/fuzz:         codegen/* runtime runtime/* generated tests/hard
 tests/long:
 tests/timed:
@@ -140,8 +140,8 @@ check 'runtime takes only the C library besides' \
     "$(includes runtime | sed -n 's/^.* <//p' | sort -u | grep -vxE '(math|stddef|stdint|limits|float|string)\.h>')"
 check 'generated takes only math.h and stddef.h' "$(includes generated | sed 's/^[^ ]* //' | sort -u | grep -vxE '<(math|stddef)\.h>')"
 check 'evolve takes public headers of the runtime alone' "$(includes evolve | grep ' runtime/' | grep -vE '/footpoint-[a-z0-9]+-(geometry|normals)\.h$')"
-check "MPI stops at evolve's main programs, mpi/ and run/" \
-    "$(grep -rl 'include <mpi.h>' codegen evolve runtime | grep -vE '^evolve/(evolve_main\.c|paper/pga_main\.c|mpi/|run/)')"
+check "MPI stops at evolve's main program, mpi/ and run/" \
+    "$(grep -rl 'include <mpi.h>' codegen evolve runtime | grep -vE '^evolve/(evolve_main\.c|mpi/|run/)')"
 check 'file names are unique' \
     "$(git ls-files 2> /dev/null | grep -E '\.(c|h|cpp|sh|awk)$' | sed 's|.*/||' | sort | uniq -d)"
 

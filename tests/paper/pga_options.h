@@ -3,7 +3,7 @@
 #define FOOTPOINT_PGA_OPTIONS_H
 
 #include "../../codegen/genome/options.h"
-#include "../input/scene.h"
+#include "../../evolve/input/scene.h"
 #include "pga.h"
 
 enum coefficients { COEFFICIENTS_SQUARES, COEFFICIENTS_MEAN, COEFFICIENTS_WORST };

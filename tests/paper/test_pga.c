@@ -3,8 +3,8 @@
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/eval/kernel.h"
-#include "../../evolve/paper/normal_equations.h"
-#include "../../evolve/paper/pga.h"
+#include "normal_equations.h"
+#include "pga.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -2,9 +2,9 @@
 #include "pga_write.h"
 
 #include "../../codegen/genome/outfile.h"
-#include "../eval/errors.h"
-#include "../eval/frame.h"
-#include "../region/sampled_region.h"
+#include "../../evolve/eval/errors.h"
+#include "../../evolve/eval/frame.h"
+#include "../../evolve/region/sampled_region.h"
 
 #include <math.h>
 #include <stdlib.h>

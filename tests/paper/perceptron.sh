@@ -1,4 +1,4 @@
-# footpoint-perceptron: usage and diagnostics; same seed, same bytes; what it writes goes through codegen.  The pinball
+# footpoint-perceptron: usage, diagnostics, its page; same seed, same bytes; what it writes goes through codegen.  The pinball
 # test's table.
 . tests/cli/expect.inc
 perceptron=$BIN/footpoint-perceptron
@@ -20,6 +20,12 @@ expect 'twice' 2 '' "$error --hidden 3 is given twice" "$perceptron" --hidden 3 
 expect 'no samples' 2 '' "$error --samples 0 is out of range" "$perceptron" --samples 0
 expect 'unknown scene' 3 '' '*' "$perceptron" --scene tests/none.scene -o "$work/o.gen"
 expect 'unwritable output' 3 '' '*' "$perceptron" --scene $scene -o "$work/none/o.gen"
+cp $scene "$work/own.scene"
+expect 'onto its scene' 2 '' '*' "$perceptron" --scene "$work/own.scene" -o "$work/own.scene"
+grep -q '^footpoint-perceptron: error: --output and the scene are one file: ' "$work/stderr" && cmp $scene "$work/own.scene"
+report $((! $?)) 'which is refused in one line, and stays'
+no_room_for_help footpoint-perceptron
+documented "$perceptron" tests/paper/footpoint-perceptron.1
 
 run="--scene $scene --hidden 4 --hidden 3,2 --iterations 30 --samples 500 --seed 4"
 expect 'a run' 0 '' '*' "$perceptron" $run -o "$work/1.gen"

@@ -1,4 +1,4 @@
-# footpoint-pga: usage and diagnostics; same bytes on any number of ranks; what it writes goes through codegen.
+# footpoint-pga: usage, diagnostics, its page; same bytes on any number of ranks; what it writes goes through codegen.
 . tests/cli/expect.inc
 pga=$BIN/footpoint-pga
 export OMPI_MCA_btl_base_warn_component_unused=0
@@ -20,6 +20,12 @@ expect 'bad list' 2 '' "footpoint-pga: error: --restrict needs a whole number, n
 expect 'bad name' 2 '' "footpoint-pga: error: --name needs letters, digits and _, not 'a b'" "$pga" --name 'a b'
 expect 'unknown tier' 1 '' "./$scene: error: no tier 'x'" "$pga" --scene ./$scene --tier x -o "$work/o.gen"
 expect 'unwritable output' 3 '' '*' "$pga" --scene $scene --tier paper --generations 0 --quiet -o "$work/none/o.gen"
+cp $scene "$work/own.scene"
+expect 'onto its scene' 2 '' '*' "$pga" --scene "$work/own.scene" -o "$work/own.scene"
+grep -q '^footpoint-pga: error: --output and the scene are one file: ' "$work/stderr" && cmp $scene "$work/own.scene"
+report $((! $?)) 'which is refused in one line, and stays'
+no_room_for_help footpoint-pga
+documented "$pga" tests/paper/footpoint-pga.1
 
 run="--scene $scene --tier paper --generations 20 --population 20 --restrict 12 --seed 4 --quiet"
 expect 'a run' 0 '*' '' "$pga" $run --log "$work/1.csv" -o "$work/1.gen"

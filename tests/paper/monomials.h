@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_MONOMIALS_H
 #define FOOTPOINT_MONOMIALS_H
 
-#include "../eval/kernel.h"
-#include "../genotype/tree.h"
+#include "../../evolve/eval/kernel.h"
+#include "../../evolve/genotype/tree.h"
 
 enum { MONOMIAL_DEGREE = 4 };
 

@@ -2,7 +2,7 @@
 #include "normal_equations.h"
 
 #include "../../codegen/genome/base.h"
-#include "../common/simd.h"
+#include "../../evolve/common/simd.h"
 
 #include <math.h>
 #include <stdlib.h>
