@@ -42,35 +42,17 @@ static struct value value_of(rational coef, int node)
     return (struct value){coef, coef == ZERO ? 0 : node};
 }
 
-static size_t bucket_of(const struct dag *g, const mp_limb_t mark[PRIMES])
+static uint64_t hash_of(const mp_limb_t mark[PRIMES])
 {
-    return (size_t)random_of(mark[0] ^ random_of(mark[1])) & (g->buckets - 1);
-}
-
-static void insert(struct dag *g, int n)
-{
-    size_t i = bucket_of(g, g->node[n].mark);
-    while (g->bucket[i])
-        i = (i + 1) & (g->buckets - 1);
-    g->bucket[i] = n + 1;
-}
-
-static void grow_buckets(struct dag *g)
-{
-    free(g->bucket);
-    g->buckets = g->buckets ? 2 * g->buckets : 256;
-    g->bucket = new_array(g->buckets, sizeof *g->bucket);
-    for (size_t n = 0; n < g->nodes; n++)
-        insert(g, (int)n);
+    return random_of(mark[0] ^ random_of(mark[1]));
 }
 
 static int find(const struct dag *g, const mp_limb_t mark[PRIMES])
 {
-    for (size_t i = bucket_of(g, mark); g->bucket[i]; i = (i + 1) & (g->buckets - 1)) {
-        const int n = g->bucket[i] - 1;
+    size_t probe = 0;
+    for (int n; (n = index_next(&g->known, hash_of(mark), &probe)) >= 0;)
         if (g->node[n].mark[0] == mark[0] && g->node[n].mark[1] == mark[1])
             return n;
-    }
     return -1;
 }
 
@@ -109,12 +91,10 @@ static int make(struct dag *g, enum node_kind kind, int input, const struct edge
     const int known = find(g, mark);
     if (known >= 0)
         return known;
-    if (2 * (g->nodes + 1) > g->buckets)
-        grow_buckets(g);
     const int n = dag_append(g, kind, list ? list->edge : NULL, list ? list->n : 0);
     g->node[n].input = input;
     memcpy(g->node[n].mark, mark, sizeof g->node[n].mark);
-    insert(g, n);
+    index_add(&g->known, hash_of(mark), n);
     return n;
 }
 
@@ -123,7 +103,6 @@ struct dag *dag_new(size_t inputs)
     struct dag *g = new_array(1, sizeof *g);
     rational_start();
     g->inputs = inputs;
-    grow_buckets(g);
     make(g, NODE_ONE, 0, NULL, (mp_limb_t[PRIMES]){1, 1});
     return g;
 }
@@ -140,7 +119,7 @@ void dag_free(struct dag *g)
     free(g->removed);
     free(g->lost);
     free(g->node);
-    free(g->bucket);
+    index_free(&g->known);
     free(g->output);
     free(g->output_name);
     free(g);

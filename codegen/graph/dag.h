@@ -8,6 +8,7 @@
 #define FOOTPOINT_DAG_H
 
 #include "../genome/genome.h"
+#include "../genome/index_table.h"
 #include "rational.h"
 
 enum node_kind {
@@ -58,10 +59,9 @@ struct dag {
     size_t nodes, node_room;
     struct edge **pool; /* owned: blocks that hold the nodes' edges; the last one is filled up to pool_used */
     size_t pools, pool_room, pool_used, pool_size;
-    int *bucket; /* owned: hash table of node numbers + 1 */
-    size_t buckets;
-    struct value *output; /* owned */
-    char **output_name;   /* owned */
+    struct index_table known; /* nodes by their marks */
+    struct value *output;     /* owned */
+    char **output_name;       /* owned */
     size_t outputs, output_room, output_name_room;
     size_t inputs;
     struct removal *removed; /* owned: those of graphs that this one was made from, in no order, maybe repeated */

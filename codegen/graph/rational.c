@@ -1,9 +1,8 @@
 /* The table of rationals and the memory of what was computed with them; see rational.h. */
 #include "rational.h"
 
+#include "../genome/index_table.h"
 #include "../genome/random.h"
-
-#include "../genome/base.h"
 
 #include <flint/nmod_vec.h>
 #include <stdint.h>
@@ -26,19 +25,10 @@ struct result { /* a + b or a * b */
 
 static struct known *known;
 static size_t n_known, known_room;
-static int *bucket; /* by hash of the residues: number + 1 */
-static size_t buckets;
-static struct result *memo; /* by hash of operation and operands; a new one replaces an old one */
+static struct index_table numbers; /* by their residues */
+static struct result *memo;        /* by hash of operation and operands; a new one replaces an old one */
 static bool overflow;
 enum { MEMO = 1 << 20, MOST_BITS = 1 << 16 };
-
-static void insert(rational r)
-{
-    size_t i = random_mix(known[r].residue[0]) & (buckets - 1);
-    while (bucket[i])
-        i = (i + 1) & (buckets - 1);
-    bucket[i] = r + 1;
-}
 
 /* At the end of the program: the tables, and what FLINT keeps for more numbers. */
 static void forget(void)
@@ -46,18 +36,16 @@ static void forget(void)
     for (size_t i = 0; i < n_known; i++)
         fmpq_clear(known[i].value);
     free(known);
-    free(bucket);
+    index_free(&numbers);
     free(memo);
     flint_cleanup();
 }
 
 void rational_start(void)
 {
-    if (bucket)
+    if (memo)
         return;
     atexit(forget);
-    buckets = 1024;
-    bucket = new_array(buckets, sizeof *bucket);
     memo = new_array(MEMO, sizeof *memo);
     for (int i = 0; i < 9; i++) /* in the order of the enumeration */
         rational_from_si((long[]){0, 1, -1, 2, -2, 4, -4, 8, -8}[i]);
@@ -66,16 +54,11 @@ void rational_start(void)
 /* The number of a value whose residues are known. */
 static rational intern(const fmpq *q, const mp_limb_t residue[PRIMES])
 {
-    for (size_t i = random_mix(residue[0]) & (buckets - 1); bucket[i]; i = (i + 1) & (buckets - 1))
-        if (fmpq_equal(known[bucket[i] - 1].value, q))
-            return bucket[i] - 1;
-    if (2 * (n_known + 1) > buckets) {
-        free(bucket);
-        buckets *= 2;
-        bucket = new_array(buckets, sizeof *bucket);
-        for (size_t i = 0; i < n_known; i++)
-            insert((rational)i);
-    }
+    const uint64_t hash = random_mix(residue[0]);
+    size_t probe = 0;
+    for (int r; (r = index_next(&numbers, hash, &probe)) >= 0;)
+        if (fmpq_equal(known[r].value, q))
+            return r;
     grow_array(&known, n_known, &known_room, sizeof *known);
     struct known *x = &known[n_known];
     fmpq_init(x->value);
@@ -84,7 +67,7 @@ static rational intern(const fmpq *q, const mp_limb_t residue[PRIMES])
     x->sign = fmpq_sgn(q);
     for (int k = 0; k < PRIMES; k++)
         x->residue[k] = residue[k];
-    insert((rational)n_known);
+    index_add(&numbers, hash, (int)n_known);
     return (rational)n_known++;
 }
 

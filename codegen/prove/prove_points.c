@@ -12,6 +12,8 @@
 #define _GNU_SOURCE /* tdestroy */
 #include "prove_points.h"
 
+#include "../genome/index_table.h"
+#include "../genome/random.h"
 #include "../graph/unary.h"
 #include "random_oracle.h"
 
@@ -30,12 +32,11 @@ struct field {
     const struct program *program;
     struct points *points;
     struct oracle oracle;
-    fmpq *exact;   /* owned: by operation, where known; of any size up to MOST_EXACT bits */
-    bool *known;   /* owned: by operation: it is a constant by its form */
-    void *sizes;   /* owned: tree of rays, the results of abs by their arguments */
-    int *like;     /* owned: hash table of functions, by the values of their arguments: operation + 1 */
-    size_t places; /* of it, a power of 2 */
-    bool accident; /* a divisor is 0 */
+    fmpq *exact;             /* owned: by operation, where known; of any size up to MOST_EXACT bits */
+    bool *known;             /* owned: by operation: it is a constant by its form */
+    void *sizes;             /* owned: tree of rays, the results of abs by their arguments */
+    struct index_table like; /* functions by the values of their arguments */
+    bool accident;           /* a divisor is 0 */
 };
 
 /* ---- how many bits ---- */
@@ -370,34 +371,32 @@ static bool fold(struct field *e, enum op_kind kind, int a, int b, int op)
     return folds;
 }
 
-/* Place of a function of these arguments, or of the same function of equal ones that came before. */
-static int *find_like(const struct field *e, enum op_kind kind, int a, int b)
+/* The same function of equal arguments that came before, or -1, in whose place `op` is from now on. */
+static int find_like(struct field *e, enum op_kind kind, int a, int b, int op)
 {
     const struct points *x = e->points;
     const bool commutes = kind == OP_MIN || kind == OP_MAX;
-    uint64_t h = fmpz_get_ui(&x->value[0][a]) + (b >= 0 ? fmpz_get_ui(&x->value[0][b]) : 0) + (uint64_t)kind;
-    h = (h ^ (h >> 31)) * 0x9e3779b97f4a7c15u;
-    size_t i = (h >> 20) & (e->places - 1);
-    for (; e->like[i]; i = (i + 1) & (e->places - 1)) {
-        const struct op *o = &e->program->op[e->like[i] - 1];
+    const uint64_t hash =
+        random_mix(fmpz_get_ui(&x->value[0][a]) + (b >= 0 ? fmpz_get_ui(&x->value[0][b]) : 0) + (uint64_t)kind);
+    size_t probe = 0;
+    for (int i; (i = index_next(&e->like, hash, &probe)) >= 0;) {
+        const struct op *o = &e->program->op[i];
         if (o->kind == kind && ((points_equal(x, a, o->a) && (b < 0 || points_equal(x, b, o->b))) ||
                                 (commutes && points_equal(x, a, o->b) && points_equal(x, b, o->a))))
-            break;
+            return i;
     }
-    return &e->like[i];
+    index_add(&e->like, hash, op);
+    return -1;
 }
 
 static void evaluate_function(struct field *e, enum op_kind kind, int a, int b, int op)
 {
     if (fold(e, kind, a, b, op))
         return;
-    int *like = find_like(e, kind, a, b);
-    if (*like) {
-        copy(e, op, *like - 1);
-        return;
-    }
-    *like = op + 1;
-    if (kind == OP_ABS)
+    const int like = find_like(e, kind, a, b, op);
+    if (like >= 0)
+        copy(e, op, like);
+    else if (kind == OP_ABS)
         apply_abs(e, a, op);
     else if (kind == OP_PDIV)
         apply_protected(e, a, b, op);
@@ -431,9 +430,6 @@ static bool evaluate(const struct program *p, struct points *x, int attempt, int
                       .exact = _fmpq_vec_init((slong)p->ops),
                       .known = new_array(p->ops, sizeof *e.known)};
     oracle_prime(&e.oracle, x->prime);
-    for (e.places = 64; e.places < 2 * p->ops; e.places *= 2)
-        ;
-    e.like = new_array(e.places, sizeof *e.like);
     for (size_t i = 0; i < p->ops && !e.accident; i++) {
         const struct op *o = &p->op[i];
         if (is_function(o->kind))
@@ -448,7 +444,7 @@ static bool evaluate(const struct program *p, struct points *x, int attempt, int
     tdestroy(e.sizes, free_ray);
     _fmpq_vec_clear(e.exact, (slong)p->ops);
     free(e.known);
-    free(e.like);
+    index_free(&e.like);
     return !e.accident;
 }
 

@@ -4,6 +4,7 @@
 #include "operation_count.h"
 
 #include "../../codegen/genome/gene_value.h"
+#include "../../codegen/genome/index_table.h"
 #include "../common/decimal.h"
 
 #include <math.h>
@@ -21,18 +22,11 @@ struct node {
     double path; /* of what is needed: the longest chain that ends here */
 };
 
-struct slot {
-    uint64_t round; /* the count in which it was filled */
-    int node;
-};
-
 struct counter {
     struct node *node; /* owned, operands before those that use them */
     int nodes;
-    struct operand *stack; /* owned */
-    struct slot *slot;     /* owned: hash table of the nodes */
-    size_t slots;          /* power of 2 */
-    uint64_t round;
+    struct operand *stack;    /* owned */
+    struct index_table known; /* nodes by hash */
 };
 
 double operations_price(const struct operation_count *o, const struct prices *m)
@@ -43,12 +37,8 @@ double operations_price(const struct operation_count *o, const struct prices *m)
 struct counter *counter_new(size_t max_length)
 {
     struct counter *c = new_array(1, sizeof *c);
-    c->slots = 4;
-    while (c->slots < 2 * max_length)
-        c->slots *= 2;
     c->node = new_array(max_length, sizeof *c->node);
     c->stack = new_array(max_length, sizeof *c->stack);
-    c->slot = new_array(c->slots, sizeof *c->slot);
     return c;
 }
 
@@ -58,7 +48,7 @@ void counter_free(struct counter *c)
         return;
     free(c->node);
     free(c->stack);
-    free(c->slot);
+    index_free(&c->known);
     free(c);
 }
 
@@ -73,13 +63,11 @@ static uint64_t mix(uint64_t a, uint64_t b)
 /* The node of that hash, which is added if it is new. */
 static int node_of(struct counter *c, struct node n)
 {
-    size_t at = n.hash & (c->slots - 1);
-    while (c->slot[at].round == c->round) {
-        if (c->node[c->slot[at].node].hash == n.hash)
-            return c->slot[at].node;
-        at = (at + 1) & (c->slots - 1);
-    }
-    c->slot[at] = (struct slot){c->round, c->nodes};
+    size_t probe = 0;
+    const int known = index_next(&c->known, n.hash, &probe);
+    if (known >= 0)
+        return known;
+    index_add(&c->known, n.hash, c->nodes);
     c->node[c->nodes] = n;
     return c->nodes++;
 }
@@ -198,7 +186,7 @@ struct operand counter_operation(struct counter *c, int gene, struct operand a, 
 void counter_begin(struct counter *c)
 {
     c->nodes = 0;
-    c->round++;
+    index_clear(&c->known);
 }
 
 struct operand counter_number(struct counter *c, double value)

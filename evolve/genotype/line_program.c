@@ -3,6 +3,7 @@
 #include "line_program.h"
 
 #include "../../codegen/genome/gene_value.h"
+#include "../../codegen/genome/random.h"
 #include "../common/decimal.h"
 
 #include <math.h>
@@ -15,11 +16,6 @@ struct line_body {
     struct line *line; /* owned */
     size_t lines, room;
     int to[2];
-};
-
-struct line_slot {
-    unsigned round;
-    int line;
 };
 
 /* ---- functions ---- */
@@ -235,19 +231,18 @@ void lines_free(struct lines *c)
     free(c->divides);
     free(c->number);
     free(c->place);
-    free(c->slot);
+    index_free(&c->known);
     free(c->map);
     free(c);
 }
 
-static size_t place_of(const struct lines *c, const struct line *x)
+static uint64_t hash_of(const struct line *x)
 {
     uint64_t bits, h;
     memcpy(&bits, &x->number, sizeof bits);
     h = ((uint64_t)(unsigned)x->gene * 0x9e3779b97f4a7c15u) ^ ((uint64_t)(unsigned)x->a * 0xbf58476d1ce4e5b9u) ^
         ((uint64_t)(unsigned)x->b * 0x94d049bb133111ebu) ^ bits;
-    h = (h ^ h >> 31) * 0x9e3779b97f4a7c15u;
-    return (size_t)(h >> 32) & (c->slots - 1);
+    return random_mix(h);
 }
 
 static bool same(const struct line *x, const struct line *y)
@@ -255,27 +250,15 @@ static bool same(const struct line *x, const struct line *y)
     return x->gene == y->gene && x->a == y->a && x->b == y->b && memcmp(&x->number, &y->number, sizeof x->number) == 0;
 }
 
-static void enlarge(struct lines *c)
+/* The line that is equal; -1: there is none. */
+static int known_line(const struct lines *c, const struct line *x)
 {
-    free(c->slot);
-    c->slots = c->slots ? 2 * c->slots : 512;
-    c->slot = new_array(c->slots, sizeof *c->slot);
-    c->round = 1;
-    for (size_t i = 0; i < c->lines; i++) {
-        size_t at = place_of(c, &c->line[i]);
-        while (c->slot[at].round == c->round)
-            at = (at + 1) & (c->slots - 1);
-        c->slot[at] = (struct line_slot){c->round, (int)i};
-    }
-}
-
-/* Its slot: that of an equal line, or a free one. */
-static struct line_slot *slot_of(struct lines *c, const struct line *x)
-{
-    size_t at = place_of(c, x);
-    while (c->slot[at].round == c->round && !same(&c->line[c->slot[at].line], x))
-        at = (at + 1) & (c->slots - 1);
-    return &c->slot[at];
+    const uint64_t hash = hash_of(x);
+    size_t probe = 0;
+    for (int i; (i = index_next(&c->known, hash, &probe)) >= 0;)
+        if (same(&c->line[i], x))
+            return i;
+    return -1;
 }
 
 /* Operations in their order, then leaves in one of their own: whatever the order in which leaves came. */
@@ -303,12 +286,10 @@ static struct line ordered(const struct lines *c, struct line x)
 static int line_of(struct lines *c, struct line x)
 {
     x = ordered(c, x);
-    if (2 * (c->lines + 1) > c->slots)
-        enlarge(c);
-    struct line_slot *s = slot_of(c, &x);
-    if (s->round == c->round)
-        return s->line;
-    *s = (struct line_slot){c->round, (int)c->lines};
+    const int known = known_line(c, &x);
+    if (known >= 0)
+        return known;
+    index_add(&c->known, hash_of(&x), (int)c->lines);
     grow_array(&c->line, c->lines, &c->room, sizeof *c->line);
     c->line[c->lines] = x;
     return (int)c->lines++;
@@ -317,7 +298,7 @@ static int line_of(struct lines *c, struct line x)
 void lines_begin(struct lines *c)
 {
     c->lines = c->numbers = 0;
-    c->round++;
+    index_clear(&c->known);
 }
 
 int lines_symbol(struct lines *c, int gene)
@@ -449,9 +430,7 @@ void lines_images(struct lines *c, int *image)
         if (line_is_operation(&c->line[i]) && (x.a < 0 || (c->line[i].b >= 0 && x.b < 0)))
             continue;
         x = ordered(c, x);
-        const struct line_slot *s = slot_of(c, &x);
-        if (s->round == c->round)
-            image[i] = s->line;
+        image[i] = known_line(c, &x);
     }
 }
 

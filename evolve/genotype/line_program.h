@@ -13,6 +13,7 @@
 #ifndef FOOTPOINT_LINE_PROGRAM_H
 #define FOOTPOINT_LINE_PROGRAM_H
 
+#include "../../codegen/genome/index_table.h"
 #include "tree.h"
 
 enum {
@@ -58,10 +59,8 @@ struct lines {
     size_t *number; /* owned: lines of the numbers to be fitted, where these are kept apart, and their genes */
     size_t *place;
     size_t numbers, number_room;
-    struct line_slot *slot; /* owned, as is the rest: the hash table of the lines, and scratch */
-    size_t slots;
-    unsigned round;
-    int *map;
+    struct index_table known; /* the lines */
+    int *map;                 /* owned: scratch */
     size_t map_room;
 };
 struct lines *lines_new(const struct line_rules *r);

@@ -7,6 +7,8 @@
  * from changed programs with an empty front; when that stagnates in turn, the best of all times join it. */
 #include "breed.h"
 
+#include "../../codegen/genome/random.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,16 +51,14 @@ static void fix_reference(struct island *is)
     memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
 }
 
-/* True if the key is new to the table. */
+/* Returns true if the key is new to the table, and adds it. */
 static bool meet(struct island *is, uint64_t key)
 {
-    const size_t slots = 8 * (2 * is->plan->population + 2);
-    size_t at = (key * 0x9e3779b97f4a7c15u >> 32) % slots;
-    key += key == 0;
-    while (is->met[at] != 0 && is->met[at] != key)
-        at = (at + 1) % slots;
-    const bool fresh = is->met[at] == 0;
-    is->met[at] = key;
+    const uint64_t hash = random_mix(key); /* no two keys have the same */
+    size_t probe = 0;
+    const bool fresh = index_next(&is->met, hash, &probe) < 0;
+    if (fresh)
+        index_add(&is->met, hash, 0);
     return fresh;
 }
 
@@ -81,9 +81,8 @@ static enum fate fate_of(struct island *is, const struct individual *x)
  * fill up where there are too few. */
 static void select_survivors(struct island *is, size_t n)
 {
-    const size_t met = 8 * (2 * is->plan->population + 2);
     size_t ordered = 0;
-    memset(is->met, 0, met * sizeof *is->met);
+    index_clear(&is->met);
     memset(is->crowd, 0, (is->stage->limit + 1) * sizeof *is->crowd);
     for (size_t i = 0; i < n; i++)
         is->now[i].fitness = ratio(is, &is->now[i]);

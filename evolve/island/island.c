@@ -24,7 +24,6 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     is->order = new_array(room, sizeof *is->order);
     is->fate = new_array(room, sizeof *is->fate);
     is->crowd = new_array(plan->front_limit + 1, sizeof *is->crowd);
-    is->met = new_array(8 * room, sizeof *is->met);
     is->pool = new_array((room + 1) * goal->max_length, sizeof *is->pool);
     is->cumulative = new_array(n, sizeof *is->cumulative);
     is->reference = new_array(plan->front_limit + 1, sizeof *is->reference);
@@ -51,7 +50,7 @@ void island_free(struct island *is)
     free(is->order);
     free(is->fate);
     free(is->crowd);
-    free(is->met);
+    index_free(&is->met);
     free(is->pool);
     free(is->cumulative);
     free(is->reference);

@@ -2,6 +2,7 @@
 #ifndef FOOTPOINT_POPULATION_H
 #define FOOTPOINT_POPULATION_H
 
+#include "../../codegen/genome/index_table.h"
 #include "../eval/frame_cost.h"
 #include "../genotype/front.h"
 #include "goal.h"
@@ -39,7 +40,7 @@ struct island {
     struct individual *order;    /* owned: as now[] */
     unsigned char *fate;         /* owned: as now[] */
     size_t *crowd;               /* owned: how many of each cost */
-    uint64_t *met;               /* owned: hash table */
+    struct index_table met;      /* hashes and errors of those that live already */
     double *cumulative;          /* owned: roulette wheel of the living */
     double *reference;           /* owned: error at each cost of the stage's front when the generation began */
     struct tree scratch;         /* in the pool */
