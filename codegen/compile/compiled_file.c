@@ -13,8 +13,6 @@
 
 enum { SAMPLES = 10000, SAMPLES_FOR_EFFORT = 20, BOXES_FOR_EFFORT = 20 };
 
-/* Rounding errors in float are 2^29 times those in double. */
-
 bool function_is_guarded(const struct function *f)
 {
     bool guarded = false;

@@ -71,11 +71,11 @@ const struct genome *archive_start_genome(const struct archive *a, size_t tier);
 
 /** Add a copy of an expression to breed from; its constants are decimal numbers. */
 void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t);
+/** False with *d where a start of a tier of programs is not made of its terminals. */
+bool archive_check_starts(const struct archive *a, struct diag *d);
 /** Add every output xi and eta of a genome file as a seed, with constants rounded to decimal numbers, for the tier that
  *  has the genome's name, or else for all.  False with *d filled if the file cannot be read, has no such output, or
  *  uses a symbol that the program lacks. */
-/** False with *d where a start of a tier of programs is not made of its terminals. */
-bool archive_check_starts(const struct archive *a, struct diag *d);
 bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
 /** The seeds of an output that may breed: the champion (its constants rounded) and those added, as far as they use the
  *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees

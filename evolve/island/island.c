@@ -83,11 +83,6 @@ const struct individual *island_best(const struct island *is)
     return &is->best;
 }
 
-const struct front *island_front(const struct island *is)
-{
-    return is->all;
-}
-
 size_t island_parcel_size(const struct island *is, size_t n)
 {
     return n * population_parcel(is);

@@ -17,8 +17,6 @@ void island_start(struct island *is, const struct tree *seed, size_t n);
 void island_step(struct island *is);
 /** The best so far: lowest plan_fitness.  Valid until the island changes. */
 const struct individual *island_best(const struct island *is);
-/** All that it has found: the best of each cost, restarts or not. */
-const struct front *island_front(const struct island *is);
 
 /** Ints of a parcel of n individuals. */
 size_t island_parcel_size(const struct island *is, size_t n);

@@ -223,19 +223,22 @@ int foot_bilinear_stationary(const double x[4][3], const double xs[3], struct st
 }
 
 /* (xs - r).n; false where the surface has no normal. */
-static bool gap_at(const struct local *l, long double xi, long double eta, double *gap)
+static bool gap_at(const double x[4][3], const double xs[3], long double xi, long double eta, double *gap)
 {
+    struct local l;
     long double v[3], t1[3], t2[3], n[3];
+    if (!localise(x, xs, &l))
+        return false;
     for (int k = 0; k < 3; k++) {
-        t1[k] = l->c1[k] + l->c3[k] * eta;
-        t2[k] = l->c2[k] + l->c3[k] * xi;
-        v[k] = l->d[k] - l->c1[k] * xi - t2[k] * eta;
+        t1[k] = l.c1[k] + l.c3[k] * eta;
+        t2[k] = l.c2[k] + l.c3[k] * xi;
+        v[k] = l.d[k] - l.c1[k] * xi - t2[k] * eta;
     }
     long_cross(t1, t2, n);
     const long double length = sqrtl(long_dot(n, n));
     if (!(length > 0))
         return false;
-    *gap = (double)(l->size * long_dot(v, n) / length);
+    *gap = (double)(l.size * long_dot(v, n) / length);
     return true;
 }
 
@@ -300,14 +303,11 @@ bool foot_bilinear(struct sample *s, const double lo[2], const double hi[2])
 {
     const double(*x)[3] = (const double(*)[3])s->x;
     struct stationary found[5];
-    struct local l;
-    if (excluded(x, s->xs, lo, hi) || !localise(x, s->xs, &l))
-        return false;
-    const int n = all_stationary(&l, found);
+    const int n = excluded(x, s->xs, lo, hi) ? 0 : foot_bilinear_stationary(x, s->xs, found);
     for (int k = 0; k < n; k++) {
         const struct stationary *f = &found[k];
         if (f->minimum && inside(f->xi, lo[0], hi[0]) && inside(f->eta, lo[1], hi[1]) &&
-            gap_at(&l, f->xi, f->eta, &s->gap)) {
+            gap_at(x, s->xs, f->xi, f->eta, &s->gap)) {
             s->xi = f->xi;
             s->eta = f->eta;
             return true;

@@ -112,29 +112,30 @@ static bool inside(double v, double lo, double hi)
 }
 
 /* (xs - r).n; false where the surface has no normal. */
-static bool gap_at(const struct patch_local *l, double xi, double eta, double *gap)
+static bool gap_at(const struct footpoint_gregory *patch, const double xs[3], double xi, double eta, double *gap)
 {
+    struct patch_local l;
     struct patch_jet jet;
-    patch_evaluate(l, (1 + (long double)xi) / 2, (1 + (long double)eta) / 2, &jet);
+    if (!patch_localise(patch, xs, &l))
+        return false;
+    patch_evaluate(&l, (1 + (long double)xi) / 2, (1 + (long double)eta) / 2, &jet);
     long double n[3];
     long_cross(jet.u, jet.v, n);
     const long double length = sqrtl(long_dot(n, n));
-    *gap = (double)(-l->size * long_dot(jet.r, n) / length);
+    *gap = (double)(-l.size * long_dot(jet.r, n) / length);
     return length > 0;
 }
 
 bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2])
 {
-    const struct patch_box box = box_of(lo, hi);
     struct footpoint_gregory patch;
     struct stationary found[PATCH_STATIONARY_MAX];
-    struct patch_local l;
-    if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK || !patch_localise(&patch, s->xs, &l))
+    if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK)
         return false;
-    const int n = patch_boxes_search(&l, &box, found);
+    const int n = foot_patch_stationary(&patch, s->xs, lo, hi, found);
     for (int k = 0; k < n; k++)
         if (found[k].minimum && inside(found[k].xi, lo[0], hi[0]) && inside(found[k].eta, lo[1], hi[1]) &&
-            gap_at(&l, found[k].xi, found[k].eta, &s->gap)) {
+            gap_at(&patch, s->xs, found[k].xi, found[k].eta, &s->gap)) {
             s->xi = found[k].xi;
             s->eta = found[k].eta;
             return true;

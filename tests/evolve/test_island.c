@@ -4,6 +4,7 @@
 #include "../../evolve/fit/fits.h"
 #include "../../evolve/genotype/line_program.h"
 #include "../../evolve/island/island.h"
+#include "../../evolve/island/population.h"
 #include "../support/genome_text.h"
 
 #include <math.h>
@@ -124,7 +125,7 @@ static uint64_t structure(const struct fixture *f, enum breeding breeding, const
 /* What a report says agrees with the front, whose errors fall as costs rise, and which holds nothing twice. */
 static void check_front(const struct fixture *f, enum breeding breeding, const struct island *is, const int *report)
 {
-    const struct front *front = island_front(is);
+    const struct front *front = is->all;
     const int *at = report + 1;
     double last = INFINITY;
     assert_int_equal(report[0], front_count(front));
@@ -195,7 +196,7 @@ static double evolved(const struct fixture *f, const struct plan *plan, uint64_t
     struct island *is = island_new(plan, &goal, f->objective);
     double last = INFINITY;
     island_start(is, NULL, 0);
-    for (int k = 0; k < generations && front_error(island_front(is), INFINITY) >= enough; k++) {
+    for (int k = 0; k < generations && front_error(is->all, INFINITY) >= enough; k++) {
         island_step(is);
         assert_true(island_best(is)->fitness <= last);
         last = island_best(is)->fitness;
@@ -204,7 +205,7 @@ static double evolved(const struct fixture *f, const struct plan *plan, uint64_t
     *report = new_array(*size, sizeof **report);
     island_report(is, *report);
     check_front(f, plan->breeding, is, *report);
-    last = front_error(island_front(is), INFINITY);
+    last = front_error(is->all, INFINITY);
     island_free(is);
     return last;
 }
@@ -332,7 +333,7 @@ static void fits_are_called(void **state)
         island_start(is, &seed, 1);
         for (int generation = 0; generation < 3; generation++)
             island_step(is);
-        if (!(front_error(island_front(is), 100) < 1e-15))
+        if (!(front_error(is->all, 100) < 1e-15))
             fail_msg("fit %d is not used", k);
         island_free(is);
     }

@@ -11,6 +11,7 @@
 #include "../../evolve/genotype/lines_edit.h"
 #include "../../evolve/genotype/lines_text.h"
 #include "../../evolve/island/island.h"
+#include "../../evolve/island/population.h"
 #include "../../evolve/samples/samples.h"
 
 #include <math.h>
@@ -365,7 +366,7 @@ static void test_evolution(void **state)
     island_start(is, seed, front_count(found));
     for (int k = 0; k < 15; k++)
         island_step(is);
-    const struct front *all = island_front(is);
+    const struct front *all = is->all;
     size_t better = 0;
     for (size_t i = 0; i < front_count(found); i++) {
         const struct member *m = front_member(found, i);
