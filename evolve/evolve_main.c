@@ -4,6 +4,7 @@
 #include "../codegen/genome/console.h"
 #include "common/stop.h"
 #include "eval/kernel_benchmark.h"
+#include "input/scene_print.h"
 #include "mpi/shared_file.h"
 #include "run/run.h"
 #include "samples/samples_write.h"
@@ -56,10 +57,12 @@ int main(int argc, char **argv)
     stop_listen();
     struct team team = team_new(MPI_COMM_WORLD);
     const enum options_outcome outcome = evolve_options_read(argc, argv, &o, &d);
-    if (outcome == OPTIONS_READ && !o.benchmark && !o.samples)
+    if (outcome == OPTIONS_READ && !o.benchmark && !o.samples && !o.print_scene)
         evolve(argc, argv, &o, &team, &status, &d);
     else if (team.rank == 0 && outcome == OPTIONS_READ && o.benchmark)
         evolve_benchmark(stdout);
+    else if (team.rank == 0 && outcome == OPTIONS_READ && o.print_scene)
+        scene_print(o.print_scene, stdout);
     else if (team.rank == 0 && outcome == OPTIONS_READ)
         samples_write(o.root, o.scene, o.samples, &d);
     else if (team.rank == 0 && outcome != OPTIONS_WRONG)

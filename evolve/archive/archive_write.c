@@ -47,7 +47,7 @@ static void note_range(struct genome_file *f, const struct scene *s)
     else if (s->source == SOURCE_MESH)
         NOTE("contact pairs of %s within %g mesh lengths", slash ? slash + 1 : s->mesh.file, s->mesh.distance);
     else
-        NOTE("A = (0,0,0), B = (1,0,0); |x|, |y| <= %g, |z| <= %g", s->lattice.xy_max, s->lattice.z_max);
+        NOTE("A = (0,0,0), B = (1,0,0); |x|, |y| <= %g, |z| <= %g", s->lattice.xy.most, s->lattice.z.most);
     if (s->source == SOURCE_LATTICE && *s->segment->normals)
         NOTE("tangent of the angle between a normal and the facet's own <= %g", s->lattice.tilt);
     if (s->segment->triangle)

@@ -39,7 +39,6 @@ void scene_free(struct scene *s)
     for (size_t i = 0; i < s->mesh.reads; i++)
         free(s->mesh.read[i]);
     free(s->mesh.read);
-    free(s->precision);
     free(s->warnings);
     free(s->path);
     free(s->name);

@@ -9,15 +9,20 @@
 enum scene_source { SOURCE_LATTICE, SOURCE_RANDOM, SOURCE_MESH };
 enum scene_norm { NORM_MEAN, NORM_P99, NORM_MAX };
 
+/** Values from -most to most. */
+struct grid_range {
+    double most, step;
+};
+
 /** The paper's lattice (section 6.1): A = 0, B = (1,0,0), D in the x-y plane. */
 struct lattice {
-    double xy_max, xy_step; /* x, y of C, D, S on the closed grid -xy_max..xy_max */
-    double z_max, z_step;   /* z of C, S */
-    double xi[2], eta[2];   /* contact points kept: strictly above the lower bound, up to and with the upper one */
-    int newton;             /* > 0: kept only if so many Newton steps from (0,0) find the contact point; 0: all */
-    size_t random;          /* training samples off the lattice, besides */
-    int normal_sets;        /* of segments with normals: random sets for each configuration */
-    double tilt;            /* tangent of the largest angle of a normal off the facet's own at the corner */
+    struct grid_range xy; /* x, y of C, D, S */
+    struct grid_range z;  /* z of C, S */
+    double xi[2], eta[2]; /* contact points kept: strictly above the lower bound, up to and with the upper one */
+    int newton;           /* > 0: kept only if so many Newton steps from (0,0) find the contact point; 0: all */
+    size_t random;        /* training samples off the lattice, besides */
+    int normal_sets;      /* of segments with normals: random sets for each configuration */
+    double tilt;          /* tangent of the largest angle of a normal off the facet's own at the corner */
 };
 
 /** Ordinary segments: drawn at random. */
@@ -96,9 +101,9 @@ struct scene {
     double reference[2]; /* NAN: left to the segments */
     enum corner_order order;
     enum scene_norm norm;
-    char *precision; /* owned: of the generated code, "double" or "float" */
+    const char *precision; /* of the generated code, "double" or "float" */
     size_t training, heldout;
-    uint64_t seed; /* of the samples, not of the evolution */
+    size_t seed; /* of the samples, not of the evolution */
     enum scene_source source;
     struct lattice lattice;
     struct shapes shapes;

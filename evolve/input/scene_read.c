@@ -26,77 +26,40 @@ static bool read_segment(const struct scene_reader *r, const config_setting_t *s
     return found;
 }
 
-static bool read_reference(const struct scene_reader *r, const config_setting_t *root, double reference[2])
-{
-    const config_setting_t *s = config_setting_get_member(root, "reference");
-    reference[0] = reference[1] = NAN;
-    return !s || key_two(r, s, "reference", -1, 1, reference);
-}
-
-/* One of n words; the first where the scene has none. */
-static bool read_word(const struct scene_reader *r, const config_setting_t *root, const char *key,
-                      const char *const *word, int n, int *which)
-{
-    const config_setting_t *s = config_setting_get_member(root, key);
-    *which = 0;
-    return !s || key_word(r, s, key, word, n, which);
-}
-
 /* Every key is known, and those are there that have no usual value. */
 static bool check_keys(const struct scene_reader *r, config_setting_t *root, struct scene *scene,
                        config_setting_t **source)
 {
-    static const struct scene_key required[] = {{"training", "20000"}, {"heldout", "50000"}, {NULL, NULL}};
-    static const char *const optional[] = {"segment", "order",     "norm",    "precision",  "seed", "reference",
-                                           "frame",   "tiers",     "lattice", "shapes",     "mesh", "terminals",
-                                           "starts",  "functions", "last",    "max_length", NULL};
-    static const struct scene_key segment = {"segment", "\"quad4\""};
-    if (!keys_check(r, root, "scene", required, optional) ||
+    if (!keys_check(r, root, "scene", &scene_group, NULL, NULL, &tier_group) ||
         !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment) ||
         !scene_find_source(r, root, scene, source))
         return false;
     if (!scene->segment && *source && scene->source != SOURCE_MESH)
-        keys_lack(r, root, "scene", &segment);
+        keys_lack(r, root, "scene", "segment", group_find(&scene_group, "segment")->usual);
     return scene_check_source(r, *source, scene) && scene_check_tiers(r, root) && keys_complete(r);
+}
+
+/* What segments of the scene's kind have not. */
+static bool suits_segment(const struct scene_reader *r, const config_setting_t *root, const struct scene *scene)
+{
+    const struct segment_kind *kind = scene->segment;
+    if (scene->order != CORNERS_ANY && !kind->turns)
+        return key_fail(r, config_setting_get_member(root, "order"), "'order' must be \"any\" for segment '%s'",
+                        kind->name);
+    return strcmp(scene->precision, "double") == 0 || !*kind->normals ||
+           key_fail(r, config_setting_get_member(root, "precision"), "'precision' must be \"double\" for segment '%s'",
+                    kind->name);
 }
 
 static bool read_scene(const struct scene_reader *r, config_setting_t *root, struct scene *scene)
 {
-    static const char *const order[] = {"any", "nearest", "nearest-shorter"};
-    static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
-    long long training, heldout, seed = 1;
     config_setting_t *source = NULL;
-    const config_setting_t *s;
-    int which;
-    if (!check_keys(r, root, scene, &source) || (scene->source == SOURCE_MESH && !scene_read_mesh(r, source, scene)) ||
-        !read_word(r, root, "order", order, 3, &which))
+    if (!check_keys(r, root, scene, &source))
         return false;
-    scene->order = (enum corner_order)which;
-    if (scene->order != CORNERS_ANY && !scene->segment->turns)
-        return key_fail(r, config_setting_get_member(root, "order"), "'order' must be \"any\" for segment '%s'",
-                        scene->segment->name);
-    if (!read_reference(r, root, scene->reference) || !read_word(r, root, "norm", norm, 3, &which))
-        return false;
-    scene->norm = (enum scene_norm)which;
-    if (!read_word(r, root, "precision", precision, 2, &which))
-        return false;
-    if (which == 1 && *scene->segment->normals)
-        return key_fail(r, config_setting_get_member(root, "precision"),
-                        "'precision' must be \"double\" for segment '%s'", scene->segment->name);
-    scene->precision = new_text(precision[which], strlen(precision[which]));
-    s = config_setting_get_member(root, "seed");
-    if ((s && !key_count(r, s, "seed", 0, LLONG_MAX, &seed)) ||
-        !key_count(r, config_setting_get_member(root, "training"), "training", 1, 100000000, &training) ||
-        !key_count(r, config_setting_get_member(root, "heldout"), "heldout", 1, 100000000, &heldout))
-        return false;
-    scene->seed = (uint64_t)seed;
-    scene->training = (size_t)training;
-    scene->heldout = (size_t)heldout;
-    if ((scene->source != SOURCE_MESH && !scene_read_source(r, source, scene)) || !scene_read_tiers(r, root, scene))
-        return false;
-    if (scene->tiers > 0 && isnan(scene->reference[0]))
-        scene_choose_reference(scene, false);
-    return true;
+    const bool mesh = scene->source == SOURCE_MESH; /* which says what the segments are */
+    return (!mesh || scene_read_source(r, source, scene)) && keys_read(r, root, &scene_group, NULL, scene) &&
+           suits_segment(r, root, scene) && (mesh || scene_read_source(r, source, scene)) &&
+           scene_read_tiers(r, root, scene);
 }
 
 /* Line of an @include directive, or 0.  The digest covers one text, so that a scene has no others. */
@@ -159,6 +122,22 @@ static char *scene_name(const char *path)
     return new_text(base, named ? length - suffix : length);
 }
 
+/* Tiers for which the scene names no frame take that of the scene of their kind. */
+static bool take_frame(const char *root, struct scene *scene, struct diag *d)
+{
+    struct scene *usual = NULL;
+    bool good = true;
+    for (struct tier *t = scene->tier; good && t < scene->tier + scene->tiers; t++) {
+        if (t->frame)
+            continue;
+        good = usual || (usual = scene_of_kind(root, scene, d));
+        if (good)
+            t->frame = new_text(usual->tier[0].frame, strlen(usual->tier[0].frame));
+    }
+    scene_free(usual);
+    return good;
+}
+
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d)
 {
     char *path = scene_path(root, name_or_path);
@@ -175,7 +154,7 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
     scene = new_array(1, sizeof *scene);
     scene->path = path;
     scene->name = scene_name(path);
-    const struct scene_reader r = {root, path, text, d, &lacking, &scene->warnings, &sum};
+    const struct scene_reader r = {path, text, d, &lacking, &scene->warnings, &sum};
     SHA256Init(&sum);
     SHA256Update(&sum, (const uint8_t *)text, size);
     config_init(&config);
@@ -190,7 +169,9 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
     else if (!config_read_string(&config, text))
         good = diag_at(d, path, config_error_line(&config), 0, "%s", config_error_text(&config));
     else
-        good = read_scene(&r, config_root_setting(&config), scene);
+        good = read_scene(&r, config_root_setting(&config), scene) && take_frame(root, scene, d);
+    if (good && scene->tiers > 0 && isnan(scene->reference[0]))
+        scene_choose_reference(scene, false);
     if (good)
         SHA256End(&sum, scene->sha256);
     else {

@@ -67,10 +67,10 @@ static void suffix_names(struct tier *t)
 /* "polynomial", "rational", or a list of operators and of functions of the frame. */
 static bool read_functions(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
-    static const char *const word[] = {"polynomial", "rational"};
+    static const char *const word[] = {"polynomial", "rational", NULL};
     int which, sums = 0;
     if (!config_setting_is_aggregate(s) || config_setting_is_group(s)) {
-        const bool good = key_word(r, s, "functions", word, 2, &which);
+        const bool good = key_word(r, s, "functions", word, &which);
         t->rational = good && which == 1;
         return good;
     }
@@ -98,35 +98,16 @@ static bool read_last(const struct scene_reader *r, const config_setting_t *s, s
            (t->program || key_fail(r, s, "tier '%s': 'last' is for programs, of more operations than 1", t->name));
 }
 
-/* The frame that the tier names, or the scene; or else that of the scene of their kind. */
-static bool read_frame(const struct scene_reader *r, const config_setting_t *s, const struct scene *scene,
-                       struct tier *t)
+static bool read_frame(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
-    if (s) {
-        t->frame_line = (int)config_setting_source_line(s);
-        t->frame_column = key_column(r, s);
-        return key_string(r, s, "frame", &t->frame) &&
-               (key_identifier(t->frame) || key_fail(r, s, "frame '%s' is not a name", t->frame));
-    }
-    struct scene *usual = scene_of_kind(r->root, scene, r->d);
-    if (usual)
-        t->frame = new_text(usual->tier[0].frame, strlen(usual->tier[0].frame));
-    scene_free(usual);
-    return t->frame != NULL;
+    t->frame_line = (int)config_setting_source_line(s);
+    t->frame_column = key_column(r, s);
+    return key_string(r, s, "frame", &t->frame) &&
+           (key_identifier(t->frame) || key_fail(r, s, "frame '%s' is not a name", t->frame));
 }
 
 bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root)
 {
-    static const struct scene_key all[] = {{"name", "\"fast\""}, /* the others may stand in the scene, for all tiers */
-                                           {"terminals", "[\"p\", \"q\"]"},
-                                           {"max_length", "30"},
-                                           {"functions", "\"polynomial\""}};
-    static const char *const optional[] = {"frame",     "budget",     "reference", "last", "starts",
-                                           "terminals", "max_length", "functions", NULL};
-    struct scene_key required[sizeof all / sizeof *all + 1] = {{NULL, NULL}};
-    for (size_t i = 0, n = 0; i < sizeof all / sizeof *all; i++)
-        if (i == 0 || !config_setting_get_member(root, all[i].name))
-            required[n++] = all[i];
     config_setting_t *list = config_setting_get_member(root, "tiers");
     if (list && (!config_setting_is_list(list) || config_setting_length(list) == 0))
         return key_fail(r, list, "'tiers' must be a list of groups, ( { name = ...; }, ... )");
@@ -136,17 +117,10 @@ bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root)
         snprintf(what, sizeof what, "tier %d", i + 1);
         if (!config_setting_is_group(g))
             return key_fail(r, g, "a tier must be a group, { name = ...; }");
-        if (!keys_check(r, g, what, required, optional))
+        if (!keys_check(r, g, what, &tier_group, NULL, root, NULL))
             return false;
     }
     return true;
-}
-
-/* A tier's own setting, or else that of all. */
-static const config_setting_t *setting(const config_setting_t *g, const config_setting_t *root, const char *key)
-{
-    const config_setting_t *own = config_setting_get_member(g, key);
-    return own ? own : config_setting_get_member(root, key);
 }
 
 static bool read_starts(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
@@ -166,46 +140,58 @@ static bool read_starts(const struct scene_reader *r, const config_setting_t *s,
     return true;
 }
 
-static void set_length(struct tier *t, size_t length)
+static bool read_name(const struct scene_reader *r, const config_setting_t *s, const struct scene *scene,
+                      struct tier *t)
 {
-    t->max_length = length;
-    t->program = t->calls || length > 1;
+    if (!key_string(r, s, "name", &t->name))
+        return false;
+    if (!key_identifier(t->name))
+        return key_fail(r, s, "tier name '%s' is not a C identifier", t->name);
+    for (const struct tier *u = scene->tier; u < t; u++)
+        if (strcmp(u->name, t->name) == 0)
+            return key_fail(r, s, "tier '%s' stands twice", t->name);
+    return true;
+}
+
+/* A key of KEY_OWN. */
+static bool read_own(const struct scene_reader *r, const config_setting_t *s, const char *key,
+                     const struct scene *scene, struct tier *t)
+{
+    if (strcmp(key, "name") == 0)
+        return read_name(r, s, scene, t);
+    if (strcmp(key, "frame") == 0)
+        return read_frame(r, s, t);
+    if (strcmp(key, "terminals") == 0)
+        return read_terminals(r, s, t);
+    if (strcmp(key, "functions") == 0)
+        return read_functions(r, s, t);
+    if (strcmp(key, "reference") == 0)
+        return read_tier_reference(r, s, scene, t);
+    return strcmp(key, "starts") == 0 ? read_starts(r, s, t) : read_last(r, s, t);
+}
+
+/* Of tiers of one gene each, what the scene gives for programs is passed over. */
+static bool of_programs(const char *key)
+{
+    return strcmp(key, "starts") == 0 || strcmp(key, "last") == 0;
 }
 
 static bool read_tier(const struct scene_reader *r, config_setting_t *g, const config_setting_t *root,
                       struct scene *scene)
 {
     struct tier *t = &scene->tier[scene->tiers++];
-    const config_setting_t *own;
-    long long length;
     t->line = (int)config_setting_source_line(g);
-    if (!key_string(r, config_setting_get_member(g, "name"), "name", &t->name))
-        return false;
-    if (!key_identifier(t->name))
-        return key_fail(r, config_setting_get_member(g, "name"), "tier name '%s' is not a C identifier", t->name);
-    for (const struct tier *u = scene->tier; u < t; u++)
-        if (strcmp(u->name, t->name) == 0)
-            return key_fail(r, config_setting_get_member(g, "name"), "tier '%s' stands twice", t->name);
-    if (!read_frame(r, setting(g, root, "frame"), scene, t) || !read_terminals(r, setting(g, root, "terminals"), t) ||
-        !key_count(r, setting(g, root, "max_length"), "max_length", 1, 100000, &length) ||
-        !read_functions(r, setting(g, root, "functions"), t))
-        return false;
-    set_length(t, (size_t)length);
-    own = config_setting_get_member(g, "reference");
-    if (own && !read_tier_reference(r, own, scene, t))
-        return false;
-    const config_setting_t *starts = setting(g, root, "starts");
-    if (starts && t->program && !read_starts(r, starts, t))
-        return false;
+    for (const struct scene_key *k = tier_group.key; k < tier_group.key + tier_group.keys; k++) {
+        const config_setting_t *s = config_setting_get_member(g, k->name);
+        if (!s && k->shared && (t->program || !of_programs(k->name)))
+            s = config_setting_get_member(root, k->name);
+        if (s && !(k->type == KEY_OWN ? read_own(r, s, k->name, scene, t) : key_read(r, s, k, t)))
+            return false;
+        t->program = t->calls || t->max_length > 1;
+    }
     t->starts_at_large = !config_setting_get_member(g, "starts") && config_setting_get_member(g, "terminals");
-    own = config_setting_get_member(g, "last");
-    if (!own && t->program)
-        own = config_setting_get_member(root, "last");
-    if (own && !read_last(r, own, t))
-        return false;
     suffix_names(t);
-    const config_setting_t *budget = config_setting_get_member(g, "budget");
-    return !budget || key_number(r, budget, "budget", 1, 1e6, NULL, &t->budget);
+    return true;
 }
 
 bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, struct scene *scene)
@@ -225,8 +211,10 @@ bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, stru
 
 void scene_set_lengths(struct scene *s, size_t max_length)
 {
-    for (size_t i = 0; i < s->tiers; i++)
-        set_length(&s->tier[i], max_length);
+    for (struct tier *t = s->tier; t < s->tier + s->tiers; t++) {
+        t->max_length = max_length;
+        t->program = t->calls || max_length > 1;
+    }
 }
 
 bool scene_check_last(const struct scene *s, struct diag *d)

@@ -30,6 +30,14 @@ static const char *const selections[] = {"roulette", "tournament", NULL};
 static const char *const topologies[] = {"ring", "torus", "random", "none", NULL};
 static const char *const presets[] = {"paper", NULL};
 
+static bool read_kind(const struct option_table *t, const struct option_row *r, const char *text, void *values,
+                      struct diag *d)
+{
+    const struct segment_kind *kind = segment_find(text);
+    ((struct evolve_options *)values)->print_scene = kind;
+    return kind || options_refuse(t, d, "error: --%s: unknown segment '%s'", r->name, text);
+}
+
 #define AT(member) offsetof(struct evolve_options, member)
 static const struct option_row rows[] = {
     {"scene", 0, OPTION_TEXT, AT(scene), "NAME|FILE", .role = KEPT,
@@ -48,6 +56,8 @@ static const struct option_row rows[] = {
     {"members", 0, OPTION_WHOLE, AT(members), "N", 0, 1000, .role = KEPT,
      .help = "of each tier of programs on the front no more than N genomes: within its budget, each the best on "
              "validation samples of all that are no dearer (default: 0, all of the front)"},
+    {"print-scene", 0, OPTION_OWN, AT(print_scene), "KIND", .read = read_kind,
+     .help = "only print a scene of random faces of that kind, quad4, say, with every key explained"},
     {"samples", 0, OPTION_TEXT, AT(samples), "FILE", .help = "only write the samples held out, for codegen"},
     {"generations", 0, OPTION_WHOLE, AT(generations), "N", 0, 100000000, .role = KEPT,
      .help = "0: only measure and write (default: 200)"},
@@ -183,7 +193,7 @@ enum options_outcome evolve_options_read(int argc, char **argv, struct evolve_op
     struct evolve_options base = standard;
     base.root = root_default();
     const enum options_outcome outcome = read_over(argc, argv, &base, o, given, d);
-    if (outcome != OPTIONS_READ || o->benchmark)
+    if (outcome != OPTIONS_READ || o->benchmark || o->print_scene)
         return outcome;
     /* What the command line leaves out, a checkpoint may have: that is checked when it was read. */
     const bool good = o->resume ? suits_resume(given, d) : consistent(o, given, d);

@@ -3,6 +3,7 @@
 #define FOOTPOINT_RUN_OPTIONS_H
 
 #include "../../codegen/genome/options.h"
+#include "../../codegen/genome/segment_kind.h"
 #include "../island/island.h"
 #include "../island/topology.h"
 
@@ -13,6 +14,7 @@ struct evolve_options {
     const char *scene, *root, *start, *output; /* not owned, as are all texts; NULL: not given */
     const char *checkpoint, *resume, *log;
     const char *seeds, *front, *samples;
+    const struct segment_kind *print_scene; /* NULL: not asked for */
     bool from_scratch, quiet, benchmark;
     uint64_t seed;
     size_t generations, islands, population, migrate_every, log_every;

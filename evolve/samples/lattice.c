@@ -28,12 +28,12 @@ static bool whole(double v)
 static bool common_unit(const struct lattice *l, struct grid *g)
 {
     for (int n = 1; n <= 1000; n++)
-        if (whole(l->xy_max * n) && whole(l->xy_step * n) && whole(l->z_max * n) && whole(l->z_step * n)) {
+        if (whole(l->xy.most * n) && whole(l->xy.step * n) && whole(l->z.most * n) && whole(l->z.step * n)) {
             *g = (struct grid){.n = n,
-                               .xy = (int)lround(l->xy_max * n),
-                               .xy_step = (int)lround(l->xy_step * n),
-                               .z = (int)lround(l->z_max * n),
-                               .z_step = (int)lround(l->z_step * n)};
+                               .xy = (int)lround(l->xy.most * n),
+                               .xy_step = (int)lround(l->xy.step * n),
+                               .z = (int)lround(l->z.most * n),
+                               .z_step = (int)lround(l->z.step * n)};
             /* Grids are symmetric about 0. */
             g->xy -= g->xy % g->xy_step;
             g->z -= g->z % g->z_step;
@@ -193,18 +193,18 @@ static bool draw(gsl_rng *stream, const struct lattice *l, struct sample *s)
 {
     double *a = s->x[0], *b = s->x[1], *c = s->x[2], *d = s->x[3];
     *s = (struct sample){.x = {{0, 0, 0}, {1, 0, 0}}};
-    d[0] = within(stream, fmin(1, l->xy_max));
-    d[1] = fmin(1, l->xy_max) * gsl_rng_uniform_pos(stream);
+    d[0] = within(stream, fmin(1, l->xy.most));
+    d[1] = fmin(1, l->xy.most) * gsl_rng_uniform_pos(stream);
     if (vector_distance2(a, d) > 1)
         return false;
-    c[0] = within(stream, l->xy_max);
-    c[1] = within(stream, l->xy_max);
+    c[0] = within(stream, l->xy.most);
+    c[1] = within(stream, l->xy.most);
     if (!(turn_of(a, b, c) > 0 && turn_of(b, c, d) > 0 && turn_of(c, d, a) > 0))
         return false;
-    c[2] = within(stream, l->z_max);
-    s->xs[0] = within(stream, l->xy_max);
-    s->xs[1] = within(stream, l->xy_max);
-    s->xs[2] = within(stream, l->z_max);
+    c[2] = within(stream, l->z.most);
+    s->xs[0] = within(stream, l->xy.most);
+    s->xs[1] = within(stream, l->xy.most);
+    s->xs[2] = within(stream, l->z.most);
     const double nearest = vector_distance2(s->xs, a);
     if (nearest > vector_distance2(s->xs, b) || nearest > vector_distance2(s->xs, c) ||
         nearest > vector_distance2(s->xs, d))
@@ -265,7 +265,7 @@ size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LEN
     const struct lattice *l = &scene->lattice;
     snprintf(line[0], DRAWN_LENGTH,
              "heldout: configurations of a grid of steps %g in x, y and %g in z that training left, equally often",
-             l->xy_step, l->z_step);
+             l->xy.step, l->z.step);
     snprintf(line[1], DRAWN_LENGTH, "heldout_random: x, y, z of C, D and S uniform in the same ranges");
     return 2;
 }

@@ -212,7 +212,7 @@ static void test_lattice(void **state)
     struct diag d;
     struct scene *scene = scene_read(".", "paper-quad4", &d);
     assert_non_null(scene);
-    scene->lattice.xy_step = 0.5; /* a coarse lattice, for speed */
+    scene->lattice.xy.step = 0.5; /* a coarse lattice, for speed */
     scene->training = 500;
     const struct lattice_gregory plan = {scene, 100, 20, 0.2, PATCH_GREGORY};
     struct lattice_gregory_count count;

@@ -1,5 +1,6 @@
 /* Scenes: the shipped ones read, malformed ones are refused with exact diagnostics, and their samples are what they
  * promise: labelled with the certain foot point, within the limits, the same in every call, shared by no two parts. */
+#include "../../evolve/input/scene_print.h"
 #include "../support/scene_text.h"
 
 static void shipped_scenes_read(void **state)
@@ -113,7 +114,7 @@ static void every_value_arrives(void **state)
     s = read_from_text(HEAD LATTICE TAIL, &d);
     assert_non_null(s);
     const struct lattice *l = &s->lattice;
-    assert_true(l->xy_max == 1 && l->xy_step == 0.25 && l->z_max == 0.3 && l->z_step == 0.1 && l->newton == 0);
+    assert_true(l->xy.most == 1 && l->xy.step == 0.25 && l->z.most == 0.3 && l->z.step == 0.1 && l->newton == 0);
     assert_true(l->xi[0] == -1 && l->xi[1] == 0 && l->eta[0] == -1 && l->eta[1] == 0);
     scene_free(s);
 }
@@ -299,6 +300,49 @@ static void usual_values(void **state)
     scene_free(s);
 }
 
+/* Opens the comments of a printed scene that hold keys; other sources than shapes are left out. */
+static void open_comments(const char *printed, char *text)
+{
+    bool other = false;
+    for (const char *line = printed, *end; *line; line = end) {
+        end = strchr(line, '\n') + 1;
+        other = other || strncmp(line, "// mesh: {", 10) == 0 || strncmp(line, "// lattice: {", 13) == 0;
+        const char *equals = strstr(line, " = ");
+        const bool key = (equals && equals < end) || strncmp(line, "// });", 6) == 0;
+        if (!other)
+            text += sprintf(text, "%.*s", (int)(end - line - (key && *line == '/' ? 3 : 0)),
+                            line + (key && *line == '/' ? 3 : 0));
+        other = other && strncmp(line, "// };", 5) != 0;
+    }
+}
+
+/* As they are, and with every key of scene and tiers in place. */
+static void printed_scenes_read(void **state)
+{
+    static const char *const kind[] = {"quad4", "tri3", "tri6", "quad8", "quad9", "gregory", "bezier"};
+    (void)state;
+    for (size_t i = 0; i < sizeof kind / sizeof *kind; i++) {
+        char printed[8000] = "", open[8000] = "";
+        struct diag d;
+        FILE *f = fmemopen(printed, sizeof printed, "w");
+        scene_print(segment_find(kind[i]), f);
+        fclose(f);
+        struct scene *s = read_from_text(printed, &d);
+        if (!s)
+            fail_msg("%s: %s", kind[i], d.text);
+        assert_string_equal(s->segment->name, kind[i]);
+        assert_true(s->tiers == 0 && s->training == 20000 && s->seed == 1 && s->shapes.gap == 0.2 && !s->warnings);
+        scene_free(s);
+        open_comments(printed, open);
+        s = read_from_text(open, &d);
+        if (!s)
+            fail_msg("%s: %s", kind[i], d.text);
+        assert_true(s->tiers == 1 && s->reference[0] == 0 && s->tier[0].program && s->tier[0].budget == 131);
+        assert_string_equal(s->tier[0].last, "newton_at1");
+        scene_free(s);
+    }
+}
+
 /* What few meshes have is said, and taken. */
 static void unusual_limits_are_told(void **state)
 {
@@ -445,6 +489,7 @@ int main(void)
         cmocka_unit_test(every_value_arrives),
         cmocka_unit_test(malformed_scenes_are_refused),
         cmocka_unit_test(usual_values),
+        cmocka_unit_test(printed_scenes_read),
         cmocka_unit_test(unusual_limits_are_told),
         cmocka_unit_test(tiers_expand_about_points_of_their_own),
         cmocka_unit_test(programs_have_reference_points),
