@@ -22,15 +22,11 @@
  *     derivative   as genome text, where a is the operand and s its derivative; NULL: there is none everywhere
  *     C            its name there; in float an f follows
  *     Fortran, LaTeX   as patterns, $a0 the operand
- *     price        what it costs, of a cost model: sqrt or compare
- *     root         n if f(c a) is c^(1/n) f(a) for each c > 0, else 0
- *     rising       1 if it never falls
- *     negative     1 if it is defined below 0
- *     error        of the function of C: in 2^-53 of the value, at most)
- * Of these all passes, proofs and bounds are made; graph/unary.c adds its exact values. */
+ *     root         true of the square root, false of the absolute value: all that passes, proofs and bounds need besides)
+ * graph/unary.c adds its exact values. */
 #define UNARY(G)                                                                                                       \
-    G(SQRT, "sqrt", sqrt(a), (0.5 * s / v), "/ s * 2 sqrt a", "sqrt", "sqrt($a0)", "\\sqrt{$a0}", sqrt, 2, 1, 0, 1)    \
-    G(ABS, "abs", fabs(a), (a < 0 ? -s : s), NULL, "fabs", "abs($a0)", "\\left|$a0\\right|", compare, 1, 0, 1, 0)
+    G(SQRT, "sqrt", sqrt(a), (0.5 * s / v), "/ s * 2 sqrt a", "sqrt", "sqrt($a0)", "\\sqrt{$a0}", true)                \
+    G(ABS, "abs", fabs(a), (a < 0 ? -s : s), NULL, "fabs", "abs($a0)", "\\left|$a0\\right|", false)
 /* G(gene, text, value, slope of a, ...) */
 #define GENES_OF_ONE(G)                                                                                                \
     G(NEG, "neg", -a, -s, NULL)                                                                                        \
@@ -43,8 +39,10 @@ enum { UNARY(NUMBER) UNARIES };
 /** A function of one number, as its line says. */
 struct unary {
     const char *text, *derivative, *c;
-    int root, error;
-    bool rising, negative;
+    int root;      /* n: f(c a) = c^(1/n) f(a) for each c > 0 */
+    int error;     /* of the function of C, in 2^-53 of the value, at most */
+    bool rising;   /* it never falls; a root, priced as such */
+    bool negative; /* it is defined below 0 */
 };
 extern const struct unary unary_of[UNARIES];
 

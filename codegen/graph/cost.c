@@ -163,26 +163,12 @@ double operations_cost(const struct operations *ops, const struct cost_model *m)
            m->sqrt * (double)ops->sqrt + m->compare * (double)ops->compare;
 }
 
-#define PRICE(gene, text, value, slope, derivative, c, fortran, latex, price, ...)                                     \
-    case UNARY_##gene:                                                                                                 \
-        TAKE(price)                                                                                                    \
-        break;
-
 double unary_cost(const struct cost_model *m, unsigned k)
 {
-    double cost = 0;
-#define TAKE(price) cost = m->price;
-    switch (k) {
-        UNARY(PRICE)
-    }
-#undef TAKE
-    return cost;
+    return unary_of[k].rising ? m->sqrt : m->compare;
 }
 
 void unary_count(struct operations *ops, unsigned k, long n)
 {
-#define TAKE(price) ops->price += n;
-    switch (k) {
-        UNARY(PRICE)
-    }
+    *(unary_of[k].rising ? &ops->sqrt : &ops->compare) += n;
 }
