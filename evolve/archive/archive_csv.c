@@ -23,11 +23,9 @@ static struct part part_new(const struct archive *a, const struct sample_set *se
 {
     const size_t stride = (set->n + SAMPLES - 1) / SAMPLES, n = stride > 0 ? set->n / stride : 0;
     struct sample *chosen = new_array(n, sizeof *chosen);
-    struct kernel *kernel = kernel_new_widest();
     for (size_t i = 0; i < n; i++)
         chosen[i] = set->s[i * stride];
-    const struct columns table = frame_columns(kernel, a->program, chosen, n);
-    kernel_free(kernel);
+    const struct columns table = frame_columns(a->program, chosen, n);
     free(chosen);
     return (struct part){table, NULL};
 }

@@ -179,14 +179,13 @@ static struct writing expand_tiers(struct archive *a)
     return w;
 }
 
-static void measure_heldout(const struct archive *a, struct kernel *kernel, const struct heldout *heldout,
-                            struct writing *w)
+static void measure_heldout(const struct archive *a, const struct heldout *heldout, struct writing *w)
 {
     for (int part = 0; part < HELDOUT_PARTS; part++) {
         if (heldout->part[part].n == 0)
             continue;
         w->found[part] = new_array(w->n, sizeof *w->found[part]);
-        errors_measure(kernel, a->program, w->out, w->output, w->n, &heldout->part[part], w->found[part]);
+        errors_measure(a->program, w->out, w->output, w->n, &heldout->part[part], w->found[part]);
     }
 }
 
@@ -231,16 +230,14 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     size_t at = 0;
     if (!outfile_open(&f, path, d))
         return false;
-    struct kernel *kernel = kernel_new_widest();
     add_file_notes(a->program, a->scene, heldout);
     struct writing w = expand_tiers(a);
-    measure_heldout(a, kernel, heldout, &w);
+    measure_heldout(a, heldout, &w);
     for (size_t i = 0; i < a->scene->tiers; i++)
         if (archive_has(a, i)) {
             add_tier(a, i, run, &w, at);
             at += 2;
         }
-    kernel_free(kernel);
     free(w.out);
     free(w.output);
     free(w.genes);
@@ -251,19 +248,19 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     return outfile_commit(&f, d);
 }
 
-static void add_member_errors(const struct genome_file *f, struct kernel *kernel, struct genome *g, int output,
-                              const struct tree *t, const struct heldout *heldout)
+static void add_member_errors(const struct genome_file *f, struct genome *g, int output, const struct tree *t,
+                              const struct heldout *heldout)
 {
     for (int part = 0; part < 2; part++) {
         struct errors e;
-        errors_measure(kernel, f, t, &output, 1, &heldout->part[part], &e);
+        errors_measure(f, t, &output, 1, &heldout->part[part], &e);
         NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
 }
 
 /* The genome of one member, with its cost, where it comes from, and its errors; of programs, of which hundreds stand on
  * a front with lets of their own, those on the training samples alone. */
-static void add_member(const struct archive *a, struct kernel *kernel, const struct member *m, size_t tier, int output,
+static void add_member(const struct archive *a, const struct member *m, size_t tier, int output,
                        const struct heldout *heldout, struct genome_file *f)
 {
     char name[300];
@@ -283,7 +280,7 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
     NOTE("training", "genes %zu %s %.3e", genes, norm_name[a->scene->norm], m->error);
     for (int k = first; k <= last; k++) {
         if (output != TIER_BOTH)
-            add_member_errors(f, kernel, g, k, &out[k], heldout);
+            add_member_errors(f, g, k, &out[k], heldout);
         genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
         free(out[k].gene);
     }
@@ -292,21 +289,21 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
 #undef NOTE
 
 /* Of a front all members, of programs only those that may become tiers where their number is given. */
-static void add_front(const struct archive *a, struct kernel *kernel, size_t tier, int output,
-                      const struct heldout *heldout, struct objective *judge, size_t most, struct genome_file *f)
+static void add_front(const struct archive *a, size_t tier, int output, const struct heldout *heldout,
+                      struct objective *judge, size_t most, struct genome_file *f)
 {
     const struct front *front = a->front[tier][output];
     if (output == TIER_BOTH && most > 0 && judge) {
         const struct member **chosen = new_array(front->limit + 1, sizeof(struct member *));
         const size_t n = archive_members(a, judge, tier, most, chosen);
         for (size_t i = 0; i < n; i++)
-            add_member(a, kernel, chosen[i], tier, output, heldout, f);
+            add_member(a, chosen[i], tier, output, heldout, f);
         free(chosen);
         return;
     }
     for (size_t c = 0; c <= front->limit; c++)
         if (front->member[c].tree.length > 0)
-            add_member(a, kernel, &front->member[c], tier, output, heldout, f);
+            add_member(a, &front->member[c], tier, output, heldout, f);
 }
 
 bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
@@ -323,13 +320,11 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
         genome_file_free(f);
         return false;
     }
-    struct kernel *kernel = kernel_new_widest();
     add_file_notes(f, a->scene, heldout);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < TIER_OUTPUTS; k++)
             if (a->front[i][k])
-                add_front(a, kernel, i, k, heldout, judge, most, f);
-    kernel_free(kernel);
+                add_front(a, i, k, heldout, judge, most, f);
     if (!programs || most > 0)
         scene_region_add(f, heldout->part, 2);
     genome_print_needed(f, out.stream);

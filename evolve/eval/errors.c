@@ -3,6 +3,7 @@
 
 #include "../common/simd.h"
 #include "frame.h"
+#include "lines_run.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
@@ -77,13 +78,12 @@ double errors_p99(double *absolute, size_t n)
 }
 
 /* Absolute errors of all trees on a piece of the samples, to error[i][0..n-1]. */
-static void measure_piece(struct kernel *k, const struct genome_file *program, const struct tree *t, const int *output,
-                          size_t trees, const struct sample *s, size_t n, size_t at, double **error)
+static void measure_piece(const struct genome_file *program, const struct tree *t, const int *output, size_t trees,
+                          const struct sample *s, size_t n, size_t at, double **error)
 {
-    struct columns table = frame_columns(k, program, s, n);
+    struct columns table = frame_columns(program, s, n);
     for (size_t i = 0; i < trees; i++) {
-        const struct kernel_task task = {t[i].gene, t[i].length, program->constant, &table};
-        kernel_values(k, &task, error[i] + at);
+        table_values(&table, program->constant, t[i].gene, t[i].length, error[i] + at);
         errors_absolute(error[i] + at, columns_at(&table, frame_target(program, output[i])), n);
     }
     columns_free(&table);
@@ -100,15 +100,15 @@ static struct errors errors_of(double *error, size_t n)
     return found;
 }
 
-void errors_measure(struct kernel *k, const struct genome_file *program, const struct tree *t, const int *output,
-                    size_t trees, const struct sample_set *set, struct errors *found)
+void errors_measure(const struct genome_file *program, const struct tree *t, const int *output, size_t trees,
+                    const struct sample_set *set, struct errors *found)
 {
     double **error = new_array(trees, sizeof *error);
     for (size_t i = 0; i < trees; i++)
         error[i] = new_array(set->n, sizeof **error);
     for (size_t at = 0; at < set->n; at += PIECE) {
         const size_t n = set->n - at < PIECE ? set->n - at : PIECE;
-        measure_piece(k, program, t, output, trees, set->s + at, n, at, error);
+        measure_piece(program, t, output, trees, set->s + at, n, at, error);
     }
     for (size_t i = 0; i < trees; i++) {
         found[i] = errors_of(error[i], set->n);

@@ -4,7 +4,6 @@
 
 #include "../genotype/tree.h"
 #include "../surface/sample.h"
-#include "kernel.h"
 
 /** Statistics of |value - reference|; all dimensionless, as xi and eta are. */
 struct errors {
@@ -24,7 +23,7 @@ bool errors_p99_within(const double *absolute, size_t n, double most);
 
 /** Errors of expressions of a program, t[i] of output[i] (0: xi, 1: eta), over the samples, which are taken in pieces:
  *  what all of them are made of is computed once, and memory bounded by a value for each sample and expression. */
-void errors_measure(struct kernel *k, const struct genome_file *program, const struct tree *t, const int *output,
-                    size_t trees, const struct sample_set *set, struct errors *found);
+void errors_measure(const struct genome_file *program, const struct tree *t, const int *output, size_t trees,
+                    const struct sample_set *set, struct errors *found);
 
 #endif

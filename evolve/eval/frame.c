@@ -1,9 +1,10 @@
-/* Frames; see frame.h.  A program is put together of their statements; lets are evaluated by the same kernel as genomes, one column after the other. */
+/* Frames; see frame.h.  A program is put together of their statements; lets are evaluated
+ * one column after the other, as programs are. */
 #include "frame.h"
 
 #include "../../codegen/genome/text.h"
 #include "../common/decimal.h"
-#include "../genotype/line_program.h"
+#include "lines_run.h"
 
 #include <glob.h>
 #include <stdlib.h>
@@ -230,7 +231,7 @@ size_t frame_target(const struct genome_file *program, int output)
     return program->inputs + program->lets + (size_t)output;
 }
 
-struct columns frame_columns(struct kernel *k, const struct genome_file *program, const struct sample *s, size_t n)
+struct columns frame_columns(const struct genome_file *program, const struct sample *s, size_t n)
 {
     struct columns c = columns_new(n, frame_target(program, 2));
     const size_t inputs = program->inputs, slave = inputs - 3;
@@ -242,8 +243,7 @@ struct columns frame_columns(struct kernel *k, const struct genome_file *program
     }
     for (size_t j = 0; j < program->lets; j++) {
         const struct genome_expr *let = &program->let[j];
-        const struct kernel_task task = {let->gene, let->length, program->constant, &c};
-        kernel_values(k, &task, columns_at(&c, program->inputs + j));
+        table_values(&c, program->constant, let->gene, let->length, columns_at(&c, program->inputs + j));
     }
     return c;
 }

@@ -5,7 +5,7 @@
 
 #include "../input/scene.h"
 #include "../surface/sample.h"
-#include "kernel.h"
+#include "columns.h"
 
 /** One program of all frames that the scene's tiers name: inputs, segment and corner order, and the lets of each
  *  frame, in the order of the tiers; the scene's reference point takes the place of the lets xi0 and eta0, and the
@@ -21,7 +21,7 @@ bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, s
                   struct diag *d);
 
 /** The columns of n samples: every symbol of the program, then the true xi and eta. */
-struct columns frame_columns(struct kernel *k, const struct genome_file *program, const struct sample *s, size_t n);
+struct columns frame_columns(const struct genome_file *program, const struct sample *s, size_t n);
 /** Column of the true xi (output 0) or eta (output 1); past them for both (output 2). */
 size_t frame_target(const struct genome_file *program, int output);
 

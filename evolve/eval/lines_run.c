@@ -86,11 +86,10 @@ static size_t share_blocks(struct lines_run *r)
     return blocks;
 }
 
-static void take(struct lines_run *r, const struct tree *t, int last, enum lines_use use)
+/* Room for the program in r->code. */
+static void reserve(struct lines_run *r)
 {
-    struct lines *c = r->code;
-    r->all = use == LINES_APART;
-    lines_load(c, t, last, use);
+    const struct lines *c = r->code;
     if (c->lines > r->room) {
         r->room = 2 * c->lines;
         free(r->value);
@@ -107,6 +106,13 @@ static void take(struct lines_run *r, const struct tree *t, int last, enum lines
         r->below = new_array(r->room, sizeof *r->below);
     }
     reserve_blocks(&r->block, &r->block_room, share_blocks(r));
+}
+
+static void take(struct lines_run *r, const struct tree *t, int last, enum lines_use use)
+{
+    r->all = use == LINES_APART;
+    lines_load(r->code, t, last, use);
+    reserve(r);
 }
 
 WIDE static void fill_numbers(struct lines_run *r)
@@ -195,6 +201,21 @@ double lines_errors(struct lines_run *r, const struct tree *t, int last, double 
             return INFINITY;
     }
     return sum;
+}
+
+void table_values(const struct columns *table, const struct genome_constant *constant, const int *gene, size_t length,
+                  double *value)
+{
+    struct lines_run *r = lines_run_new(NULL, table);
+    lines_expression(r->code, gene, length, constant);
+    reserve(r);
+    fill_numbers(r);
+    for (size_t row = 0; row < table->n; row += TAPE_BLOCK) {
+        const size_t left = table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
+        run_block(r, row);
+        memcpy(value + row, r->value[r->code->root[0]], n * sizeof *value);
+    }
+    lines_run_free(r);
 }
 
 bool lines_keep_signs(const struct lines_run *r)

@@ -3,7 +3,7 @@
 #define FOOTPOINT_LINES_RUN_H
 
 #include "../genotype/line_program.h"
-#include "kernel.h"
+#include "columns.h"
 
 /** Workspace for one table, whose last two columns are the true xi and eta. */
 struct lines_run {
@@ -30,6 +30,10 @@ double lines_errors(struct lines_run *r, const struct tree *t, int last, double 
 /** Whether the divisors of the program of lines_errors(), whose errors were all taken, are of one sign on all samples,
  *  each. */
 bool lines_keep_signs(const struct lines_run *r);
+
+/** Values of an expression in prefix form over a table of its symbols, into value[0..n-1]: symbol s is column s. */
+void table_values(const struct columns *table, const struct genome_constant *constant, const int *gene, size_t length,
+                  double *value);
 
 /** Take a program to be fitted: its numbers become line[number[i]].number.
  *  @param[in] all  slopes of all lines are wanted, not only of those that a number is among */

@@ -506,6 +506,25 @@ void lines_load(struct lines *c, const struct tree *t, int last, enum lines_use 
     free(line);
 }
 
+void lines_expression(struct lines *c, const int *gene, size_t length, const struct genome_constant *constant)
+{
+    int *stack = new_array(length, sizeof *stack), depth = 0;
+    lines_begin(c);
+    for (size_t i = length; i-- > 0;) {
+        struct line x = {gene[i], -1, -1, 0};
+        if (gene[i] < 0)
+            x = (struct line){NUMBER, -1, -1, constant[-1 - gene[i]].value};
+        else if (gene[i] < GENE_OPERATORS) {
+            x.a = stack[--depth];
+            x.b = gene_arity(gene[i]) == 2 ? stack[--depth] : -1;
+        }
+        stack[depth++] = line_of(c, x);
+    }
+    c->root[0] = c->root[1] = stack[0];
+    mark(c);
+    free(stack);
+}
+
 static int operand_gene(const struct lines *c, int i, const int *number)
 {
     const struct line *x = &c->line[i];

@@ -78,6 +78,10 @@ enum lines_use {
 /** Take a valid program.
  *  @param[in] last  function that it ends in; -1: none */
 void lines_load(struct lines *c, const struct tree *t, int last, enum lines_use use);
+/** Take an expression in prefix form, whose value both roots become: operation by operation, nothing simplified.  It
+ *  needs no rules.
+ *  @param[in] constant  what constants mean */
+void lines_expression(struct lines *c, const int *gene, size_t length, const struct genome_constant *constant);
 /** What the roots need, as genes; false, with *t undefined, where these are more than max. */
 bool lines_store(struct lines *c, size_t max, struct tree *t);
 

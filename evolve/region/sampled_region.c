@@ -2,6 +2,7 @@
 #include "sampled_region.h"
 
 #include "../eval/frame.h"
+#include "../eval/lines_run.h"
 #include "region_values.h"
 #include "shape_requires.h"
 
@@ -64,20 +65,19 @@ static void take_in(struct extremes *e, const struct columns *table)
         take_in_column(e, j, columns_at(table, j), table->n);
 }
 
-static void take_in_expressions(struct extremes *e, size_t j, struct kernel *kernel, const struct genome_file *f,
-                                const struct genome_expr *x, size_t n, const struct columns *table)
+static void take_in_expressions(struct extremes *e, size_t j, const struct genome_file *f, const struct genome_expr *x,
+                                size_t n, const struct columns *table)
 {
     double *value = new_array(table->n, sizeof *value);
     for (size_t k = 0; k < n; k++) {
-        const struct kernel_task task = {x[k].gene, x[k].length, f->constant, table};
-        kernel_values(kernel, &task, value);
+        table_values(table, f->constant, x[k].gene, x[k].length, value);
         take_in_column(e, j + k, value, table->n);
     }
     free(value);
 }
 
 /* Twice as large is exact in floating-point numbers: what does not change with the size is the same to the last bit. */
-static void find_sized(struct extremes *e, struct kernel *kernel, const struct genome_file *f, struct sample *moved,
+static void find_sized(struct extremes *e, const struct genome_file *f, struct sample *moved,
                        const struct columns *table)
 {
     const size_t nodes = strlen(f->segment->nodes);
@@ -87,7 +87,7 @@ static void find_sized(struct extremes *e, struct kernel *kernel, const struct g
                 moved[i].x[n][k] *= 2;
             moved[i].xs[k] *= 2;
         }
-    struct columns twice = frame_columns(kernel, f, moved, table->n);
+    struct columns twice = frame_columns(f, moved, table->n);
     for (size_t j = 0; j < table->count; j++)
         for (size_t i = 0; i < table->n && !e->sized[j]; i++)
             e->sized[j] = columns_at(table, j)[i] != columns_at(&twice, j)[i];
@@ -109,7 +109,6 @@ static struct extremes measure(const struct genome_file *f, const struct sample_
     struct extremes e = {new_array(count, sizeof *e.lo), new_array(count, sizeof *e.hi),
                          new_array(count, sizeof *e.sized)};
     struct sample *moved = new_array(PIECE, sizeof *moved);
-    struct kernel *kernel = kernel_new_widest();
     for (size_t j = 0; j < count; j++)
         e.hi[j] = -(e.lo[j] = INFINITY);
     for (size_t k = 0; k < sets; k++)
@@ -117,17 +116,16 @@ static struct extremes measure(const struct genome_file *f, const struct sample_
             const size_t left = set[k].n - first, n = left < PIECE ? left : PIECE;
             for (size_t i = 0; i < n; i++)
                 similar(f->segment, &set[k].s[first + i], &moved[i]);
-            struct columns table = frame_columns(kernel, f, moved, n);
+            struct columns table = frame_columns(f, moved, n);
             take_in(&e, &table);
             size_t j = table.count;
             for (size_t g = 0; g < f->genomes; j += f->genome[g++].outs)
-                take_in_expressions(&e, j, kernel, f, f->genome[g].out, f->genome[g].outs, &table);
-            take_in_expressions(&e, least, kernel, f, f->least, f->leasts, &table);
+                take_in_expressions(&e, j, f, f->genome[g].out, f->genome[g].outs, &table);
+            take_in_expressions(&e, least, f, f->least, f->leasts, &table);
             if (first == 0)
-                find_sized(&e, kernel, f, moved, &table);
+                find_sized(&e, f, moved, &table);
             columns_free(&table);
         }
-    kernel_free(kernel);
     free(moved);
     return e;
 }

@@ -2,6 +2,7 @@
 #include "shape_requires.h"
 
 #include "../eval/frame.h"
+#include "../eval/lines_run.h"
 #include "region_values.h"
 #include "shape_region.h"
 
@@ -37,7 +38,6 @@ struct value {
 struct survey {
     struct genome_file *file; /* not owned */
     struct shape *shape;      /* owned */
-    struct kernel *kernel;    /* owned */
     struct value *value;      /* owned */
     size_t values, value_room;
     struct mark mark[MOST_MARKS];
@@ -99,8 +99,7 @@ static struct columns block_columns(const struct survey *s, double (*number)[SHA
         for (size_t i = 0; i < n; i++)
             columns_at(&c, j)[i] = j < fixed ? r->constant[r->range[j].lo].value : number[i][j - fixed];
     for (size_t j = 0; j < r->lets; j++) {
-        const struct kernel_task task = {r->let[j].gene, r->let[j].length, r->constant, &c};
-        kernel_values(s->kernel, &task, columns_at(&c, r->inputs + j));
+        table_values(&c, r->constant, r->let[j].gene, r->let[j].length, columns_at(&c, r->inputs + j));
     }
     return c;
 }
@@ -156,7 +155,7 @@ static struct columns place(struct survey *s, const struct sample *sample, size_
         }
     }
     *block = block_columns(s, number, n);
-    struct columns table = frame_columns(s->kernel, s->file, placed, n);
+    struct columns table = frame_columns(s->file, placed, n);
     free(placed);
     free(number);
     return table;
@@ -168,8 +167,7 @@ static void measure_piece(struct survey *s, const struct sample *sample, size_t 
     double *x = new_array(n, sizeof *x);
     for (size_t i = 0; i < s->values; i++) {
         struct value *v = &s->value[i];
-        const struct kernel_task task = {v->gene, v->length, s->file->constant, &table};
-        kernel_values(s->kernel, &task, x);
+        table_values(&table, s->file->constant, v->gene, v->length, x);
         take_in(s, v, x, &block, first);
     }
     columns_free(&table);
@@ -224,8 +222,7 @@ static bool *made_of(const struct survey *s, size_t symbol, const bool *coordina
 /* An expression of other values in the table. */
 static void compute(const struct survey *s, const struct genome_expr *e, const struct columns *table, double *x)
 {
-    const struct kernel_task task = {e->gene, e->length, s->file->constant, table};
-    kernel_values(s->kernel, &task, x);
+    table_values(table, s->file->constant, e->gene, e->length, x);
 }
 
 /* A symbol's column, and what is made of it, as if its values were others. */
@@ -351,7 +348,6 @@ bool shape_requires_add(struct genome_file *f, const struct sample_set *set, siz
     if (!s.shape)
         return false;
     f->region = shape_region(s.shape);
-    s.kernel = kernel_new_widest();
     find_marks(&s);
     find_values(&s);
     for (size_t k = 0; k < SHAPE_NUMBERS; k++)
@@ -362,7 +358,6 @@ bool shape_requires_add(struct genome_file *f, const struct sample_set *set, siz
     add_ranges(&s);
     for (size_t i = 0; i < s.values; i++)
         require_value(&s, &s.value[i]);
-    kernel_free(s.kernel);
     shape_free(s.shape);
     free(s.value);
     return true;

@@ -148,9 +148,7 @@ static bool finite_columns(const struct problem *p, struct diag *d)
 
 static struct columns table_of(const struct problem *p, const struct sample_set *set)
 {
-    struct kernel *kernel = kernel_new_widest();
-    const struct columns table = frame_columns(kernel, p->archive->program, set->s, set->n);
-    kernel_free(kernel);
+    const struct columns table = frame_columns(p->archive->program, set->s, set->n);
     return table;
 }
 

@@ -48,9 +48,7 @@ static int setup(void **state)
     assert_non_null(f->program);
     f->archive = archive_new(f->scene, f->program, NULL, false, &d);
     assert_true(f->archive && scene_samples(f->scene, PART_TRAINING, &f->set, &d));
-    struct kernel *kernel = kernel_new_widest();
-    f->table = frame_columns(kernel, f->program, f->set.s, f->set.n);
-    kernel_free(kernel);
+    f->table = frame_columns(f->program, f->set.s, f->set.n);
     f->objective = objective_new(f->program, &f->table, NORM_MEAN);
     f->objective->decimal = true;
     f->genes = archive_genes(f->archive, 0, false);
@@ -135,12 +133,10 @@ static void check_against_text(const struct fixture *f, const struct tree *t)
     struct genome_file *copy = genome_parse("copy", text, size, &d);
     assert_non_null(copy);
     lines_expand(f->lines, t, f->last, copy, "value", out);
-    struct kernel *kernel = kernel_new_widest();
-    struct columns table = frame_columns(kernel, copy, f->set.s, n);
+    struct columns table = frame_columns(copy, f->set.s, n);
     lines_errors(f->objective->lines, t, f->last, INFINITY, error);
     for (size_t half = 0; half < 2; half++) {
-        const struct kernel_task task = {out[half].gene, out[half].length, copy->constant, &table};
-        kernel_values(kernel, &task, value);
+        table_values(&table, copy->constant, out[half].gene, out[half].length, value);
         for (size_t i = 0; i < n; i++) {
             const double e = fabs(value[i] - columns_at(&table, frame_target(copy, (int)half))[i]);
             assert_true(isnan(e) ? error[half * n + i] == INFINITY : error[half * n + i] == e);
@@ -155,7 +151,6 @@ static void check_against_text(const struct fixture *f, const struct tree *t)
     free(out[0].gene);
     free(out[1].gene);
     columns_free(&table);
-    kernel_free(kernel);
     genome_file_free(copy);
     free(text);
     free(error);

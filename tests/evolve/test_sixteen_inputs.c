@@ -110,9 +110,7 @@ static void frame_is_the_plain_evaluation(void **state)
         s[i] = random_sample(rng);
     }
     gsl_rng_free(rng);
-    struct kernel *kernel = kernel_new_widest();
-    struct columns table = frame_columns(kernel, program, s, SAMPLES);
-    kernel_free(kernel);
+    struct columns table = frame_columns(program, s, SAMPLES);
     for (size_t t = 0; t < scene->tiers; t++) /* every tier takes all of them, in the paper's order */
         for (size_t k = 0; k < INPUTS; k++)
             assert_string_equal(scene->tier[t].terminal[k], name[k]);

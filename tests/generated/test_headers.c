@@ -4,6 +4,7 @@
  * numbered; of nodes on a line it must say so. */
 #include "../../codegen/genome/random.h"
 #include "../../evolve/eval/frame.h"
+#include "../../evolve/eval/lines_run.h"
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/footpoint.h"
@@ -87,15 +88,12 @@ static void compare_with_genome(const struct header_function *m, const struct ge
                                 const struct sample_set *set)
 {
     const size_t most = getenv("FOOTPOINT_LONG") ? COMPARED_LONG : COMPARED, n = set->n < most ? set->n : most;
-    struct kernel *kernel = kernel_new_widest();
     for (size_t from = 0; from < n; from += BLOCK) {
         const size_t rows = n - from < BLOCK ? n - from : BLOCK;
-        struct columns table = frame_columns(kernel, f, &set->s[from], rows);
+        struct columns table = frame_columns(f, &set->s[from], rows);
         double value[2][BLOCK];
-        for (int k = 0; k < 2; k++) {
-            const struct kernel_task task = {g->out[k].gene, g->out[k].length, f->constant, &table};
-            kernel_values(kernel, &task, value[k]);
-        }
+        for (int k = 0; k < 2; k++)
+            table_values(&table, f->constant, g->out[k].gene, g->out[k].length, value[k]);
         for (size_t i = 0; i < rows; i++) {
             double loc[2];
             at_sample(m, &set->s[from + i], loc);
@@ -105,7 +103,6 @@ static void compare_with_genome(const struct header_function *m, const struct ge
         }
         columns_free(&table);
     }
-    kernel_free(kernel);
 }
 
 /* The gap is that of the surface at the xi and eta found. */

@@ -96,7 +96,6 @@ struct study {
     struct columns table;
     size_t target[2]; /* its columns of xi and eta; the program's lets become more */
     struct sample_set training, heldout[2];
-    struct kernel *kernel;
 };
 
 /* The scene's samples, seen in the similarity frame whatever frames its tiers name. */
@@ -126,8 +125,7 @@ static bool load(struct study *s, struct diag *d)
         !scene_samples(s->scene, PART_HELDOUT, &s->heldout[0], d) ||
         !scene_samples(s->scene, PART_HELDOUT_RANDOM, &s->heldout[1], d))
         return false;
-    s->kernel = kernel_new_widest();
-    s->table = frame_columns(s->kernel, s->program, s->training.s, s->training.n);
+    s->table = frame_columns(s->program, s->training.s, s->training.n);
     for (size_t i = 0; i < PERCEPTRON_INPUTS; i++)
         s->input[i] = GENE_SYMBOL + (int)genome_find_symbol(s->program, input_name[i]);
     for (int k = 0; k < 2; k++)
@@ -153,7 +151,7 @@ static void add_errors(const struct study *s, struct genome *g, size_t weights, 
     genome_add_note(&g->note, &g->notes, &g->note_room, key, "%zu weights of the network", weights);
     for (int i = 0; i < 3; i++) {
         struct errors e;
-        errors_measure(s->kernel, s->program, &tree, &k, 1, part[i], &e);
+        errors_measure(s->program, &tree, &k, 1, part[i], &e);
         snprintf(key, sizeof key, "%s_%s", part_name[i], frame_output[k]);
         if (i == 0)
             genome_add_note(&g->note, &g->notes, &g->note_room, key, "mean %.4e", e.mean);
@@ -218,7 +216,6 @@ static bool run(const struct perceptron_options *o, struct diag *d)
     sample_set_free(&s.training);
     for (int k = 0; k < 2; k++)
         sample_set_free(&s.heldout[k]);
-    kernel_free(s.kernel);
     columns_free(&s.table);
     genome_file_free(s.program);
     scene_free(s.scene);

@@ -48,7 +48,6 @@ static void add_output(const struct pga_options *o, struct genome_file *program,
                        const struct pga_find *f, const struct sample_set heldout[2])
 {
     static const char *const part_name[2] = {"heldout", "heldout_random"};
-    struct kernel *kernel = kernel_new_widest();
     struct tree bound = {new_array(f->tree.length, sizeof *bound.gene), 0};
     char key[40];
     tree_bind(program, &f->tree, &bound);
@@ -61,13 +60,12 @@ static void add_output(const struct pga_options *o, struct genome_file *program,
     NOTE(key, "genes %zu coefficients %s %.4e", f->tree.length, coefficients_name[o->coefficients], f->error);
     for (int part = 0; part < 2; part++) {
         struct errors e;
-        errors_measure(kernel, program, &bound, &k, 1, &heldout[part], &e);
+        errors_measure(program, &bound, &k, 1, &heldout[part], &e);
         snprintf(key, sizeof key, "%s_%s", part_name[part], frame_output[k]);
         NOTE(key, "n %zu mean %.4e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
     genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], bound.gene, bound.length);
     free(bound.gene);
-    kernel_free(kernel);
 }
 
 bool pga_write(const struct pga_options *o, const struct scene *scene, struct genome_file *program,

@@ -1,6 +1,7 @@
 /* Perceptrons: derivatives against finite differences, a function that a network can learn comes back, the genome's
  * values are the network's, and training does not depend on more than its seed. */
 #include "../../evolve/common/stream.h"
+#include "../../evolve/eval/lines_run.h"
 #include "perceptron_train.h"
 
 #include <math.h>
@@ -127,22 +128,17 @@ static void test_genome(void **state)
         for (size_t row = 0; row < N; row++)
             for (size_t j = 0; j < INPUTS; j++)
                 columns_at(&table, j)[row] = 6 * gsl_rng_uniform(rng) - 3;
-        struct kernel *kernel = kernel_new_widest();
-        for (size_t j = 0; j < f->lets; j++) {
-            const struct kernel_task task = {f->let[j].gene, f->let[j].length, f->constant, &table};
-            kernel_values(kernel, &task, columns_at(&table, INPUTS + j));
-        }
+        for (size_t j = 0; j < f->lets; j++)
+            table_values(&table, f->constant, f->let[j].gene, f->let[j].length, columns_at(&table, INPUTS + j));
         for (size_t k = 0; k < 2; k++) {
             double value[N], in[INPUTS];
-            const struct kernel_task task = {g->out[k].gene, g->out[k].length, f->constant, &table};
-            kernel_values(kernel, &task, value);
+            table_values(&table, f->constant, g->out[k].gene, g->out[k].length, value);
             for (size_t row = 0; row < N; row++) {
                 for (size_t j = 0; j < INPUTS; j++)
                     in[j] = columns_at(&table, j)[row];
                 assert_true(fabs(output_at(p, weight, in, k) - value[row]) < 1e-13);
             }
         }
-        kernel_free(kernel);
         gsl_rng_free(rng);
         columns_free(&table);
         genome_file_free(f);
