@@ -32,11 +32,6 @@ int archive_last(const struct archive *a, size_t tier)
     return t->last ? line_function(a->program, t->last) : -1;
 }
 
-size_t archive_target(const struct archive *a, size_t tier, int output)
-{
-    return frame_target(a->program, output) + (output == TIER_BOTH ? (size_t)(archive_last(a, tier) + 1) : 0);
-}
-
 /* The program that a genome's outputs make, its genes the caller's; length 0 where it is none of the tier's values, or has
  * more genes than `most`. */
 static struct tree program_of(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
@@ -298,18 +293,23 @@ static double cost_of(const struct archive *a, const struct plan *plan, size_t t
                                : operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
 }
 
+double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t)
+{
+    return output == TIER_BOTH ? objective_error(o, t, archive_last(a, tier), INFINITY)
+                               : objective_tree_error(o, t, frame_target(a->program, output), INFINITY);
+}
+
 double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t)
 {
-    const size_t target = archive_target(a, tier, output);
-    return output == TIER_BOTH ? objective_error_in_tails(o, t, target, &a->tails[tier], INFINITY)
-                               : objective_error(o, t, target, INFINITY);
+    return output == TIER_BOTH ? objective_error_in_tails(o, t, archive_last(a, tier), &a->tails[tier], INFINITY)
+                               : archive_bare_error(a, o, tier, output, t);
 }
 
 /* Programs may have the 99 % and largest errors of the champion that was, or else of the best seed within the budget. */
 static void find_tails(struct archive *a, const struct plan *plan, struct objective *o, size_t tier)
 {
     const struct champion *c = &a->champion[tier][TIER_BOTH];
-    const size_t target = archive_target(a, tier, TIER_BOTH);
+    const int last = archive_last(a, tier);
     const double budget = a->scene->tier[tier].budget;
     struct tree *seed;
     const size_t n = archive_seeds(a, tier, TIER_BOTH, &seed);
@@ -317,14 +317,14 @@ static void find_tails(struct archive *a, const struct plan *plan, struct object
     double least = INFINITY;
     for (size_t i = 0; i < n && c->tree.length == 0; i++) {
         const double cost = cost_of(a, plan, tier, TIER_BOTH, &seed[i], NULL);
-        const double error = objective_error(o, &seed[i], target, least);
+        const double error = objective_error(o, &seed[i], last, least);
         if (error < least && (budget == 0 || cost <= budget)) {
             least = error;
             best = &seed[i];
         }
     }
     if (best)
-        a->tails[tier] = objective_tails(o, best, target);
+        a->tails[tier] = objective_tails(o, best, last);
     free(seed);
 }
 
@@ -407,7 +407,7 @@ static void replace_champion(struct archive *a, struct objective *o, size_t tier
         tree_copy(&m->tree, &c->tree);
     else
         tree_bind(a->program, &m->tree, &c->tree);
-    c->error = objective_error(o, &m->tree, archive_target(a, tier, output), INFINITY); /* tails apart */
+    c->error = archive_bare_error(a, o, tier, output, &m->tree);
     c->cost = m->cost;
     c->bred = true;
     c->seed = m->origin == ORIGIN_SEED;
@@ -426,7 +426,7 @@ static double merit(const struct archive *a, const struct plan *plan, size_t tie
 /* Errors of one output of one tier: as the islands found them, or on the validation samples. */
 struct court {
     struct objective *judge; /* not owned; NULL: as they were found */
-    size_t target;
+    int last;
     const struct tree *champion; /* not owned; NULL: none within the budget */
     struct outputs outputs;      /* the champion's, as are these */
     struct tails tails;
@@ -437,9 +437,9 @@ static double verdict(const struct court *court, const struct tree *t, double er
 {
     if (!court->judge || !(error < INFINITY))
         return error;
-    if (court->champion && t != court->champion && !objective_no_worse(court->judge, t, court->target, &court->outputs))
+    if (court->champion && t != court->champion && !objective_no_worse(court->judge, t, court->last, &court->outputs))
         return INFINITY;
-    return objective_error_in_tails(court->judge, t, court->target, &court->tails, INFINITY);
+    return objective_error_in_tails(court->judge, t, court->last, &court->tails, INFINITY);
 }
 
 static void choose_champion(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge,
@@ -448,13 +448,13 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     const struct front *f = a->front[tier][output];
     const struct champion *c = &a->champion[tier][output];
     const double budget = a->scene->tier[tier].budget;
-    struct court court = {.judge = output == TIER_BOTH ? judge : NULL, .target = archive_target(a, tier, output)};
+    struct court court = {.judge = output == TIER_BOTH ? judge : NULL, .last = archive_last(a, tier)};
     const bool fits = c->tree.length > 0 && merit(a, plan, tier, c->error, c->cost) < INFINITY;
     if (court.judge && c->tree.length > 0)
-        court.tails = objective_tails(judge, &c->tree, court.target);
+        court.tails = objective_tails(judge, &c->tree, court.last);
     if (court.judge && fits) {
         court.champion = &c->tree;
-        court.outputs = objective_outputs(judge, &c->tree, court.target);
+        court.outputs = objective_outputs(judge, &c->tree, court.last);
     }
     const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
     const double most = fmax(c->error, objective_rounding(a->scene->norm));

@@ -110,9 +110,9 @@ struct gene_set archive_genes(const struct archive *a, size_t tier, bool rationa
 int *archive_symbols(const struct archive *a, size_t tier);
 /** The function that a tier's programs end in; -1: none. */
 int archive_last(const struct archive *a, size_t tier);
-/** What an output is measured against (objective.h). */
-size_t archive_target(const struct archive *a, size_t tier, int output);
-/** The error of an output that islands minimise. */
+/** The error of an output in the objective's norm. */
+double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t);
+/** The error that islands minimise: that of a program is charged for its tails. */
 double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t);
 
 /** Operations of a tree; of a program with the values of the frame that it needs. */

@@ -37,7 +37,7 @@ static void print_errors(const struct archive *a, struct part *p, const struct m
     fprintf(stream, ",%zu", p->table.n);
     for (int i = 0; i < 3; i++) {
         p->objective->norm = norm[i];
-        fprintf(stream, ",%.3e", objective_error(p->objective, &m->tree, archive_target(a, tier, output), INFINITY));
+        fprintf(stream, ",%.3e", archive_bare_error(a, p->objective, tier, output, &m->tree));
     }
 }
 

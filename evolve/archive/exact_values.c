@@ -17,7 +17,7 @@ static int exact_value(const struct archive *a, struct objective *worst, const s
         const struct tree value = {&gene, 1};
         const double cost = frame_cost_of(a->frame, &value);
         if (cost > least || (exact && cost == least) ||
-            !(objective_error(worst, &value, frame_target(a->program, output), INFINITY) <= tolerance))
+            !(objective_tree_error(worst, &value, frame_target(a->program, output), INFINITY) <= tolerance))
             continue;
         exact = gene;
         least = cost;

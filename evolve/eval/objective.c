@@ -44,36 +44,21 @@ static struct kernel_task task_of(const struct objective *o, const struct tree *
     return (struct kernel_task){t->gene, t->length, o->decimal ? NULL : o->program->constant, o->table};
 }
 
-size_t objective_target_of_both(const struct columns *table, int last)
-{
-    return table->count + (size_t)(last + 1);
-}
-
-bool objective_takes_both(const struct objective *o, size_t target)
-{
-    return target >= o->table->count;
-}
-
-int objective_last(const struct objective *o, size_t target)
-{
-    return (int)(target - o->table->count) - 1;
-}
-
-/* The same of all errors, those of xi and those of eta, which are left in o->scratch. */
-static double error_of_both(struct objective *o, const struct tree *t, size_t target, double bound)
+/* Leaves all errors, of xi and then of eta, in o->scratch. */
+double objective_error(struct objective *o, const struct tree *t, int last, double bound)
 {
     const size_t n = 2 * o->table->n;
     const double most = o->norm == NORM_MEAN ? bound * (double)n : INFINITY;
-    const double sum = lines_errors(o->lines, t, objective_last(o, target), most, o->scratch);
+    const double sum = lines_errors(o->lines, t, last, most, o->scratch);
     if (o->norm == NORM_MEAN)
         return sum / (double)n;
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 
-struct tails objective_tails(struct objective *o, const struct tree *t, size_t target)
+struct tails objective_tails(struct objective *o, const struct tree *t, int last)
 {
     const size_t n = 2 * o->table->n;
-    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
+    lines_errors(o->lines, t, last, INFINITY, o->scratch);
     const double max = errors_max(o->scratch, n);
     return (struct tails){fmax(errors_p99(o->scratch, n), rounding[NORM_P99]), fmax(max, rounding[NORM_MAX])};
 }
@@ -94,10 +79,10 @@ static double *part_of(const struct objective *o, size_t output, size_t part, si
     return o->scratch + output * all + from;
 }
 
-struct outputs objective_outputs(struct objective *o, const struct tree *t, size_t target)
+struct outputs objective_outputs(struct objective *o, const struct tree *t, int last)
 {
     struct outputs found = {.mean = {{0}}};
-    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
+    lines_errors(o->lines, t, last, INFINITY, o->scratch);
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0; i < OUTPUT_PARTS; i++) {
             size_t n;
@@ -111,9 +96,9 @@ struct outputs objective_outputs(struct objective *o, const struct tree *t, size
     return found;
 }
 
-bool objective_no_worse(struct objective *o, const struct tree *t, size_t target, const struct outputs *than)
+bool objective_no_worse(struct objective *o, const struct tree *t, int last, const struct outputs *than)
 {
-    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
+    lines_errors(o->lines, t, last, INFINITY, o->scratch);
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0; i < OUTPUT_PARTS; i++) {
             size_t n;
@@ -139,25 +124,23 @@ static double charged(struct objective *o, double error, const struct tails *tai
     return error * fmax(1, errors_p99_above(o->scratch, n, tails->p99) / tails->p99);
 }
 
-double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
+double objective_error_in_tails(struct objective *o, const struct tree *t, int last, const struct tails *tails,
                                 double bound)
 {
-    const double error = objective_error(o, t, target, bound);
+    const double error = objective_error(o, t, last, bound);
     if (!(error < INFINITY))
         return error;
     return lines_keep_signs(o->lines) ? charged(o, error, tails, bound) : INFINITY;
 }
 
-double objective_error(struct objective *o, const struct tree *t, size_t target, double bound)
+double objective_tree_error(struct objective *o, const struct tree *t, size_t column, double bound)
 {
     const struct kernel_task task = task_of(o, t);
     const size_t n = o->table->n;
-    if (objective_takes_both(o, target))
-        return error_of_both(o, t, target, bound);
     if (o->norm == NORM_MEAN)
-        return kernel_error_sum(o->kernel, &task, target, bound * (double)n) / (double)n;
+        return kernel_error_sum(o->kernel, &task, column, bound * (double)n) / (double)n;
     kernel_values(o->kernel, &task, o->scratch);
-    errors_absolute(o->scratch, columns_at(o->table, target), n);
+    errors_absolute(o->scratch, columns_at(o->table, column), n);
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 

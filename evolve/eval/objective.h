@@ -29,34 +29,32 @@ struct tails {
     double p99, max; /* 0: any */
 };
 
-/* The target of programs is not a column, but the true xi and eta, the last two of the table. */
+/** Error of a tree against a column of the table: mean, 99 % or maximum of |value - column|.  INFINITY where a value is
+ *  not finite, or where the mean is sure to exceed `bound`. */
+double objective_tree_error(struct objective *o, const struct tree *t, size_t column, double bound);
 
-/** The target of programs that end in a function; -1: in none. */
-size_t objective_target_of_both(const struct columns *table, int last);
-bool objective_takes_both(const struct objective *o, size_t target);
-/** The function that programs of this target end in; -1: none. */
-int objective_last(const struct objective *o, size_t target);
+/* Programs are measured against the true xi and eta, the last two columns; `last` is the function that they end in, -1:
+ * none. */
 
-/** Error of a tree against table column `target`, or of a program against both: mean, 99 % or maximum of
- *  |value - target|.  INFINITY where a value is not finite, or where the mean is sure to exceed `bound` (of programs:
- *  seems to, by its first samples). */
-double objective_error(struct objective *o, const struct tree *t, size_t target, double bound);
+/** The same of a program, all errors of xi and eta; INFINITY where the mean seems to exceed `bound` by the first
+ *  samples, too. */
+double objective_error(struct objective *o, const struct tree *t, int last, double bound);
 
 /** The same of a program, multiplied by how far its 99 % and largest errors exceed what they may be; INFINITY where that
  *  exceeds `bound`, or a divisor changes its sign among the samples. */
-double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
+double objective_error_in_tails(struct objective *o, const struct tree *t, int last, const struct tails *tails,
                                 double bound);
 /** 99 % and largest error of a program, or what rounding makes of them, if that is more. */
-struct tails objective_tails(struct objective *o, const struct tree *t, size_t target);
+struct tails objective_tails(struct objective *o, const struct tree *t, int last);
 /** The same and the mean, of xi and of eta, in each part of the samples: one largest error is chance,
  *  and of two programs the better one has it in all parts. */
 enum { OUTPUT_PARTS = 4 };
 struct outputs {
     double mean[2][OUTPUT_PARTS], p99[2][OUTPUT_PARTS], max[2][OUTPUT_PARTS];
 };
-struct outputs objective_outputs(struct objective *o, const struct tree *t, size_t target);
+struct outputs objective_outputs(struct objective *o, const struct tree *t, int last);
 /** True if none of a program's is larger. */
-bool objective_no_worse(struct objective *o, const struct tree *t, size_t target, const struct outputs *than);
+bool objective_no_worse(struct objective *o, const struct tree *t, int last, const struct outputs *than);
 
 /** Genes times samples evaluated so far; of programs, lines times samples. */
 double objective_work(const struct objective *o);

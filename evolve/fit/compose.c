@@ -30,7 +30,7 @@ struct composer {
     const struct gene_set *genes;
     const struct prices *prices;
     struct objective *objective; /* owned: on `thin` */
-    size_t target;
+    int last;
     struct columns thin;           /* owned */
     struct lines_counter *counter; /* owned */
     struct lines *lines;           /* owned */
@@ -55,14 +55,14 @@ static bool measure(struct composer *s, struct candidate *x)
     const struct tree t = {x->gene, x->length};
     if (x->length > s->found->max_length)
         return false;
-    const struct operation_count o = count_lines(s->counter, &t, objective_last(s->objective, s->target));
+    const struct operation_count o = count_lines(s->counter, &t, s->last);
     x->cost = operations_price(&o, s->prices);
     if (front_place(s->found, x->cost) > s->found->limit)
         return false;
     x->hash = o.hash;
     if (!is_new(s, x->hash))
         return false;
-    x->error = objective_error(s->objective, &t, s->target, INFINITY);
+    x->error = objective_error(s->objective, &t, s->last, INFINITY);
     if (x->error < INFINITY)
         front_offer(s->found, &t, x->error, x->cost);
     return true;
@@ -229,10 +229,10 @@ bool compose_alike(const struct tier *a, const struct tier *b)
 }
 
 void compose_programs(const struct tier *tier, const struct gene_set *genes, const struct objective *objective,
-                      size_t target, const struct prices *prices, struct front *found)
+                      int last, const struct prices *prices, struct front *found)
 {
     const size_t stride = objective->table->n / ROWS;
-    struct composer s = {.genes = genes, .prices = prices, .found = found, .target = target};
+    struct composer s = {.genes = genes, .prices = prices, .found = found, .last = last};
     struct candidates list = {0};
     s.thin = columns_thin(objective->table, stride > 1 ? stride : 1);
     s.objective = objective_new(objective->program, &s.thin, objective->norm);

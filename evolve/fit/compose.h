@@ -14,6 +14,6 @@ bool compose_alike(const struct tier *a, const struct tier *b);
  *  functions that begin with the most promising ones.  Deterministic.
  *  @param[in] objective  of decimal numbers */
 void compose_programs(const struct tier *tier, const struct gene_set *genes, const struct objective *objective,
-                      size_t target, const struct prices *prices, struct front *found);
+                      int last, const struct prices *prices, struct front *found);
 
 #endif

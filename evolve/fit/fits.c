@@ -17,25 +17,24 @@ struct fits {
     struct line_editor *editor;  /* owned */
 };
 
-static bool fit(struct fits *f, const struct tree *in, size_t target, int iterations, struct tree *out)
+static bool fit(struct fits *f, const struct tree *in, int last, int iterations, struct tree *out)
 {
-    return lines_fit(f->lines, in, objective_last(f->objective, target), f->objective->norm, iterations, out);
+    return lines_fit(f->lines, in, last, f->objective->norm, iterations, out);
 }
 
-static bool tune(struct fits *f, const struct tree *in, size_t target, struct tree *out)
+static bool tune(struct fits *f, const struct tree *in, int last, struct tree *out)
 {
-    return fit(f, in, target, TUNING, out);
+    return fit(f, in, last, TUNING, out);
 }
 
-static bool constants(struct fits *f, const struct tree *in, size_t target, struct tree *out)
+static bool constants(struct fits *f, const struct tree *in, int last, struct tree *out)
 {
-    return fit(f, in, target, ITERATIONS, out);
+    return fit(f, in, last, ITERATIONS, out);
 }
 
 static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                    const struct tree *mate, size_t target, size_t max_length, struct tree *child)
+                    const struct tree *mate, int last, size_t max_length, struct tree *child)
 {
-    const int last = objective_last(f->objective, target);
     const double at = gsl_rng_uniform(rng);
     if (at < guided_insertions)
         return guide_insert(f->guide, rng, genes, t, last, max_length, child);
@@ -48,9 +47,9 @@ static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, 
 
 /* Nothing that depends on the unit of length, whatever the change was. */
 static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                   const struct tree *mate, size_t target, size_t max_length, struct tree *child)
+                   const struct tree *mate, int last, size_t max_length, struct tree *child)
 {
-    if (!changed(f, rng, genes, t, mate, target, max_length, child))
+    if (!changed(f, rng, genes, t, mate, last, max_length, child))
         return false;
     lines_load(f->lines->code, child, -1, LINES_INNER);
     return lines_keep_powers(f->lines->code);

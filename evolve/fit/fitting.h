@@ -10,12 +10,12 @@ struct fitting {
     struct fits *fits; /* not owned */
     /** The same program with its numbers fitted by a few iterations, for children; false, with *out undefined, where
      *  there is nothing to fit.  Deterministic in its arguments. */
-    bool (*tune)(struct fits *f, const struct tree *in, size_t target, struct tree *out);
+    bool (*tune)(struct fits *f, const struct tree *in, int last, struct tree *out);
     /** The same with more iterations; for members of the front. */
-    bool (*constants)(struct fits *f, const struct tree *in, size_t target, struct tree *out);
+    bool (*constants)(struct fits *f, const struct tree *in, int last, struct tree *out);
     /** A changed copy; may fail, with *child undefined. */
     bool (*change)(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                   const struct tree *mate, size_t target, size_t max_length, struct tree *child);
+                   const struct tree *mate, int last, size_t max_length, struct tree *child);
 };
 
 #endif

@@ -37,7 +37,7 @@ static void evaluate(struct island *is, struct individual *x)
     if (r->hash != x->hash) {
         const double bound = is->bound < INFINITY ? is->bound * is->reference[place] : INFINITY;
         *r = (struct remembered){
-            x->hash, objective_error_in_tails(is->objective, &x->tree, is->goal.target, &is->goal.tails, bound)};
+            x->hash, objective_error_in_tails(is->objective, &x->tree, is->goal.last, &is->goal.tails, bound)};
         is->evaluations++;
     }
     x->error = r->error;
@@ -110,7 +110,7 @@ static void rank_population(struct island *is)
 static void fit_constants(struct island *is, struct tree *t)
 {
     const struct fitting *f = is->goal.fit;
-    if (gsl_rng_uniform(is->rng) < is->plan->tune && f->tune(f->fits, t, is->goal.target, &is->scratch))
+    if (gsl_rng_uniform(is->rng) < is->plan->tune && f->tune(f->fits, t, is->goal.last, &is->scratch))
         tree_copy(&is->scratch, t);
 }
 
@@ -165,7 +165,7 @@ static bool change(struct island *is, struct tree *child)
 {
     const struct fitting *f = is->goal.fit;
     const struct tree *t = choose(is), *mate = choose(is);
-    return f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.target, is->goal.max_length, child);
+    return f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.last, is->goal.max_length, child);
 }
 
 static bool is_new(const struct island *is, const struct individual *x)
@@ -196,7 +196,7 @@ static void polish(struct island *is)
         if (m->tree.length == 0 || m->polished)
             continue;
         m->polished = true;
-        if (!f->constants(f->fits, &m->tree, is->goal.target, &x->tree))
+        if (!f->constants(f->fits, &m->tree, is->goal.last, &x->tree))
             continue;
         population_count(is, x);
         evaluate(is, x);

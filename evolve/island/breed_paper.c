@@ -14,7 +14,7 @@ static void evaluate(struct island *is, struct individual *x)
     const uint64_t hash = tree_hash(&x->tree);
     struct remembered *r = population_memory(is, hash);
     if (r->hash != hash || hash == 0) {
-        *r = (struct remembered){hash, objective_error(is->objective, &x->tree, is->goal.target, is->bound)};
+        *r = (struct remembered){hash, objective_tree_error(is->objective, &x->tree, is->goal.column, is->bound)};
         is->evaluations++;
     }
     population_count(is, x);

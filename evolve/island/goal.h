@@ -8,7 +8,9 @@
 
 /** What one island is to find. */
 struct goal {
-    size_t target;                /* table column */
+    bool program;                 /* programs are bred, else trees */
+    size_t column;                /* of trees: what they are measured against */
+    int last;                     /* of programs: the function that they end in; -1: none */
     size_t max_length;            /* genes */
     const struct gene_set *genes; /* not owned */
     uint64_t ring, place;         /* key of its random streams: which ring, where in it */

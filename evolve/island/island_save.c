@@ -99,7 +99,7 @@ static bool take_record(const struct island *is, const unsigned char **from, str
     take(from, gene, is->goal.max_length * sizeof *gene);
     if (r->length > is->goal.max_length || !(r->error >= 0) || !(r->cost >= 0) || !(r->fitness >= 0))
         return false;
-    if (objective_takes_both(is->objective, is->goal.target))
+    if (is->goal.program)
         return r->length == 0 || lines_valid(is->objective->rules, gene, (size_t)r->length);
     for (size_t i = 0; i < r->length; i++)
         if (!known_gene(is->goal.genes, gene[i]))

@@ -19,10 +19,9 @@ struct remembered *population_memory(const struct island *is, uint64_t hash)
 
 void population_count(struct island *is, struct individual *x)
 {
-    const bool both = objective_takes_both(is->objective, is->goal.target);
+    const bool both = is->goal.program;
     const struct operation_count o =
-        both ? count_lines(is->lines, &x->tree, objective_last(is->objective, is->goal.target))
-             : count_operations(is->counter, &x->tree, NULL);
+        both ? count_lines(is->lines, &x->tree, is->goal.last) : count_operations(is->counter, &x->tree, NULL);
     x->cost = both ? operations_price(&o, &is->plan->times)
                    : operations_price(&o, &is->plan->prices) + frame_cost_of(is->frame, &x->tree);
     x->hash = o.hash;
@@ -89,14 +88,14 @@ static void random_program(struct island *is, struct tree *t)
     tree_copy(&front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree, t);
     for (int i = 0; i < CHANGES; i++) {
         const struct tree *mate = &front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree;
-        if (f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.target, is->goal.max_length, &is->scratch))
+        if (f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.last, is->goal.max_length, &is->scratch))
             tree_copy(&is->scratch, t);
     }
 }
 
 void population_draw(struct island *is, size_t k, struct tree *t)
 {
-    if (objective_takes_both(is->objective, is->goal.target)) {
+    if (is->goal.program) {
         random_program(is, t);
         return;
     }

@@ -272,8 +272,7 @@ static void compose_seeds(const struct problem *p)
             continue;
         if (first == i) {
             found[i] = front_new(p->plan.front_limit, tier_genes(t));
-            compose_programs(t, &p->genes[i], p->objective, archive_target(p->archive, i, TIER_BOTH), &p->plan.times,
-                             found[i]);
+            compose_programs(t, &p->genes[i], p->objective, archive_last(p->archive, i), &p->plan.times, found[i]);
         }
         for (size_t k = 0; k < front_count(found[first]); k++)
             archive_add_seed(p->archive, (long)i, TIER_BOTH, &front_member(found[first], k)->tree);
@@ -351,7 +350,9 @@ static void make_islands(const struct call *call, const struct problem *p, struc
         struct tree *seed;
         const size_t seeds = archive_seeds(p->archive, ring->tier, ring->output, &seed);
         const bool random = starts_at_random(s, i % s->places) && ring->output < TIER_BOTH;
-        const struct goal goal = {.target = archive_target(p->archive, ring->tier, ring->output),
+        const struct goal goal = {.program = ring->output == TIER_BOTH,
+                                  .column = frame_target(p->archive->program, ring->output),
+                                  .last = archive_last(p->archive, ring->tier),
                                   .tails = p->archive->tails[ring->tier],
                                   .limit = islands_limit(p, ring->tier),
                                   .max_length = ring->max_length,

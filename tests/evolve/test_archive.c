@@ -99,7 +99,7 @@ enum { P = GENE_SYMBOL + 15, Q = GENE_SYMBOL + 16 };
 static void offer(struct fixture *f, struct archive *a, const int *gene, size_t length)
 {
     const struct tree t = {(int *)gene, length};
-    const double error = objective_error(f->objective, &t, 17, INFINITY);
+    const double error = objective_tree_error(f->objective, &t, 17, INFINITY);
     archive_offer(a, &f->plan, 0, 0, &t, error, ORIGIN_RANDOM);
 }
 

@@ -66,14 +66,11 @@ static int teardown(void **state)
     return 0;
 }
 
-static size_t target_of(const struct fixture *f, enum breeding breeding)
-{
-    return breeding == BREED_PAPER ? TARGET : objective_target_of_both(&f->table, -1);
-}
-
 static struct goal goal_of(const struct fixture *f, enum breeding breeding, uint64_t place)
 {
-    return (struct goal){.target = target_of(f, breeding),
+    return (struct goal){.program = breeding == BREED_FRONT,
+                         .column = TARGET,
+                         .last = -1,
                          .max_length = MAX_LENGTH,
                          .genes = &f->genes,
                          .place = place,
@@ -139,7 +136,9 @@ static void check_front(const struct fixture *f, enum breeding breeding, const s
                     (breeding == BREED_PAPER ? gene_span(t.gene, t.length) == t.length
                                              : lines_valid(f->objective->rules, t.gene, t.length)));
         assert_true(m->error < last);
-        assert_true(objective_error(f->objective, &t, target_of(f, breeding), INFINITY) == m->error);
+        const double found = breeding == BREED_PAPER ? objective_tree_error(f->objective, &t, TARGET, INFINITY)
+                                                     : objective_error(f->objective, &t, -1, INFINITY);
+        assert_true(found == m->error);
         last = m->error;
         for (int i = 0; i < k; i++)
             assert_true(structure(f, breeding, &front_member(front, (size_t)i)->tree) != structure(f, breeding, &t));
@@ -296,22 +295,22 @@ static void guests_compete(void **state)
 }
 
 /* A fit that knows the answer. */
-static bool fit_by_magic(struct fits *fits, const struct tree *in, size_t target, struct tree *out)
+static bool fit_by_magic(struct fits *fits, const struct tree *in, int last, struct tree *out)
 {
     const struct tree answer = known(BREED_FRONT, false);
     (void)fits;
-    (void)target;
+    (void)last;
     if (in->length == 2)
         return false;
     tree_copy(&answer, out);
     return true;
 }
 
-static bool no_fit(struct fits *fits, const struct tree *in, size_t target, struct tree *out)
+static bool no_fit(struct fits *fits, const struct tree *in, int last, struct tree *out)
 {
     (void)fits;
     (void)in;
-    (void)target;
+    (void)last;
     (void)out;
     return false;
 }

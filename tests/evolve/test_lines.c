@@ -35,7 +35,6 @@ struct fixture {
     struct plan plan;
     struct lines *lines;
     int last; /* place */
-    size_t target, bare_target;
 };
 
 static int setup(void **state)
@@ -55,8 +54,6 @@ static int setup(void **state)
     f->plan = plan_default();
     f->lines = lines_new(f->objective->rules);
     f->last = line_function(f->program, "place");
-    f->target = objective_target_of_both(&f->table, f->last);
-    f->bare_target = objective_target_of_both(&f->table, -1);
     *state = f;
     return 0;
 }
@@ -106,7 +103,7 @@ static struct tree program_of(const struct fixture *f, const char *lets, const c
 
 static double error_of(const struct fixture *f, const struct tree *t)
 {
-    return objective_error(f->objective, t, f->target, INFINITY);
+    return objective_error(f->objective, t, f->last, INFINITY);
 }
 
 static double cost_of(const struct fixture *f, const struct tree *t)
@@ -175,7 +172,7 @@ static void test_changes(void **state)
         stream_key(rng, 7, k, 0, 0);
         if (k % 8 == 0)
             tree_copy(&parents[k / 8 % 2], &now);
-        if (!hooks.change(fits, rng, &f->genes, &now, &mate, f->target, LONGEST, &child))
+        if (!hooks.change(fits, rng, &f->genes, &now, &mate, f->last, LONGEST, &child))
             continue;
         assert_true(lines_valid(f->objective->rules, child.gene, child.length) && child.length <= LONGEST);
         signed char power[4 * LONGEST];
@@ -228,7 +225,7 @@ static void test_last(void **state)
     assert_true(tree_equal(&inner, &whole));
     assert_int_equal(other.length, 0);
     assert_int_equal(unknown.length, 0);
-    assert_true(objective_error(f->objective, &inner, f->bare_target, INFINITY) != error_of(f, &inner));
+    assert_true(objective_error(f->objective, &inner, -1, INFINITY) != error_of(f, &inner));
     free(inner.gene);
     free(whole.gene);
     free(other.gene);
@@ -330,7 +327,7 @@ static void test_seeds(void **state)
         {"let us1 vs1 = newton_kept p q\nlet u v = newton_kept us1 vs1", "u", "v"},
         {"let u0 v0 = inside ut vt\nlet us1 vs1 = solve_u u0 v0\nlet u v = solve_v us1 vs1", "u", "v"}};
     struct front *found = front_new(f->plan.front_limit, LONGEST);
-    compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->target, &f->plan.prices, found);
+    compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->last, &f->plan.prices, found);
     struct lines_counter *c = lines_counter_new(f->objective->rules);
     for (size_t i = 0; i < sizeof method / sizeof *method; i++) {
         struct tree t = program_of(f, method[i][0], method[i][1], method[i][2]);
@@ -352,11 +349,12 @@ static void test_evolution(void **state)
     struct plan plan = f->plan;
     plan.population = 60;
     plan.migrants = 0;
-    compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->target, &plan.times, found);
+    compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->last, &plan.times, found);
     struct tree *seed = new_array(front_count(found), sizeof *seed);
     for (size_t i = 0; i < front_count(found); i++)
         seed[i] = front_member(found, i)->tree;
-    const struct goal goal = {.target = f->target, .max_length = LONGEST, .genes = &f->genes, .fit = &hooks};
+    const struct goal goal = {
+        .program = true, .last = f->last, .max_length = LONGEST, .genes = &f->genes, .fit = &hooks};
     struct island *is = island_new(&plan, &goal, f->objective);
     island_start(is, seed, front_count(found));
     for (int k = 0; k < 15; k++)
@@ -389,16 +387,16 @@ static void test_tails(void **state)
     const struct fixture *f = *state;
     struct tree t = program_of(f, "", "ut", "vt");
     const double error = error_of(f, &t);
-    const struct tails own = objective_tails(f->objective, &t, f->target), any = {0, 0};
+    const struct tails own = objective_tails(f->objective, &t, f->last), any = {0, 0};
     const struct tails less = {own.p99 / 2, own.max / 3}, more = {2 * own.p99, 3 * own.max};
     assert_true(own.max >= own.p99 && own.p99 >= error);
-    assert_true(objective_error_in_tails(f->objective, &t, f->target, &own, INFINITY) == error);
-    assert_true(objective_error_in_tails(f->objective, &t, f->target, &any, INFINITY) == error);
-    assert_true(objective_error_in_tails(f->objective, &t, f->target, &more, INFINITY) == error);
-    assert_true(fabs(objective_error_in_tails(f->objective, &t, f->target, &less, INFINITY) / error - 6) < 1e-9);
-    assert_true(objective_error_in_tails(f->objective, &t, f->target, &less, 6.1 * error) < INFINITY);
-    assert_true(objective_error_in_tails(f->objective, &t, f->target, &less, 5.9 * error) == INFINITY);
-    assert_true(objective_error_in_tails(f->objective, &t, f->target, &less, 2.9 * error) == INFINITY);
+    assert_true(objective_error_in_tails(f->objective, &t, f->last, &own, INFINITY) == error);
+    assert_true(objective_error_in_tails(f->objective, &t, f->last, &any, INFINITY) == error);
+    assert_true(objective_error_in_tails(f->objective, &t, f->last, &more, INFINITY) == error);
+    assert_true(fabs(objective_error_in_tails(f->objective, &t, f->last, &less, INFINITY) / error - 6) < 1e-9);
+    assert_true(objective_error_in_tails(f->objective, &t, f->last, &less, 6.1 * error) < INFINITY);
+    assert_true(objective_error_in_tails(f->objective, &t, f->last, &less, 5.9 * error) == INFINITY);
+    assert_true(objective_error_in_tails(f->objective, &t, f->last, &less, 2.9 * error) == INFINITY);
     free(t.gene);
 }
 

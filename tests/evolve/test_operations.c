@@ -132,7 +132,7 @@ static void equal_hashes_mean_equal_errors(void **state)
             fail_msg("tree %d of %zu genes changes with the order of its operands", k, t.length);
         if (!(o.mul + o.add + o.div <= t.length / 2))
             fail_msg("tree %d of %zu genes: %u operations", k, t.length, o.mul + o.add + o.div);
-        const double error = objective_error(j, &t, 2, INFINITY);
+        const double error = objective_tree_error(j, &t, 2, INFINITY);
         const size_t at = o.hash >> 48;
         if (seen[at].hash == o.hash) {
             repeats++;

@@ -29,7 +29,7 @@ bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct
         if (coefficients != COEFFICIENTS_SQUARES)
             polynomials_fit_norm(p, s->best, objective->norm, coefficient);
         monomials_tree(term, coefficient, f->terms, &f->tree);
-        f->error = objective_error(objective, &f->tree, target, INFINITY);
+        f->error = objective_tree_error(objective, &f->tree, target, INFINITY);
         free(term);
     }
     free(coefficient);
