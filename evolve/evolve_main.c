@@ -3,11 +3,11 @@
  * Each output of each tier has a ring of islands. */
 #include "../codegen/genome/console.h"
 #include "common/stop.h"
-#include "eval/kernel_benchmark.h"
 #include "input/scene_print.h"
 #include "mpi/shared_file.h"
 #include "run/run.h"
 #include "samples/samples_write.h"
+#include "tiles/kernel_benchmark.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,9 +3,9 @@
 #ifndef FOOTPOINT_FRAME_H
 #define FOOTPOINT_FRAME_H
 
+#include "../common/columns.h"
 #include "../input/scene.h"
 #include "../surface/sample.h"
-#include "columns.h"
 
 /** One program of all frames that the scene's tiers name: inputs, segment and corner order, and the lets of each
  *  frame, in the order of the tiers; the scene's reference point takes the place of the lets xi0 and eta0, and the

@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_LINES_RUN_H
 #define FOOTPOINT_LINES_RUN_H
 
+#include "../common/columns.h"
 #include "../genotype/line_program.h"
-#include "columns.h"
 
 /** Workspace for one table, whose last two columns are the true xi and eta. */
 struct lines_run {

@@ -4,7 +4,7 @@
 
 #include "../genotype/tree.h"
 #include "../input/scene.h"
-#include "kernel.h"
+#include "../tiles/kernel.h"
 #include "lines_run.h"
 
 /** Measures trees against columns of a table; one for each process. */

@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_TAPE_BLOCKS_H
 #define FOOTPOINT_TAPE_BLOCKS_H
 
+#include "../common/columns.h"
 #include "../common/simd.h"
-#include "columns.h"
 
 #include <math.h>
 

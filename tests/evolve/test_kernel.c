@@ -2,7 +2,7 @@
  * every vector width. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
-#include "../../evolve/eval/kernel.h"
+#include "../../evolve/tiles/kernel.h"
 
 #include <math.h>
 #include <setjmp.h>

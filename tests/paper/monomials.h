@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_MONOMIALS_H
 #define FOOTPOINT_MONOMIALS_H
 
-#include "../../evolve/eval/kernel.h"
+#include "../../evolve/common/columns.h"
 #include "../../evolve/genotype/tree.h"
 
 enum { MONOMIAL_DEGREE = 4 };

@@ -2,7 +2,7 @@
  * samples say, dependent terms do no harm, and nothing depends on how the evaluation is shared out. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
-#include "../../evolve/eval/kernel.h"
+#include "../../evolve/tiles/kernel.h"
 #include "normal_equations.h"
 #include "pga.h"
 

@@ -33,7 +33,8 @@ evolve/input:       evolve/common codegen/genome
 evolve/surface:     evolve/common codegen/genome runtime/geometry
 evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome runtime/geometry
 evolve/genotype:    evolve/common codegen/genome
-evolve/eval:        evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
+evolve/tiles:       evolve/genotype evolve/common codegen/genome
+evolve/eval:        evolve/tiles evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
 evolve/region:      evolve/eval evolve/surface evolve/common codegen/genome
 evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
 evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/common codegen/genome

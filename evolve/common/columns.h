@@ -1,4 +1,4 @@
-/* Tables of samples, and what a genome is computed on. */
+/* Tables of samples. */
 #ifndef FOOTPOINT_COLUMNS_H
 #define FOOTPOINT_COLUMNS_H
 
@@ -23,14 +23,5 @@ double *columns_at(const struct columns *c, size_t column);
 
 /** A table of every `stride`-th sample of another. */
 struct columns columns_thin(const struct columns *all, size_t stride);
-
-/** A genome in a table: symbol s of a gene is column s; constants are the program's, or, where `constant` is NULL,
- *  decimal numbers coded in their genes (decimal.h). */
-struct kernel_task {
-    const int *gene;
-    size_t length;
-    const struct genome_constant *constant; /* not owned; may be NULL */
-    const struct columns *table;            /* not owned */
-};
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_KERNEL_CODE_H
 #define FOOTPOINT_KERNEL_CODE_H
 
-#include "columns.h"
+#include "kernel_task.h"
 
 /* Operands of an instruction of an operator of two, first and second.  A tile is computed in the registers A, or beside
  * a live A in the registers B.  Form f of B is form f of A plus FORMS_OF_ONE. */

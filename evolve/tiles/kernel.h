@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_KERNEL_H
 #define FOOTPOINT_KERNEL_H
 
-#include "columns.h"
+#include "kernel_task.h"
 
 enum { KERNEL_LANES = 64 /* the sum of a block runs in this many lanes: see kernel.c */ };
 
