@@ -34,23 +34,23 @@ int archive_last(const struct archive *a, size_t tier)
 
 /* The program that a genome's outputs make, its genes the caller's; length 0 where it is none of the tier's values, or has
  * more genes than `most`. */
-static struct tree program_of(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
-                              const struct genome_expr *eta, size_t tier, bool called, size_t most)
+static struct genes program_of(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
+                               const struct genome_expr *eta, size_t tier, bool called, size_t most)
 {
     const struct tier *t = &a->scene->tier[tier];
     const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = t->terminals};
     const struct genome_expr *const out[2] = {xi, eta};
-    struct tree program = {new_array(most, sizeof *program.gene), 0};
+    struct genes program = {new_array(most, sizeof *program.gene), 0};
     if (!xi || !eta || !lines_read(a->lines, f, out, &genes, called, most, &program)) {
         free(program.gene);
-        program = (struct tree){NULL, 0};
+        program = (struct genes){NULL, 0};
     }
     free(genes.symbol);
     return program;
 }
 
-static struct tree read_program(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
-                                const struct genome_expr *eta, size_t tier)
+static struct genes read_program(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
+                                 const struct genome_expr *eta, size_t tier)
 {
     const struct tier *t = &a->scene->tier[tier];
     return program_of(a, f, xi, eta, tier, t->last != NULL, tier_genes(t));
@@ -68,7 +68,7 @@ bool archive_check_starts(const struct archive *a, struct diag *d)
                 gene[h] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->start[k][h]);
                 value[h] = (struct genome_expr){.length = 1, .gene = &gene[h]};
             }
-            const struct tree start = program_of(a, a->program, &value[0], &value[1], i, false, ANY_LENGTH);
+            const struct genes start = program_of(a, a->program, &value[0], &value[1], i, false, ANY_LENGTH);
             free(start.gene);
             if (start.length == 0)
                 return diag_at(d, a->scene->path, t->line, 0,
@@ -94,27 +94,27 @@ static bool read_champion(struct archive *a, size_t tier, int output, struct dia
     struct champion *c = &a->champion[tier][output];
     bool good = true;
     if (g && output == TIER_BOTH) {
-        c->tree = read_program(a, a->start, output_of(g, 0), output_of(g, 1), tier);
+        c->genes = read_program(a, a->start, output_of(g, 0), output_of(g, 1), tier);
         good =
-            c->tree.length > 0 || a->shipped ||
+            c->genes.length > 0 || a->shipped ||
             diag_at(
                 d, a->start->path, g->line, 0,
                 "genome '%s' is no program of its tier's terminals within max_length (--from-scratch starts without)",
                 g->name);
     } else if (e) {
-        c->tree = (struct tree){new_array(e->length, sizeof *e->gene), e->length};
-        good = frame_rebind(a->start, e, a->program, c->tree.gene, d);
+        c->genes = (struct genes){new_array(e->length, sizeof *e->gene), e->length};
+        good = frame_rebind(a->start, e, a->program, c->genes.gene, d);
     }
     if (!good) {
-        free(c->tree.gene);
-        c->tree = (struct tree){NULL, 0};
+        free(c->genes.gene);
+        c->genes = (struct genes){NULL, 0};
     }
-    c->length_before = c->tree.length;
+    c->length_before = c->genes.length;
     return good || a->shipped;
 }
 
 /* Constants of the program become decimal numbers. */
-static void round_constants(const struct genome_file *program, struct tree *t)
+static void round_constants(const struct genome_file *program, struct genes *t)
 {
     for (size_t i = 0; i < t->length; i++)
         if (t->gene[i] < 0)
@@ -124,12 +124,12 @@ static void round_constants(const struct genome_file *program, struct tree *t)
 /* The champion becomes its own tier's seed. */
 static void seed_champion(struct archive *a, size_t tier, int output)
 {
-    const struct tree *t = &a->champion[tier][output].tree;
+    const struct genes *t = &a->champion[tier][output].genes;
     if (t->length == 0)
         return;
     archive_add_seed(a, (long)tier, output, t);
     if (output != TIER_BOTH)
-        round_constants(a->program, &a->seed[a->seeds - 1].tree);
+        round_constants(a->program, &a->seed[a->seeds - 1].genes);
 }
 
 struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, bool shipped,
@@ -165,12 +165,12 @@ void archive_free(struct archive *a)
         return;
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < TIER_OUTPUTS; k++) {
-            free(a->champion[i][k].tree.gene);
+            free(a->champion[i][k].genes.gene);
             front_free(a->front ? a->front[i][k] : NULL);
             front_free(a->old ? a->old[i][k] : NULL);
         }
     for (size_t i = 0; i < a->seeds; i++)
-        free(a->seed[i].tree.gene);
+        free(a->seed[i].genes.gene);
     free(a->seed);
     free(a->champion);
     free(a->front);
@@ -186,11 +186,11 @@ void archive_free(struct archive *a)
     free(a);
 }
 
-void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t)
+void archive_add_seed(struct archive *a, long tier, int output, const struct genes *t)
 {
     struct archive_seed *s = &APPEND(a->seed, a->seeds, a->seed_room);
     *s = (struct archive_seed){tier, output, {new_array(t->length, sizeof *t->gene), 0}};
-    tree_copy(t, &s->tree);
+    genes_copy(t, &s->genes);
 }
 
 static long tier_of_name(const struct scene *s, const char *name)
@@ -207,7 +207,7 @@ static bool read_seed(struct archive *a, const struct genome_file *f, const stru
     const struct genome_expr *e = output_of(g, output);
     if (!e)
         return true;
-    struct tree t = {new_array(e->length, sizeof *e->gene), e->length};
+    struct genes t = {new_array(e->length, sizeof *e->gene), e->length};
     const bool good = frame_rebind(f, e, a->program, t.gene, d);
     if (good) {
         round_constants(a->program, &t);
@@ -225,7 +225,7 @@ static bool read_seeds(struct archive *a, const struct genome_file *f, const str
     for (size_t i = 0; i < a->scene->tiers; i++) {
         if (!a->scene->tier[i].program || (own >= 0 && own != (long)i))
             continue;
-        const struct tree t = read_program(a, f, output_of(g, 0), output_of(g, 1), i);
+        const struct genes t = read_program(a, f, output_of(g, 0), output_of(g, 1), i);
         if (t.length > 0)
             archive_add_seed(a, (long)i, TIER_BOTH, &t);
         programs = programs || t.length > 0;
@@ -253,28 +253,28 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
 static bool fits_tier(const struct archive *a, size_t tier, int output, const struct archive_seed *s)
 {
     const struct tier *t = &a->scene->tier[tier];
-    bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= tier_genes(t);
+    bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->genes.length <= tier_genes(t);
     if (output == TIER_BOTH)
         return known;
-    for (size_t i = 0; known && i < s->tree.length; i++) {
-        known = s->tree.gene[i] < GENE_OPERATORS;
+    for (size_t i = 0; known && i < s->genes.length; i++) {
+        known = s->genes.gene[i] < GENE_OPERATORS;
         for (size_t k = 0; !known && k < t->terminals; k++)
-            known = genome_find_symbol(a->program, t->terminal[k]) == s->tree.gene[i] - GENE_SYMBOL;
+            known = genome_find_symbol(a->program, t->terminal[k]) == s->genes.gene[i] - GENE_SYMBOL;
     }
     return known;
 }
 
-size_t archive_seeds(const struct archive *a, size_t tier, int output, struct tree **seed)
+size_t archive_seeds(const struct archive *a, size_t tier, int output, struct genes **seed)
 {
     size_t n = 0;
     *seed = new_array(a->seeds + 1, sizeof **seed);
     for (size_t i = 0; i < a->seeds; i++)
         if (fits_tier(a, tier, output, &a->seed[i]))
-            (*seed)[n++] = a->seed[i].tree;
+            (*seed)[n++] = a->seed[i].genes;
     return n;
 }
 
-struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct tree *t,
+struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct genes *t,
                                           const struct genome_constant *constant)
 {
     if (output == TIER_BOTH)
@@ -285,7 +285,7 @@ struct operation_count archive_operations(const struct archive *a, size_t tier, 
     return o;
 }
 
-static double cost_of(const struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
+static double cost_of(const struct archive *a, const struct plan *plan, size_t tier, int output, const struct genes *t,
                       const struct genome_constant *constant)
 {
     const struct operation_count o = archive_operations(a, tier, output, t, constant);
@@ -293,13 +293,13 @@ static double cost_of(const struct archive *a, const struct plan *plan, size_t t
                                : operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
 }
 
-double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t)
+double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t)
 {
     return output == TIER_BOTH ? objective_error(o, t, archive_last(a, tier), INFINITY)
                                : objective_tree_error(o, t, frame_target(a->program, output), INFINITY);
 }
 
-double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t)
+double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t)
 {
     return output == TIER_BOTH ? objective_error_in_tails(o, t, archive_last(a, tier), &a->tails[tier], INFINITY)
                                : archive_bare_error(a, o, tier, output, t);
@@ -311,11 +311,11 @@ static void find_tails(struct archive *a, const struct plan *plan, struct object
     const struct champion *c = &a->champion[tier][TIER_BOTH];
     const int last = archive_last(a, tier);
     const double budget = a->scene->tier[tier].budget;
-    struct tree *seed;
+    struct genes *seed;
     const size_t n = archive_seeds(a, tier, TIER_BOTH, &seed);
-    const struct tree *best = c->tree.length > 0 ? &c->tree : NULL;
+    const struct genes *best = c->genes.length > 0 ? &c->genes : NULL;
     double least = INFINITY;
-    for (size_t i = 0; i < n && c->tree.length == 0; i++) {
+    for (size_t i = 0; i < n && c->genes.length == 0; i++) {
         const double cost = cost_of(a, plan, tier, TIER_BOTH, &seed[i], NULL);
         const double error = objective_error(o, &seed[i], last, least);
         if (error < least && (budget == 0 || cost <= budget)) {
@@ -332,9 +332,9 @@ static void measure_champion(struct archive *a, const struct plan *plan, struct 
                              int output)
 {
     struct champion *c = &a->champion[tier][output];
-    if (c->tree.length > 0) {
-        c->error = archive_error(a, exact, tier, output, &c->tree);
-        c->cost = cost_of(a, plan, tier, output, &c->tree, a->program->constant);
+    if (c->genes.length > 0) {
+        c->error = archive_error(a, exact, tier, output, &c->genes);
+        c->cost = cost_of(a, plan, tier, output, &c->genes, a->program->constant);
     }
     c->error_before = c->error;
     c->cost_before = c->cost;
@@ -344,14 +344,14 @@ static void measure_champion(struct archive *a, const struct plan *plan, struct 
 static void take_exact(struct archive *a, struct objective *exact, size_t tier, int output)
 {
     struct champion *c = &a->champion[tier][output];
-    const struct tree value = {&c->exact, 1};
-    if (c->exact == 0 || tree_equal(&c->tree, &value))
+    const struct genes value = {&c->exact, 1};
+    if (c->exact == 0 || genes_equal(&c->genes, &value))
         return;
-    free(c->tree.gene);
-    c->tree.gene = new_array(1, sizeof *c->tree.gene);
-    tree_copy(&value, &c->tree);
-    c->error = archive_error(a, exact, tier, output, &c->tree);
-    c->cost = frame_cost_of(a->frame, &c->tree);
+    free(c->genes.gene);
+    c->genes.gene = new_array(1, sizeof *c->genes.gene);
+    genes_copy(&value, &c->genes);
+    c->error = archive_error(a, exact, tier, output, &c->genes);
+    c->cost = frame_cost_of(a->frame, &c->genes);
     c->bred = true;
 }
 
@@ -359,7 +359,7 @@ static void take_exact(struct archive *a, struct objective *exact, size_t tier, 
 static void start_fronts(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, int output)
 {
     const size_t longest = tier_genes(&a->scene->tier[tier]);
-    struct tree *seed;
+    struct genes *seed;
     a->front[tier][output] = front_new(plan->front_limit, longest);
     a->old[tier][output] = front_new(plan->front_limit, longest);
     const size_t n = archive_seeds(a, tier, output, &seed);
@@ -390,7 +390,7 @@ void archive_measure(struct archive *a, const struct plan *plan, struct objectiv
     objective_free(exact);
 }
 
-void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
+void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct genes *t,
                    double error, enum origin origin)
 {
     struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, tier, output, t, NULL));
@@ -401,13 +401,13 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
 static void replace_champion(struct archive *a, struct objective *o, size_t tier, int output, const struct member *m)
 {
     struct champion *c = &a->champion[tier][output];
-    free(c->tree.gene);
-    c->tree.gene = new_array(m->tree.length, sizeof *m->tree.gene);
+    free(c->genes.gene);
+    c->genes.gene = new_array(m->genes.length, sizeof *m->genes.gene);
     if (output == TIER_BOTH)
-        tree_copy(&m->tree, &c->tree);
+        genes_copy(&m->genes, &c->genes);
     else
-        tree_bind(a->program, &m->tree, &c->tree);
-    c->error = archive_bare_error(a, o, tier, output, &m->tree);
+        genes_bind(a->program, &m->genes, &c->genes);
+    c->error = archive_bare_error(a, o, tier, output, &m->genes);
     c->cost = m->cost;
     c->bred = true;
     c->seed = m->origin == ORIGIN_SEED;
@@ -427,13 +427,13 @@ static double merit(const struct archive *a, const struct plan *plan, size_t tie
 struct court {
     struct objective *judge; /* not owned; NULL: as they were found */
     int last;
-    const struct tree *champion; /* not owned; NULL: none within the budget */
-    struct outputs outputs;      /* the champion's, as are these */
+    const struct genes *champion; /* not owned; NULL: none within the budget */
+    struct outputs outputs;       /* the champion's, as are these */
     struct tails tails;
 };
 
 /* INFINITY for what is worse than the champion in anything. */
-static double verdict(const struct court *court, const struct tree *t, double error)
+static double verdict(const struct court *court, const struct genes *t, double error)
 {
     if (!court->judge || !(error < INFINITY))
         return error;
@@ -449,30 +449,30 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     const struct champion *c = &a->champion[tier][output];
     const double budget = a->scene->tier[tier].budget;
     struct court court = {.judge = output == TIER_BOTH ? judge : NULL, .last = archive_last(a, tier)};
-    const bool fits = c->tree.length > 0 && merit(a, plan, tier, c->error, c->cost) < INFINITY;
-    if (court.judge && c->tree.length > 0)
-        court.tails = objective_tails(judge, &c->tree, court.last);
+    const bool fits = c->genes.length > 0 && merit(a, plan, tier, c->error, c->cost) < INFINITY;
+    if (court.judge && c->genes.length > 0)
+        court.tails = objective_tails(judge, &c->genes, court.last);
     if (court.judge && fits) {
-        court.champion = &c->tree;
-        court.outputs = objective_outputs(judge, &c->tree, court.last);
+        court.champion = &c->genes;
+        court.outputs = objective_outputs(judge, &c->genes, court.last);
     }
-    const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
+    const double error = c->genes.length > 0 ? verdict(&court, &c->genes, c->error) : INFINITY;
     const double most = fmax(c->error, objective_rounding(a->scene->norm));
     double least = (court.judge ? worth_judged : worth) * merit(a, plan, tier, error, c->cost);
     const struct member *best = NULL;
     for (size_t k = 0; k <= f->limit; k++) {
         const struct member *m = &f->member[k];
-        if (m->tree.length == 0 || m->origin == ORIGIN_START || merit(a, plan, tier, m->error, m->cost) == INFINITY)
+        if (m->genes.length == 0 || m->origin == ORIGIN_START || merit(a, plan, tier, m->error, m->cost) == INFINITY)
             continue;
         if (budget > 0 && fits && m->error > most) /* the champion may have a pole among the validation samples */
             continue;
-        const double own = verdict(&court, &m->tree, m->error);
+        const double own = verdict(&court, &m->genes, m->error);
         if ((budget > 0 || own <= error) && merit(a, plan, tier, own, m->cost) < least) {
             best = m;
             least = merit(a, plan, tier, own, m->cost);
         }
     }
-    if (!best && c->tree.length == 0 && front_count(f) > 0)
+    if (!best && c->genes.length == 0 && front_count(f) > 0)
         best = front_member(f, 0); /* the cheapest, where none is within the budget */
     if (best)
         replace_champion(a, o, tier, output, best);
@@ -482,7 +482,7 @@ bool archive_has(const struct archive *a, size_t tier)
 {
     bool has = true;
     for (int k = tier_first(&a->scene->tier[tier]); k <= tier_last(&a->scene->tier[tier]); k++)
-        has = has && a->champion[tier][k].tree.length > 0;
+        has = has && a->champion[tier][k].genes.length > 0;
     return has;
 }
 

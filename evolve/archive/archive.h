@@ -12,22 +12,22 @@
 
 /** One output of one tier. */
 struct champion {
-    struct tree tree; /* genes owned, constants are the program's, or decimals of a program; length 0: none yet */
-    double error;     /* on the training samples, in the scene's norm */
-    double cost;      /* by the plan's model, with the values of the frame that it needs */
-    bool bred;        /* found by this run */
-    bool seed;        /* and was a seed */
-    int exact;        /* gene of a value of the frame that is right to rounding: nothing to evolve; 0: none */
-    bool chosen;      /* an expression of one gene, chosen among the terminals: nothing to evolve */
+    struct genes genes; /* genes owned, constants are the program's, or decimals of a program; length 0: none yet */
+    double error;       /* on the training samples, in the scene's norm */
+    double cost;        /* by the plan's model, with the values of the frame that it needs */
+    bool bred;          /* found by this run */
+    bool seed;          /* and was a seed */
+    int exact;          /* gene of a value of the frame that is right to rounding: nothing to evolve; 0: none */
+    bool chosen;        /* an expression of one gene, chosen among the terminals: nothing to evolve */
     double error_before, cost_before;
     size_t length_before; /* 0: there was none */
 };
 
 /** An expression to breed from. */
 struct archive_seed {
-    long tier;        /* -1: every tier that has its symbols */
-    int output;       /* 0: xi, 1: eta, 2: both, a program */
-    struct tree tree; /* genes owned; constants are decimal numbers */
+    long tier;          /* -1: every tier that has its symbols */
+    int output;         /* 0: xi, 1: eta, 2: both, a program */
+    struct genes genes; /* genes owned; constants are decimal numbers */
 };
 
 /** Where a member of a front comes from. */
@@ -70,7 +70,7 @@ void archive_free(struct archive *a);
 const struct genome *archive_start_genome(const struct archive *a, size_t tier);
 
 /** Add a copy of an expression to breed from; its constants are decimal numbers. */
-void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t);
+void archive_add_seed(struct archive *a, long tier, int output, const struct genes *t);
 /** False with *d where a start of a tier of programs is not made of its terminals. */
 bool archive_check_starts(const struct archive *a, struct diag *d);
 /** Add every output xi and eta of a genome file as a seed, with constants rounded to decimal numbers, for the tier that
@@ -80,7 +80,7 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
 /** The seeds of an output that may breed: the champion (its constants rounded) and those added, as far as they use the
  *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
  *  that the archive owns. */
-size_t archive_seeds(const struct archive *a, size_t tier, int output, struct tree **seed);
+size_t archive_seeds(const struct archive *a, size_t tier, int output, struct genes **seed);
 
 /** Expressions of a tier are of one gene: its terminals become seeds, so that archive_choose_champions chooses among
  *  them.
@@ -111,16 +111,16 @@ int *archive_symbols(const struct archive *a, size_t tier);
 /** The function that a tier's programs end in; -1: none. */
 int archive_last(const struct archive *a, size_t tier);
 /** The error of an output in the objective's norm. */
-double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t);
+double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t);
 /** The error that islands minimise: that of a program is charged for its tails. */
-double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t);
+double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t);
 
 /** Operations of a tree; of a program with the values of the frame that it needs. */
-struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct tree *t,
+struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct genes *t,
                                           const struct genome_constant *constant);
 
 /** Offer a tree of decimal constants to a front. */
-void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
+void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct genes *t,
                    double error, enum origin origin);
 /** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
  *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest fitness by the plan, if it is

@@ -37,11 +37,11 @@ static void print_errors(const struct archive *a, struct part *p, const struct m
     fprintf(stream, ",%zu", p->table.n);
     for (int i = 0; i < 3; i++) {
         p->objective->norm = norm[i];
-        fprintf(stream, ",%.3e", archive_bare_error(a, p->objective, tier, output, &m->tree));
+        fprintf(stream, ",%.3e", archive_bare_error(a, p->objective, tier, output, &m->genes));
     }
 }
 
-static void print_expression(const struct archive *a, size_t tier, int output, const struct tree *t, FILE *stream)
+static void print_expression(const struct archive *a, size_t tier, int output, const struct genes *t, FILE *stream)
 {
     char number[DECIMAL_TEXT];
     if (output == TIER_BOTH) {
@@ -66,12 +66,12 @@ static void print_expression(const struct archive *a, size_t tier, int output, c
 static void print_member(const struct archive *a, struct part part[PARTS], size_t tier, int output,
                          const struct member *m, FILE *stream)
 {
-    const struct operation_count o = archive_operations(a, tier, output, &m->tree, NULL);
+    const struct operation_count o = archive_operations(a, tier, output, &m->genes, NULL);
     fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", a->scene->tier[tier].name, frame_output[output], m->cost, o.mul,
             o.add, o.div, o.other, origin_name[m->origin], m->error);
     for (int k = 0; k < PARTS; k++)
         print_errors(a, &part[k], m, tier, output, stream);
-    print_expression(a, tier, output, &m->tree, stream);
+    print_expression(a, tier, output, &m->genes, stream);
 }
 
 bool archive_is_list(const char *path)
@@ -98,7 +98,7 @@ bool archive_write_csv(const struct archive *a, const char *path, const struct h
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int output = tier_first(&a->scene->tier[i]); output <= tier_last(&a->scene->tier[i]); output++)
             for (size_t c = 0; c <= a->front[i][output]->limit; c++)
-                if (a->front[i][output]->member[c].tree.length > 0)
+                if (a->front[i][output]->member[c].genes.length > 0)
                     print_member(a, part, i, output, &a->front[i][output]->member[c], out.stream);
     for (int k = 0; k < PARTS; k++) {
         objective_free(part[k].objective);

@@ -14,9 +14,9 @@ static size_t judged_front(const struct archive *a, struct objective *judge, siz
     size_t n = 0;
     for (size_t c = 0; c <= f->limit; c++) {
         const struct member *m = &f->member[c];
-        if (m->tree.length == 0 || (budget > 0 && m->cost > spare * budget))
+        if (m->genes.length == 0 || (budget > 0 && m->cost > spare * budget))
             continue;
-        const double error = archive_error(a, judge, tier, TIER_BOTH, &m->tree);
+        const double error = archive_error(a, judge, tier, TIER_BOTH, &m->genes);
         if (error < least) {
             least = error;
             found[n++] = m;

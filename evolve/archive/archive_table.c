@@ -33,7 +33,7 @@ void archive_table(const struct archive *a, FILE *stream)
                 snprintf(length, sizeof length, "%zu", c->length_before);
             }
             fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s", a->scene->tier[i].name, frame_output[k], error,
-                    c->error, length, c->tree.length, c->bred ? "" : "unchanged");
+                    c->error, length, c->genes.length, c->bred ? "" : "unchanged");
             if (k == TIER_BOTH && c->bred && c->length_before > 0)
                 print_gain(a->front[i][k], c, objective_rounding(a->scene->norm), stream);
             fputc('\n', stream);
@@ -49,7 +49,7 @@ void archive_front_table(const struct archive *a, FILE *stream)
                 const struct member *m = &a->front[i][k]->member[c];
                 const double old = a->old[i][k]->lowest[c];
                 char text[16] = "-";
-                if (m->tree.length == 0)
+                if (m->genes.length == 0)
                     continue;
                 if (old < INFINITY)
                     snprintf(text, sizeof text, "%.3e", old);

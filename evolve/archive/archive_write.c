@@ -136,22 +136,22 @@ static void add_provenance(struct genome *g, const struct tier *t, const struct 
 
 /* What is written: both expressions of each tier, those held out measured on them. */
 struct writing {
-    struct tree *out; /* owned; genes, too, of tiers of programs */
-    int *output;      /* owned */
+    struct genes *out; /* owned; genes, too, of tiers of programs */
+    int *output;       /* owned */
     size_t n;
     size_t *genes;                       /* owned: of each tier's program */
     struct errors *found[HELDOUT_PARTS]; /* owned; NULL where the scene has no such part */
 };
 
 /* Lets and outputs of a program of a tier, as its text is read again; gives how many genes it has then. */
-static size_t expand(const struct archive *a, const struct tree *t, size_t tier, struct genome_file *f,
-                     const char *name, struct tree out[2])
+static size_t expand(const struct archive *a, const struct genes *t, size_t tier, struct genome_file *f,
+                     const char *name, struct genes out[2])
 {
     const struct tier *own = &a->scene->tier[tier];
     const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = own->terminals};
-    struct tree again = {new_array(tier_genes(own), sizeof *again.gene), 0};
+    struct genes again = {new_array(tier_genes(own), sizeof *again.gene), 0};
     const bool good = lines_respell(a->lines, t, &genes, tier_genes(own), &again);
-    const struct tree *written = good ? &again : t;
+    const struct genes *written = good ? &again : t;
     const size_t length = written->length;
     lines_expand(a->lines, written, archive_last(a, tier), f, name, out);
     free(again.gene);
@@ -166,13 +166,13 @@ static struct writing expand_tiers(struct archive *a)
                         .genes = new_array(a->scene->tiers, sizeof *w.genes)};
     for (size_t i = 0; i < a->scene->tiers; i++) {
         const struct champion *c = a->champion[i];
-        struct tree *out = &w.out[w.n];
+        struct genes *out = &w.out[w.n];
         if (!archive_has(a, i))
             continue;
-        out[0] = c[0].tree;
-        out[1] = c[1].tree;
+        out[0] = c[0].genes;
+        out[1] = c[1].genes;
         if (a->scene->tier[i].program)
-            w.genes[i] = expand(a, &c[TIER_BOTH].tree, i, a->program, a->scene->tier[i].name, out);
+            w.genes[i] = expand(a, &c[TIER_BOTH].genes, i, a->program, a->scene->tier[i].name, out);
         w.output[w.n + 1] = 1;
         w.n += 2;
     }
@@ -197,7 +197,7 @@ static void add_errors(struct genome *g, const struct archive *a, size_t tier, c
     for (int k = tier_first(t); k <= tier_last(t); k++) {
         const struct champion *c = &a->champion[tier][k];
         note_key("training", k, key);
-        const size_t genes = k == TIER_BOTH ? w->genes[tier] : c->tree.length;
+        const size_t genes = k == TIER_BOTH ? w->genes[tier] : c->genes.length;
         NOTE(key, "genes %zu %s %.3e", genes, norm_name[a->scene->norm], c->error);
     }
     for (int part = 0; part < HELDOUT_PARTS; part++)
@@ -216,7 +216,7 @@ static void add_tier(struct archive *a, size_t tier, const struct run_facts *run
     add_provenance(g, t, a->champion[tier], archive_start_genome(a, tier), run);
     add_errors(g, a, tier, w, at);
     for (size_t k = 0; k < 2; k++) {
-        const struct tree *out = &w->out[at + k];
+        const struct genes *out = &w->out[at + k];
         genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out->gene, out->length);
         if (t->program)
             free(out->gene);
@@ -248,7 +248,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     return outfile_commit(&f, d);
 }
 
-static void add_member_errors(const struct genome_file *f, struct genome *g, int output, const struct tree *t,
+static void add_member_errors(const struct genome_file *f, struct genome *g, int output, const struct genes *t,
                               const struct heldout *heldout)
 {
     for (int part = 0; part < 2; part++) {
@@ -264,15 +264,15 @@ static void add_member(const struct archive *a, const struct member *m, size_t t
                        const struct heldout *heldout, struct genome_file *f)
 {
     char name[300];
-    struct tree out[2] = {{NULL, 0}, {NULL, 0}};
-    size_t genes = m->tree.length;
+    struct genes out[2] = {{NULL, 0}, {NULL, 0}};
+    size_t genes = m->genes.length;
     const int first = output == TIER_BOTH ? 0 : output, last = output == TIER_BOTH ? 1 : output;
     snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
     if (output == TIER_BOTH) {
-        genes = expand(a, &m->tree, tier, f, name, out);
+        genes = expand(a, &m->genes, tier, f, name, out);
     } else {
-        out[output].gene = new_array(m->tree.length, sizeof *out[output].gene);
-        tree_bind(f, &m->tree, &out[output]);
+        out[output].gene = new_array(m->genes.length, sizeof *out[output].gene);
+        genes_bind(f, &m->genes, &out[output]);
     }
     struct genome *g = genome_add(f, name);
     NOTE("cost", "%g", m->cost);
@@ -302,7 +302,7 @@ static void add_front(const struct archive *a, size_t tier, int output, const st
         return;
     }
     for (size_t c = 0; c <= front->limit; c++)
-        if (front->member[c].tree.length > 0)
+        if (front->member[c].genes.length > 0)
             add_member(a, &front->member[c], tier, output, heldout, f);
 }
 

@@ -14,7 +14,7 @@ static int exact_value(const struct archive *a, struct objective *worst, const s
     double least = t->budget > 0 ? t->budget : INFINITY;
     for (size_t i = 0; i < t->terminals; i++) {
         int gene = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
-        const struct tree value = {&gene, 1};
+        const struct genes value = {&gene, 1};
         const double cost = frame_cost_of(a->frame, &value);
         if (cost > least || (exact && cost == least) ||
             !(objective_tree_error(worst, &value, frame_target(a->program, output), INFINITY) <= tolerance))
@@ -33,7 +33,7 @@ void archive_find_exact(struct archive *a, const struct plan *plan, const struct
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = tier_first(&a->scene->tier[i]); k < TIER_BOTH; k++) {
             struct champion *c = &a->champion[i][k];
-            const struct tree value = {&c->exact, 1};
+            const struct genes value = {&c->exact, 1};
             c->exact = exact_value(a, worst, &a->scene->tier[i], k, tolerance);
             if (c->exact)
                 archive_add_seed(a, (long)i, k, &value);
@@ -47,9 +47,9 @@ void archive_choose_values(struct archive *a, size_t tier, bool anew)
     for (int k = 0; k < TIER_BOTH; k++) {
         struct champion *c = &a->champion[tier][k];
         c->chosen = true;
-        for (size_t i = 0; i < t->terminals && (anew || c->tree.length == 0); i++) {
+        for (size_t i = 0; i < t->terminals && (anew || c->genes.length == 0); i++) {
             int gene = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
-            archive_add_seed(a, (long)tier, k, &(struct tree){&gene, 1});
+            archive_add_seed(a, (long)tier, k, &(struct genes){&gene, 1});
         }
     }
 }

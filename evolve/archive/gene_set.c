@@ -65,13 +65,13 @@ struct gene_set archive_genes(const struct archive *a, size_t tier, bool rationa
         memcpy(s.operation, operation, s.operations * sizeof *operation);
     }
     s.symbol = archive_symbols(a, tier);
-    const size_t own = c[0].tree.length + c[1].tree.length + c[TIER_BOTH].tree.length;
+    const size_t own = c[0].genes.length + c[1].genes.length + c[TIER_BOTH].genes.length;
     s.constant = new_array(2 * GRID + 1 + own, sizeof *s.constant);
     for (int k = -GRID; k <= GRID; k++)
         add_constant(&s, decimal_gene(k * 5 / 100.0));
     for (int k = tier_first(t); k <= tier_last(t); k++)
-        for (size_t i = 0; k < TIER_BOTH && i < c[k].tree.length; i++) {
-            const int gene = c[k].tree.gene[i];
+        for (size_t i = 0; k < TIER_BOTH && i < c[k].genes.length; i++) {
+            const int gene = c[k].genes.gene[i];
             if (gene < 0)
                 add_constant(&s, decimal_gene(a->program->constant[-1 - gene].value));
         }

@@ -78,7 +78,7 @@ double errors_p99(double *absolute, size_t n)
 }
 
 /* Absolute errors of all trees on a piece of the samples, to error[i][0..n-1]. */
-static void measure_piece(const struct genome_file *program, const struct tree *t, const int *output, size_t trees,
+static void measure_piece(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
                           const struct sample *s, size_t n, size_t at, double **error)
 {
     struct columns table = frame_columns(program, s, n);
@@ -100,7 +100,7 @@ static struct errors errors_of(double *error, size_t n)
     return found;
 }
 
-void errors_measure(const struct genome_file *program, const struct tree *t, const int *output, size_t trees,
+void errors_measure(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
                     const struct sample_set *set, struct errors *found)
 {
     double **error = new_array(trees, sizeof *error);

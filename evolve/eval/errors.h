@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_ERRORS_H
 #define FOOTPOINT_ERRORS_H
 
-#include "../genotype/tree.h"
+#include "../genotype/genotype.h"
 #include "../surface/sample.h"
 
 /** Statistics of |value - reference|; all dimensionless, as xi and eta are. */
@@ -23,7 +23,7 @@ bool errors_p99_within(const double *absolute, size_t n, double most);
 
 /** Errors of expressions of a program, t[i] of output[i] (0: xi, 1: eta), over the samples, which are taken in pieces:
  *  what all of them are made of is computed once, and memory bounded by a value for each sample and expression. */
-void errors_measure(const struct genome_file *program, const struct tree *t, const int *output, size_t trees,
+void errors_measure(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
                     const struct sample_set *set, struct errors *found);
 
 #endif

@@ -37,7 +37,7 @@ struct frame_cost *frame_cost_new(const struct genome_file *program, const struc
     struct counter *c = counter_new(longest);
     for (size_t i = 0; i < f->lets; i++) {
         const struct genome_expr *e = &program->let[i];
-        const struct tree t = {e->gene, e->length};
+        const struct genes t = {e->gene, e->length};
         const struct operation_count o = count_operations(c, &t, program->constant);
         f->price[i] = operations_price(&o, prices);
         need(f, e->gene, e->length, f->needs + i * f->words);
@@ -57,7 +57,7 @@ void frame_cost_free(struct frame_cost *f)
     free(f);
 }
 
-double frame_cost_of(struct frame_cost *f, const struct tree *t)
+double frame_cost_of(struct frame_cost *f, const struct genes *t)
 {
     double price = 0;
     if (f->lets == 0)

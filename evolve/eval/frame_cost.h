@@ -10,6 +10,6 @@ struct frame_cost *frame_cost_new(const struct genome_file *program, const struc
 void frame_cost_free(struct frame_cost *f);
 
 /** Price of all lets that a tree needs, directly or through others. */
-double frame_cost_of(struct frame_cost *f, const struct tree *t);
+double frame_cost_of(struct frame_cost *f, const struct genes *t);
 
 #endif

@@ -90,7 +90,7 @@ static void reserve(struct lines_counter *c, size_t lines)
     }
 }
 
-struct operation_count count_lines(struct lines_counter *c, const struct tree *t, int last)
+struct operation_count count_lines(struct lines_counter *c, const struct genes *t, int last)
 {
     struct lines *code = c->code;
     lines_load(code, t, last, LINES_WHOLE);

@@ -108,7 +108,7 @@ static void reserve(struct lines_run *r)
     reserve_blocks(&r->block, &r->block_room, share_blocks(r));
 }
 
-static void take(struct lines_run *r, const struct tree *t, int last, enum lines_use use)
+static void take(struct lines_run *r, const struct genes *t, int last, enum lines_use use)
 {
     r->all = use == LINES_APART;
     lines_load(r->code, t, last, use);
@@ -179,7 +179,7 @@ WIDE static void count_signs(struct lines_run *r, size_t n)
     }
 }
 
-double lines_errors(struct lines_run *r, const struct tree *t, int last, double bound, double *error)
+double lines_errors(struct lines_run *r, const struct genes *t, int last, double bound, double *error)
 {
     const size_t all = r->table->n;
     double lane[WIDE_LANES] = {0}, sum = 0;
@@ -226,7 +226,7 @@ bool lines_keep_signs(const struct lines_run *r)
     return true;
 }
 
-void lines_run_load(struct lines_run *r, const struct tree *t, int last, bool all)
+void lines_run_load(struct lines_run *r, const struct genes *t, int last, bool all)
 {
     take(r, t, last, LINES_APART);
     memset(r->varies, all, r->code->lines * sizeof *r->varies);

@@ -26,7 +26,7 @@ void lines_run_free(struct lines_run *r);
  *  INFINITY, and no further errors, once the sum exceeds `bound`, or on the first samples is far above what that leaves
  *  them, at the same block on every machine.
  *  @param[in] last  function that the program ends in; -1: none */
-double lines_errors(struct lines_run *r, const struct tree *t, int last, double bound, double *error);
+double lines_errors(struct lines_run *r, const struct genes *t, int last, double bound, double *error);
 /** Whether the divisors of the program of lines_errors(), whose errors were all taken, are of one sign on all samples,
  *  each. */
 bool lines_keep_signs(const struct lines_run *r);
@@ -37,7 +37,7 @@ void table_values(const struct columns *table, const struct genome_constant *con
 
 /** Take a program to be fitted: its numbers become line[number[i]].number.
  *  @param[in] all  slopes of all lines are wanted, not only of those that a number is among */
-void lines_run_load(struct lines_run *r, const struct tree *t, int last, bool all);
+void lines_run_load(struct lines_run *r, const struct genes *t, int last, bool all);
 /** Values of all lines, in value[], for TAPE_BLOCK samples from `row` on. */
 void lines_values(struct lines_run *r, size_t row);
 /** slope[i] = d root / d line i at these samples, of all lines that lead to a number and from there to a root.

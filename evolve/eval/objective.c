@@ -39,13 +39,13 @@ void objective_free(struct objective *o)
     free(o);
 }
 
-static struct kernel_task task_of(const struct objective *o, const struct tree *t)
+static struct kernel_task task_of(const struct objective *o, const struct genes *t)
 {
     return (struct kernel_task){t->gene, t->length, o->decimal ? NULL : o->program->constant, o->table};
 }
 
 /* Leaves all errors, of xi and then of eta, in o->scratch. */
-double objective_error(struct objective *o, const struct tree *t, int last, double bound)
+double objective_error(struct objective *o, const struct genes *t, int last, double bound)
 {
     const size_t n = 2 * o->table->n;
     const double most = o->norm == NORM_MEAN ? bound * (double)n : INFINITY;
@@ -55,7 +55,7 @@ double objective_error(struct objective *o, const struct tree *t, int last, doub
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 
-struct tails objective_tails(struct objective *o, const struct tree *t, int last)
+struct tails objective_tails(struct objective *o, const struct genes *t, int last)
 {
     const size_t n = 2 * o->table->n;
     lines_errors(o->lines, t, last, INFINITY, o->scratch);
@@ -79,7 +79,7 @@ static double *part_of(const struct objective *o, size_t output, size_t part, si
     return o->scratch + output * all + from;
 }
 
-struct outputs objective_outputs(struct objective *o, const struct tree *t, int last)
+struct outputs objective_outputs(struct objective *o, const struct genes *t, int last)
 {
     struct outputs found = {.mean = {{0}}};
     lines_errors(o->lines, t, last, INFINITY, o->scratch);
@@ -96,7 +96,7 @@ struct outputs objective_outputs(struct objective *o, const struct tree *t, int 
     return found;
 }
 
-bool objective_no_worse(struct objective *o, const struct tree *t, int last, const struct outputs *than)
+bool objective_no_worse(struct objective *o, const struct genes *t, int last, const struct outputs *than)
 {
     lines_errors(o->lines, t, last, INFINITY, o->scratch);
     for (size_t k = 0; k < 2; k++)
@@ -124,7 +124,7 @@ static double charged(struct objective *o, double error, const struct tails *tai
     return error * fmax(1, errors_p99_above(o->scratch, n, tails->p99) / tails->p99);
 }
 
-double objective_error_in_tails(struct objective *o, const struct tree *t, int last, const struct tails *tails,
+double objective_error_in_tails(struct objective *o, const struct genes *t, int last, const struct tails *tails,
                                 double bound)
 {
     const double error = objective_error(o, t, last, bound);
@@ -133,7 +133,7 @@ double objective_error_in_tails(struct objective *o, const struct tree *t, int l
     return lines_keep_signs(o->lines) ? charged(o, error, tails, bound) : INFINITY;
 }
 
-double objective_tree_error(struct objective *o, const struct tree *t, size_t column, double bound)
+double objective_tree_error(struct objective *o, const struct genes *t, size_t column, double bound)
 {
     const struct kernel_task task = task_of(o, t);
     const size_t n = o->table->n;

@@ -2,12 +2,12 @@
 #ifndef FOOTPOINT_OBJECTIVE_H
 #define FOOTPOINT_OBJECTIVE_H
 
-#include "../genotype/tree.h"
+#include "../genotype/genotype.h"
 #include "../input/scene.h"
 #include "../tiles/kernel.h"
 #include "lines_run.h"
 
-/** Measures trees against columns of a table; one for each process. */
+/** Measures programs and trees on a table; one for each process. */
 struct objective {
     const struct columns *table;       /* not owned */
     const struct genome_file *program; /* not owned: what the genes mean */
@@ -31,30 +31,30 @@ struct tails {
 
 /** Error of a tree against a column of the table: mean, 99 % or maximum of |value - column|.  INFINITY where a value is
  *  not finite, or where the mean is sure to exceed `bound`. */
-double objective_tree_error(struct objective *o, const struct tree *t, size_t column, double bound);
+double objective_tree_error(struct objective *o, const struct genes *t, size_t column, double bound);
 
 /* Programs are measured against the true xi and eta, the last two columns; `last` is the function that they end in, -1:
  * none. */
 
 /** The same of a program, all errors of xi and eta; INFINITY where the mean seems to exceed `bound` by the first
  *  samples, too. */
-double objective_error(struct objective *o, const struct tree *t, int last, double bound);
+double objective_error(struct objective *o, const struct genes *t, int last, double bound);
 
 /** The same of a program, multiplied by how far its 99 % and largest errors exceed what they may be; INFINITY where that
  *  exceeds `bound`, or a divisor changes its sign among the samples. */
-double objective_error_in_tails(struct objective *o, const struct tree *t, int last, const struct tails *tails,
+double objective_error_in_tails(struct objective *o, const struct genes *t, int last, const struct tails *tails,
                                 double bound);
 /** 99 % and largest error of a program, or what rounding makes of them, if that is more. */
-struct tails objective_tails(struct objective *o, const struct tree *t, int last);
+struct tails objective_tails(struct objective *o, const struct genes *t, int last);
 /** The same and the mean, of xi and of eta, in each part of the samples: one largest error is chance,
  *  and of two programs the better one has it in all parts. */
 enum { OUTPUT_PARTS = 4 };
 struct outputs {
     double mean[2][OUTPUT_PARTS], p99[2][OUTPUT_PARTS], max[2][OUTPUT_PARTS];
 };
-struct outputs objective_outputs(struct objective *o, const struct tree *t, int last);
+struct outputs objective_outputs(struct objective *o, const struct genes *t, int last);
 /** True if none of a program's is larger. */
-bool objective_no_worse(struct objective *o, const struct tree *t, int last, const struct outputs *than);
+bool objective_no_worse(struct objective *o, const struct genes *t, int last, const struct outputs *than);
 
 /** Genes times samples evaluated so far; of programs, lines times samples. */
 double objective_work(const struct objective *o);

@@ -247,7 +247,8 @@ static struct operand leaf(struct counter *c, int gene, const struct genome_cons
     return counter_leaf(c, gene);
 }
 
-struct operation_count count_operations(struct counter *c, const struct tree *t, const struct genome_constant *constant)
+struct operation_count count_operations(struct counter *c, const struct genes *t,
+                                        const struct genome_constant *constant)
 {
     struct operand *top = c->stack; /* one past the top */
     counter_begin(c);

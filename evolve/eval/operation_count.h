@@ -28,7 +28,7 @@ void counter_free(struct counter *c);
 
 /** Count in time proportional to the genes, without allocation.
  *  @param[in] constant  what constants mean; NULL: decimal numbers (decimal.h) */
-struct operation_count count_operations(struct counter *c, const struct tree *t,
+struct operation_count count_operations(struct counter *c, const struct genes *t,
                                         const struct genome_constant *constant);
 
 /* The same step by step, for what is no tree: values up to their sign, from leaves and operations on them. */
@@ -51,6 +51,6 @@ struct lines_counter;
 struct lines_counter *lines_counter_new(const struct line_rules *r);
 void lines_counter_free(struct lines_counter *c);
 /** @param[in] last  function that the program ends in; -1: none */
-struct operation_count count_lines(struct lines_counter *c, const struct tree *t, int last);
+struct operation_count count_lines(struct lines_counter *c, const struct genes *t, int last);
 
 #endif

@@ -52,7 +52,7 @@ static bool is_new(struct composer *s, uint64_t hash)
 /* Measure a composition; false where it costs more than the front has room for, is longer, or was there before. */
 static bool measure(struct composer *s, struct candidate *x)
 {
-    const struct tree t = {x->gene, x->length};
+    const struct genes t = {x->gene, x->length};
     if (x->length > s->found->max_length)
         return false;
     const struct operation_count o = count_lines(s->counter, &t, s->last);
@@ -72,7 +72,7 @@ static bool measure(struct composer *s, struct candidate *x)
 static void add(struct composer *s, struct candidates *to, size_t parent)
 {
     struct candidate fresh = {.gene = new_array(s->found->max_length, sizeof *fresh.gene), .parent = parent};
-    struct tree t = {fresh.gene, 0};
+    struct genes t = {fresh.gene, 0};
     const bool good = lines_store(s->lines, s->found->max_length, &t);
     fresh.length = t.length;
     if (good && measure(s, &fresh)) {
@@ -107,7 +107,7 @@ static struct candidates continuations(struct composer *s, const struct candidat
     struct candidates all = {0};
     for (size_t i = 0; i < list->n; i++)
         for (size_t k = 0; k < s->genes->functions; k++) {
-            const struct tree t = {list->c[i].gene, list->c[i].length};
+            const struct genes t = {list->c[i].gene, list->c[i].length};
             lines_load(s->lines, &t, -1, LINES_INNER);
             lines_call(s->lines, s->genes->operation[s->genes->operations + k] - GENE_FUNCTION, s->lines->root);
             add(s, &all, i);
@@ -177,7 +177,7 @@ static void advance(struct composer *s, struct candidates *list)
 
 static void add_pair(struct composer *s, int xi, int eta, struct candidates *list)
 {
-    const struct tree t = {(int[2]){xi, eta}, 2};
+    const struct genes t = {(int[2]){xi, eta}, 2};
     lines_load(s->lines, &t, -1, LINES_INNER);
     add(s, list, 0);
 }
@@ -203,7 +203,7 @@ static void add_start(struct composer *s, char *const name[2], struct candidates
         value[k].gene = &gene[k];
     }
     const struct genome_expr *const out[2] = {&value[0], &value[1]};
-    struct tree t = {new_array(s->found->max_length, sizeof *t.gene), 0};
+    struct genes t = {new_array(s->found->max_length, sizeof *t.gene), 0};
     if (lines_read(s->lines, program, out, s->genes, false, s->found->max_length, &t)) {
         lines_load(s->lines, &t, -1, LINES_INNER);
         add(s, list, 0);

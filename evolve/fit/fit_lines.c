@@ -168,8 +168,8 @@ static void descend(struct task *t, gsl_multifit_nlinear_workspace *w, gsl_vecto
     set_numbers(t, x);
 }
 
-bool lines_fit(struct lines_run *r, const struct tree *in, int last, enum scene_norm norm, int iterations,
-               struct tree *out)
+bool lines_fit(struct lines_run *r, const struct genes *in, int last, enum scene_norm norm, int iterations,
+               struct genes *out)
 {
     struct task t = {r, norm, 1, 2};
     lines_run_load(r, in, last, false);
@@ -190,7 +190,7 @@ bool lines_fit(struct lines_run *r, const struct tree *in, int last, enum scene_
         good = true;
     }
     gsl_set_error_handler(handler);
-    tree_copy(in, out);
+    genes_copy(in, out);
     for (size_t i = 0; i < numbers; i++)
         out->gene[r->code->place[i]] = decimal_gene(gsl_vector_get(x, i));
     free(error);

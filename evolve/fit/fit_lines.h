@@ -9,7 +9,7 @@
  * both coordinates' errors, by losses that approach it, each with so many iterations.  False, with *out undefined, where
  * there is no such number or a value is not finite.
  * @param[in] last  function that it ends in; -1: none */
-bool lines_fit(struct lines_run *r, const struct tree *in, int last, enum scene_norm norm, int iterations,
-               struct tree *out);
+bool lines_fit(struct lines_run *r, const struct genes *in, int last, enum scene_norm norm, int iterations,
+               struct genes *out);
 
 #endif

@@ -17,23 +17,23 @@ struct fits {
     struct line_editor *editor;  /* owned */
 };
 
-static bool fit(struct fits *f, const struct tree *in, int last, int iterations, struct tree *out)
+static bool fit(struct fits *f, const struct genes *in, int last, int iterations, struct genes *out)
 {
     return lines_fit(f->lines, in, last, f->objective->norm, iterations, out);
 }
 
-static bool tune(struct fits *f, const struct tree *in, int last, struct tree *out)
+static bool tune(struct fits *f, const struct genes *in, int last, struct genes *out)
 {
     return fit(f, in, last, TUNING, out);
 }
 
-static bool constants(struct fits *f, const struct tree *in, int last, struct tree *out)
+static bool constants(struct fits *f, const struct genes *in, int last, struct genes *out)
 {
     return fit(f, in, last, ITERATIONS, out);
 }
 
-static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                    const struct tree *mate, int last, size_t max_length, struct tree *child)
+static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
+                    const struct genes *mate, int last, size_t max_length, struct genes *child)
 {
     const double at = gsl_rng_uniform(rng);
     if (at < guided_insertions)
@@ -46,8 +46,8 @@ static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, 
 }
 
 /* Nothing that depends on the unit of length, whatever the change was. */
-static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                   const struct tree *mate, int last, size_t max_length, struct tree *child)
+static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
+                   const struct genes *mate, int last, size_t max_length, struct genes *child)
 {
     if (!changed(f, rng, genes, t, mate, last, max_length, child))
         return false;

@@ -2,7 +2,9 @@
 #ifndef FOOTPOINT_FITTING_H
 #define FOOTPOINT_FITTING_H
 
-#include "../genotype/tree.h"
+#include "../genotype/genotype.h"
+
+#include <gsl/gsl_rng.h>
 
 struct fits;
 
@@ -10,12 +12,12 @@ struct fitting {
     struct fits *fits; /* not owned */
     /** The same program with its numbers fitted by a few iterations, for children; false, with *out undefined, where
      *  there is nothing to fit.  Deterministic in its arguments. */
-    bool (*tune)(struct fits *f, const struct tree *in, int last, struct tree *out);
+    bool (*tune)(struct fits *f, const struct genes *in, int last, struct genes *out);
     /** The same with more iterations; for members of the front. */
-    bool (*constants)(struct fits *f, const struct tree *in, int last, struct tree *out);
+    bool (*constants)(struct fits *f, const struct genes *in, int last, struct genes *out);
     /** A changed copy; may fail, with *child undefined. */
-    bool (*change)(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                   const struct tree *mate, int last, size_t max_length, struct tree *child);
+    bool (*change)(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
+                   const struct genes *mate, int last, size_t max_length, struct genes *child);
 };
 
 #endif

@@ -125,7 +125,7 @@ static void weigh(struct guide *g)
 }
 
 /* Take a program: values and slopes of its inner lines, values of the symbols.  False where it is not finite. */
-static bool take(struct guide *g, const struct gene_set *genes, const struct tree *t, int last)
+static bool take(struct guide *g, const struct gene_set *genes, const struct genes *t, int last)
 {
     struct lines *c = g->run->code;
     if (g->rows == 0)
@@ -275,8 +275,8 @@ static void divide_for(const struct gene_set *genes, gsl_rng *rng, struct line_e
         *edit = (struct line_edit){EDIT_QUOTIENT, edit->line, 0, other, -1, edit->c};
 }
 
-bool guide_insert(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct tree *t, int last,
-                  size_t max, struct tree *child)
+bool guide_insert(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct genes *t, int last,
+                  size_t max, struct genes *child)
 {
     struct promise best = {.gain = 0};
     double total = 0;
@@ -358,8 +358,8 @@ static void look_for_less(struct guide *g, const struct gene_set *genes, int n, 
             try_value(g, n, value_at(g, x), operand_of(g, genes, x), per, best);
 }
 
-bool guide_prune(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct tree *t, int last,
-                 size_t max, struct tree *child)
+bool guide_prune(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct genes *t, int last,
+                 size_t max, struct genes *child)
 {
     struct promise best = {.gain = -INFINITY};
     if (!take(g, genes, t, last))
@@ -396,8 +396,8 @@ static int near_answer(const struct guide *g, gsl_rng *rng, int half, bool itsel
     return found;
 }
 
-bool guide_restart(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                   const struct tree *mate, int last, size_t max, struct tree *child)
+bool guide_restart(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
+                   const struct genes *mate, int last, size_t max, struct genes *child)
 {
     int of[2] = {-1, -1}, at[2];
     const bool call = genes->functions > 0 && gsl_rng_uniform(rng) < 0.3;

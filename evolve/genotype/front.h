@@ -1,11 +1,11 @@
-/* The Pareto front of error against cost: the best tree known for each cost. */
+/* The Pareto front of error against cost: the best genes known for each cost. */
 #ifndef FOOTPOINT_FRONT_H
 #define FOOTPOINT_FRONT_H
 
-#include "tree.h"
+#include "genotype.h"
 
 struct member {
-    struct tree tree; /* genes not owned: in the front's pool; length 0: none */
+    struct genes genes; /* genes not owned: in the front's pool; length 0: none */
     double error, cost;
     int origin;    /* whatever its owner says of it */
     bool polished; /* its constants have been fitted */
@@ -18,7 +18,7 @@ struct front {
     double *lowest;        /* owned: lowest[c]: lowest error of the costs 0..c; INFINITY: none */
     int *pool;             /* owned */
 };
-/** For costs 0..limit and trees of at most max_length genes. */
+/** For costs 0..limit and at most max_length genes. */
 struct front *front_new(size_t limit, size_t max_length);
 void front_free(struct front *f);
 void front_clear(struct front *f);
@@ -29,9 +29,9 @@ size_t front_place(const struct front *f, double cost);
 /** Lowest error of those that cost no more; the costliest are compared with for costs beyond the limit.  INFINITY:
  * there is none. */
 double front_error(const struct front *f, double cost);
-/** Take a tree in if its error is lower than that of all that cost no more; those that it outdoes leave.  Returns the
+/** Take genes in if their error is lower than that of all that cost no more; those that it outdoes leave.  Returns the
  *  new member, or NULL. */
-struct member *front_offer(struct front *f, const struct tree *t, double error, double cost);
+struct member *front_offer(struct front *f, const struct genes *t, double error, double cost);
 size_t front_count(const struct front *f);
 /** The k-th member, k < front_count, by ascending cost. */
 struct member *front_member(const struct front *f, size_t k);

@@ -464,7 +464,7 @@ bool lines_valid(const struct line_rules *r, const int *gene, size_t length)
 }
 
 /* An operand; a number that is kept apart has the place of its gene as a mark. */
-static int load_operand(struct lines *c, const struct tree *t, size_t at, const int *line, bool apart)
+static int load_operand(struct lines *c, const struct genes *t, size_t at, const int *line, bool apart)
 {
     const int gene = t->gene[at];
     if (gene >= LINE_GENE)
@@ -486,7 +486,7 @@ static int load_operand(struct lines *c, const struct tree *t, size_t at, const 
     return own;
 }
 
-void lines_load(struct lines *c, const struct tree *t, int last, enum lines_use use)
+void lines_load(struct lines *c, const struct genes *t, int last, enum lines_use use)
 {
     const size_t n = (t->length - 2) / LINE_GENES;
     int *line = new_array(n, sizeof *line);
@@ -544,7 +544,7 @@ static void number_operation(struct lines *c, int i, int *order, int *n)
     order[(*n)++] = i;
 }
 
-bool lines_store(struct lines *c, size_t max, struct tree *t)
+bool lines_store(struct lines *c, size_t max, struct genes *t)
 {
     int *order = new_array(c->lines, sizeof *order), n = 0;
     reserve_map(c, c->lines);

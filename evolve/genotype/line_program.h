@@ -2,7 +2,7 @@
  * operation on the frame's values, numbers and earlier lines; two of its values are xi and eta.  What both need is
  * there once.
  *
- * As genes, so that populations, fronts, parcels and checkpoints hold programs as they hold trees:
+ * As genes (genotype.h), which populations, fronts, parcels and checkpoints hold:
  *
  *   xi, eta, then three for each line: operator, first operand, second operand (-1 where the operator has one)
  *
@@ -14,7 +14,7 @@
 #define FOOTPOINT_LINE_PROGRAM_H
 
 #include "../../codegen/genome/index_table.h"
-#include "tree.h"
+#include "genotype.h"
 
 enum {
     LINE_GENE = 1 << 24,
@@ -77,13 +77,13 @@ enum lines_use {
 };
 /** Take a valid program.
  *  @param[in] last  function that it ends in; -1: none */
-void lines_load(struct lines *c, const struct tree *t, int last, enum lines_use use);
+void lines_load(struct lines *c, const struct genes *t, int last, enum lines_use use);
 /** Take an expression in prefix form, whose value both roots become: operation by operation, nothing simplified.  It
  *  needs no rules.
  *  @param[in] constant  what constants mean */
 void lines_expression(struct lines *c, const int *gene, size_t length, const struct genome_constant *constant);
 /** What the roots need, as genes; false, with *t undefined, where these are more than max. */
-bool lines_store(struct lines *c, size_t max, struct tree *t);
+bool lines_store(struct lines *c, size_t max, struct genes *t);
 
 /* To build one: from nothing, each value by the lines of others, simplified where that is exact. */
 void lines_begin(struct lines *c);

@@ -60,7 +60,7 @@ static void none(int *map, size_t n)
 }
 
 /* Take a program to be changed. */
-static void load(struct line_editor *e, const struct tree *t)
+static void load(struct line_editor *e, const struct genes *t)
 {
     lines_load(e->from, t, -1, LINES_INNER);
     reserve(e, e->from->lines);
@@ -71,11 +71,11 @@ static void load(struct line_editor *e, const struct tree *t)
     none(e->clean, e->from->lines);
 }
 
-static bool store(struct line_editor *e, const struct tree *t, size_t max, struct tree *child)
+static bool store(struct line_editor *e, const struct genes *t, size_t max, struct genes *child)
 {
     for (int k = 0; k < 2; k++)
         e->to->root[k] = lines_take(e->to, e->from, e->from->root[k], e->map);
-    return lines_store(e->to, max, child) && !tree_equal(t, child);
+    return lines_store(e->to, max, child) && !genes_equal(t, child);
 }
 
 static int clean(struct line_editor *e, int operand)
@@ -143,8 +143,8 @@ static void set_value(struct line_editor *e, const struct line_edit *edit)
     e->map[edit->line] = value_of(e, edit);
 }
 
-static bool apply(struct line_editor *e, const struct tree *t, const struct line_edit *edit, bool both, size_t max,
-                  struct tree *child)
+static bool apply(struct line_editor *e, const struct genes *t, const struct line_edit *edit, bool both, size_t max,
+                  struct genes *child)
 {
     struct line_edit image;
     set_value(e, edit);
@@ -153,15 +153,15 @@ static bool apply(struct line_editor *e, const struct tree *t, const struct line
     return store(e, t, max, child);
 }
 
-bool lines_apply(struct line_editor *e, const struct tree *t, const struct line_edit *edit, bool both, size_t max,
-                 struct tree *child)
+bool lines_apply(struct line_editor *e, const struct genes *t, const struct line_edit *edit, bool both, size_t max,
+                 struct genes *child)
 {
     load(e, t);
     return apply(e, t, edit, both, max, child);
 }
 
-static bool insert_call(struct line_editor *e, const struct tree *t, const int at[2], int function, size_t max,
-                        struct tree *child)
+static bool insert_call(struct line_editor *e, const struct genes *t, const int at[2], int function, size_t max,
+                        struct genes *child)
 {
     int x[2] = {clean(e, at[0]), clean(e, at[1])};
     lines_call(e->to, function, x);
@@ -170,21 +170,21 @@ static bool insert_call(struct line_editor *e, const struct tree *t, const int a
     return store(e, t, max, child);
 }
 
-bool lines_insert_call(struct line_editor *e, const struct tree *t, const int at[2], int function, size_t max,
-                       struct tree *child)
+bool lines_insert_call(struct line_editor *e, const struct genes *t, const int at[2], int function, size_t max,
+                       struct genes *child)
 {
     load(e, t);
     return insert_call(e, t, at, function, max, child);
 }
 
-static void load_mate(struct line_editor *e, const struct tree *mate)
+static void load_mate(struct line_editor *e, const struct genes *mate)
 {
     lines_load(e->mate, mate, -1, LINES_INNER);
     reserve(e, e->mate->lines);
 }
 
-bool lines_graft_answers(struct line_editor *e, const struct tree *t, const int at[2], const struct tree *mate,
-                         const int of[2], size_t max, struct tree *child)
+bool lines_graft_answers(struct line_editor *e, const struct genes *t, const int at[2], const struct genes *mate,
+                         const int of[2], size_t max, struct genes *child)
 {
     load_mate(e, mate);
     load(e, t);
@@ -309,7 +309,7 @@ static bool choose_term(struct line_editor *e, gsl_rng *rng, const struct gene_s
 }
 
 /* x / a and y / b become x b r and y a r with r = 1 / (a b). */
-static bool share_division(struct line_editor *e, gsl_rng *rng, const struct tree *t, size_t max, struct tree *child)
+static bool share_division(struct line_editor *e, gsl_rng *rng, const struct genes *t, size_t max, struct genes *child)
 {
     const struct lines *c = e->from;
     for (int tries = 0; tries < TRIES; tries++) {
@@ -332,8 +332,8 @@ static bool share_division(struct line_editor *e, gsl_rng *rng, const struct tre
 }
 
 /* A value of the mate, and where both have images these, too. */
-static bool graft(struct line_editor *e, gsl_rng *rng, const struct tree *t, const struct tree *mate, size_t max,
-                  struct tree *child)
+static bool graft(struct line_editor *e, gsl_rng *rng, const struct genes *t, const struct genes *mate, size_t max,
+                  struct genes *child)
 {
     load_mate(e, mate);
     load(e, t);
@@ -358,8 +358,8 @@ static bool graft(struct line_editor *e, gsl_rng *rng, const struct tree *t, con
     return good && store(e, t, max, child);
 }
 
-static bool call_somewhere(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                           size_t max, struct tree *child)
+static bool call_somewhere(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
+                           size_t max, struct genes *child)
 {
     if (genes->functions == 0)
         return false;
@@ -373,8 +373,8 @@ static bool call_somewhere(struct line_editor *e, gsl_rng *rng, const struct gen
     return insert_call(e, t, at, function, max, child);
 }
 
-bool lines_edit(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                const struct tree *mate, size_t max, struct tree *child)
+bool lines_edit(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
+                const struct genes *mate, size_t max, struct genes *child)
 {
     enum { GRAFT, OPERAND, SHORTCUT, OPERATOR, TERM, CALL, SHARE, MOVES };
     static const double rate[MOVES] = {0.25, 0.25, 0.2, 0.05, 0.15, 0.07, 0.03};

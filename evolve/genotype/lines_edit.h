@@ -4,6 +4,8 @@
 
 #include "line_program.h"
 
+#include <gsl/gsl_rng.h>
+
 /** What takes a line's place, in every use.  Operands are lines of the program, as lines_load() numbers them, or
  * LINE_GENE + gene: a symbol. */
 struct line_edit {
@@ -32,19 +34,19 @@ void line_editor_free(struct line_editor *e);
 
 /** Apply an edit to a program, and its image under exchange of xi and eta where `both` and there is one.  False, with
  *  *child undefined, where the outcome is the same program or has more than max genes. */
-bool lines_apply(struct line_editor *e, const struct tree *t, const struct line_edit *edit, bool both, size_t max,
-                 struct tree *child);
+bool lines_apply(struct line_editor *e, const struct genes *t, const struct line_edit *edit, bool both, size_t max,
+                 struct genes *child);
 /** Two lines of a program replaced by what a function makes of them. */
-bool lines_insert_call(struct line_editor *e, const struct tree *t, const int at[2], int function, size_t max,
-                       struct tree *child);
+bool lines_insert_call(struct line_editor *e, const struct genes *t, const int at[2], int function, size_t max,
+                       struct genes *child);
 /** Two lines of a program replaced by two of another; -1: its answers. */
-bool lines_graft_answers(struct line_editor *e, const struct tree *t, const int at[2], const struct tree *mate,
-                         const int of[2], size_t max, struct tree *child);
+bool lines_graft_answers(struct line_editor *e, const struct genes *t, const int at[2], const struct genes *mate,
+                         const int of[2], size_t max, struct genes *child);
 
 /** A random change: a value of the mate, another operand, a shorter way, another operator, a step of one of the set's
  *  functions, one division for two.  Sums are of equal powers of a length. */
-bool lines_edit(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                const struct tree *mate, size_t max, struct tree *child);
+bool lines_edit(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
+                const struct genes *mate, size_t max, struct genes *child);
 
 /** depends[i]: line i needs line n, or is it. */
 void lines_dependents(const struct lines *c, int n, bool *depends);

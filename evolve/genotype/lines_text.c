@@ -83,7 +83,7 @@ static bool find_arguments(const struct genome_file *f, const struct genome_expr
 }
 
 bool lines_read(struct lines *c, const struct genome_file *f, const struct genome_expr *const out[2],
-                const struct gene_set *genes, bool called, size_t max, struct tree *t)
+                const struct gene_set *genes, bool called, size_t max, struct genes *t)
 {
     const size_t symbols = f->inputs + f->lets;
     struct reader r = {c, f, genes, no_lines(symbols)};
@@ -98,7 +98,7 @@ bool lines_read(struct lines *c, const struct genome_file *f, const struct genom
     return good && lines_store(c, max, t);
 }
 
-bool lines_respell(struct lines *c, const struct tree *t, const struct gene_set *genes, size_t max, struct tree *to)
+bool lines_respell(struct lines *c, const struct genes *t, const struct gene_set *genes, size_t max, struct genes *to)
 {
     const struct genome_file *f = c->rules->program;
     const size_t symbols = f->inputs + f->lets;
@@ -292,8 +292,8 @@ static void write_call(struct writer *w, const struct genome_function *function,
     }
 }
 
-void lines_expand(struct lines *c, const struct tree *t, int last, struct genome_file *f, const char *name,
-                  struct tree out[2])
+void lines_expand(struct lines *c, const struct genes *t, int last, struct genome_file *f, const char *name,
+                  struct genes out[2])
 {
     lines_load(c, t, -1, LINES_INNER);
     struct writer w = {.code = c, .file = f};
@@ -313,7 +313,7 @@ void lines_expand(struct lines *c, const struct tree *t, int last, struct genome
             put(&w, gene[k]);
         else
             write_line(&w, c->root[k]);
-        out[k] = (struct tree){new_array(w.genes, sizeof *w.gene), w.genes};
+        out[k] = (struct genes){new_array(w.genes, sizeof *w.gene), w.genes};
         memcpy(out[k].gene, w.gene, w.genes * sizeof *w.gene);
     }
     free(w.symbol);
@@ -321,7 +321,7 @@ void lines_expand(struct lines *c, const struct tree *t, int last, struct genome
     free(w.gene);
 }
 
-char *lines_print(struct lines *c, const struct tree *t, int last)
+char *lines_print(struct lines *c, const struct genes *t, int last)
 {
     struct memory *m = memory_open();
     FILE *f = m->stream;

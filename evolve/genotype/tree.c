@@ -3,8 +3,6 @@
  * kind, as in the paper, or grows a new branch.  No operator makes a genome longer than its limit. */
 #include "tree.h"
 
-#include "../common/decimal.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,35 +12,6 @@ enum {
     NEAR_CONSTANTS = 8 /* a small change of a constant: this many places along the table at most */
 };
 static const double leaf_is_constant = 0.25, branch_ends = 0.4;
-
-void gene_set_free(struct gene_set *s)
-{
-    free(s->symbol);
-    free(s->constant);
-    free(s->operation);
-    *s = (struct gene_set){0};
-}
-
-void tree_copy(const struct tree *from, struct tree *to)
-{
-    memcpy(to->gene, from->gene, from->length * sizeof *to->gene);
-    to->length = from->length;
-}
-
-bool tree_equal(const struct tree *a, const struct tree *b)
-{
-    return a->length == b->length && memcmp(a->gene, b->gene, a->length * sizeof *a->gene) == 0;
-}
-
-uint64_t tree_hash(const struct tree *t)
-{
-    uint64_t h = t->length;
-    for (size_t i = 0; i < t->length; i++) {
-        h = (h ^ (uint32_t)t->gene[i]) * 0x9e3779b97f4a7c15u;
-        h ^= h >> 29;
-    }
-    return h;
-}
 
 static size_t below(gsl_rng *rng, size_t n)
 {
@@ -71,7 +40,7 @@ static size_t grow(gsl_rng *rng, const struct gene_set *s, int depth, bool full,
     return n;
 }
 
-void tree_random(gsl_rng *rng, const struct gene_set *s, int depth, bool full, size_t room, struct tree *t)
+void tree_random(gsl_rng *rng, const struct gene_set *s, int depth, bool full, size_t room, struct genes *t)
 {
     t->length = grow(rng, s, depth, full, room, t->gene);
 }
@@ -81,14 +50,14 @@ struct branch {
     size_t at, length;
 };
 
-static struct branch random_branch(gsl_rng *rng, const struct tree *t)
+static struct branch random_branch(gsl_rng *rng, const struct genes *t)
 {
     const size_t at = below(rng, t->length);
     return (struct branch){at, gene_span(t->gene + at, t->length - at)};
 }
 
 /* child = t with its branch `out` replaced by n genes. */
-static void splice(const struct tree *t, struct branch out, const int *gene, size_t n, struct tree *child)
+static void splice(const struct genes *t, struct branch out, const int *gene, size_t n, struct genes *child)
 {
     const size_t after = out.at + out.length, rest = t->length - after;
     memcpy(child->gene, t->gene, out.at * sizeof *gene);
@@ -97,8 +66,8 @@ static void splice(const struct tree *t, struct branch out, const int *gene, siz
     child->length = out.at + n + rest;
 }
 
-void tree_cross(gsl_rng *rng, const struct tree *a, const struct tree *b, size_t max, struct tree *child_a,
-                struct tree *child_b)
+void tree_cross(gsl_rng *rng, const struct genes *a, const struct genes *b, size_t max, struct genes *child_a,
+                struct genes *child_b)
 {
     struct branch p, q;
     bool fits_a, fits_b;
@@ -112,11 +81,11 @@ void tree_cross(gsl_rng *rng, const struct tree *a, const struct tree *b, size_t
     if (fits_a)
         splice(a, p, b->gene + q.at, q.length, child_a);
     else
-        tree_copy(a, child_a);
+        genes_copy(a, child_a);
     if (fits_b)
         splice(b, q, a->gene + p.at, p.length, child_b);
     else
-        tree_copy(b, child_b);
+        genes_copy(b, child_b);
 }
 
 /* A constant of the set that is not `gene`: half the time one near in value. */
@@ -133,7 +102,7 @@ static int other_constant(gsl_rng *rng, const struct gene_set *s, int gene)
     return s->constant[low + below(rng, high - low + 1)];
 }
 
-void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct tree *t)
+void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct genes *t)
 {
     int *gene = &t->gene[below(rng, t->length)];
     switch (gene_arity(*gene)) {
@@ -153,22 +122,11 @@ void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct tree *t)
     }
 }
 
-void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child)
+void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct genes *t, size_t max, struct genes *child)
 {
     int fresh[2 << BRANCH_DEPTH];
     const struct branch out = random_branch(rng, t);
     const size_t kept = t->length - out.length, room = kept < max ? max - kept : 1;
     const int depth = (int)below(rng, BRANCH_DEPTH + 1);
     splice(t, out, fresh, grow(rng, s, depth, false, room, fresh), child);
-}
-
-void tree_bind(struct genome_file *program, const struct tree *t, struct tree *bound)
-{
-    tree_copy(t, bound);
-    for (size_t i = 0; i < t->length; i++)
-        if (t->gene[i] < 0) {
-            char text[DECIMAL_TEXT];
-            decimal_text(t->gene[i], text);
-            bound->gene[i] = -1 - (int)genome_add_constant(program, text);
-        }
 }

@@ -37,7 +37,7 @@ static void evaluate(struct island *is, struct individual *x)
     if (r->hash != x->hash) {
         const double bound = is->bound < INFINITY ? is->bound * is->reference[place] : INFINITY;
         *r = (struct remembered){
-            x->hash, objective_error_in_tails(is->objective, &x->tree, is->goal.last, &is->goal.tails, bound)};
+            x->hash, objective_error_in_tails(is->objective, &x->genes, is->goal.last, &is->goal.tails, bound)};
         is->evaluations++;
     }
     x->error = r->error;
@@ -107,19 +107,19 @@ static void rank_population(struct island *is)
     is->bound = is->now[n - 1].fitness;
 }
 
-static void fit_constants(struct island *is, struct tree *t)
+static void fit_constants(struct island *is, struct genes *t)
 {
     const struct fitting *f = is->goal.fit;
     if (gsl_rng_uniform(is->rng) < is->plan->tune && f->tune(f->fits, t, is->goal.last, &is->scratch))
-        tree_copy(&is->scratch, t);
+        genes_copy(&is->scratch, t);
 }
 
 static void fill_at_random(struct island *is, size_t first)
 {
     is->bound = INFINITY;
     for (size_t i = first; i < is->plan->population; i++) {
-        population_draw(is, i, &is->now[i].tree);
-        fit_constants(is, &is->now[i].tree);
+        population_draw(is, i, &is->now[i].genes);
+        fit_constants(is, &is->now[i].genes);
         population_count(is, &is->now[i]);
         evaluate(is, &is->now[i]);
     }
@@ -131,19 +131,19 @@ static void fill_at_random(struct island *is, size_t first)
 static void begin_with_numbers(struct island *is)
 {
     struct individual *x = &is->now[0];
-    population_numbers(&x->tree);
+    population_numbers(&x->genes);
     population_count(is, x);
     evaluate(is, x);
 }
 
-void breed_front_start(struct island *is, const struct tree *seed, size_t n)
+void breed_front_start(struct island *is, const struct genes *seed, size_t n)
 {
     size_t living = 1;
     fix_reference(is);
     begin_with_numbers(is);
     for (size_t i = 0; i < n; i++) { /* more of them than live here are parents by the front */
         struct individual *x = &is->now[living];
-        tree_copy(&seed[i], &x->tree);
+        genes_copy(&seed[i], &x->genes);
         population_count(is, x);
         evaluate(is, x);
         living += living + 1 < is->plan->population / 2;
@@ -152,19 +152,19 @@ void breed_front_start(struct island *is, const struct tree *seed, size_t n)
 }
 
 /* Of the front mostly the dear ones: those near the budget. */
-static const struct tree *choose(struct island *is)
+static const struct genes *choose(struct island *is)
 {
     const size_t n = front_count(is->stage);
     if (n == 0 || gsl_rng_uniform(is->rng) >= is->plan->front_parents)
         return population_choose(is);
     const size_t one = gsl_rng_uniform_int(is->rng, n), other = gsl_rng_uniform_int(is->rng, n);
-    return &front_member(is->stage, one > other ? one : other)->tree;
+    return &front_member(is->stage, one > other ? one : other)->genes;
 }
 
-static bool change(struct island *is, struct tree *child)
+static bool change(struct island *is, struct genes *child)
 {
     const struct fitting *f = is->goal.fit;
-    const struct tree *t = choose(is), *mate = choose(is);
+    const struct genes *t = choose(is), *mate = choose(is);
     return f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.last, is->goal.max_length, child);
 }
 
@@ -177,12 +177,12 @@ static void make_child(struct island *is, struct individual *x)
 {
     bool done = false;
     for (int tries = 0; !done && tries < TRIES; tries++) {
-        if (gsl_rng_uniform(is->rng) < immigrants || !change(is, &x->tree))
-            population_draw(is, gsl_rng_uniform_int(is->rng, 1000), &x->tree);
+        if (gsl_rng_uniform(is->rng) < immigrants || !change(is, &x->genes))
+            population_draw(is, gsl_rng_uniform_int(is->rng, 1000), &x->genes);
         population_count(is, x);
         done = is_new(is, x);
     }
-    fit_constants(is, &x->tree);
+    fit_constants(is, &x->genes);
     population_count(is, x);
 }
 
@@ -193,14 +193,14 @@ static void polish(struct island *is)
     struct individual *x = &is->now[2 * is->plan->population];
     for (size_t c = 0; c <= is->stage->limit; c++) {
         struct member *m = &is->stage->member[c];
-        if (m->tree.length == 0 || m->polished)
+        if (m->genes.length == 0 || m->polished)
             continue;
         m->polished = true;
-        if (!f->constants(f->fits, &m->tree, is->goal.last, &x->tree))
+        if (!f->constants(f->fits, &m->genes, is->goal.last, &x->genes))
             continue;
         population_count(is, x);
         evaluate(is, x);
-        if (m->tree.length > 0 && m->error == x->error)
+        if (m->genes.length > 0 && m->error == x->error)
             m->polished = true;
     }
 }
@@ -215,8 +215,8 @@ static void start_anew(struct island *is)
     } else {
         for (size_t c = 0; c <= is->all->limit; c++) {
             const struct member *m = &is->all->member[c];
-            if (m->tree.length > 0)
-                front_offer(is->stage, &m->tree, m->error, m->cost);
+            if (m->genes.length > 0)
+                front_offer(is->stage, &m->genes, m->error, m->cost);
         }
         rank_population(is);
     }
@@ -243,8 +243,8 @@ void breed_front_receive(struct island *is, size_t n, int *parcel)
 {
     struct individual *migrant = is->now + is->plan->population;
     for (size_t i = 0; i < n; i++, migrant++, parcel += population_parcel(is)) {
-        const struct tree t = {parcel + 1, (size_t)parcel[0]};
-        tree_copy(&t, &migrant->tree);
+        const struct genes t = {parcel + 1, (size_t)parcel[0]};
+        genes_copy(&t, &migrant->genes);
         population_count(is, migrant);
         evaluate(is, migrant);
     }

@@ -4,6 +4,8 @@
  * its parents' median is not evaluated to the end and counts as hopeless, at the same block on every machine. */
 #include "breed.h"
 
+#include "../genotype/tree.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,10 +13,10 @@ static const double crossover_rate = 0.8, gene_mutation_rate = 0.2, hopeless = 4
 
 static void evaluate(struct island *is, struct individual *x)
 {
-    const uint64_t hash = tree_hash(&x->tree);
+    const uint64_t hash = genes_hash(&x->genes);
     struct remembered *r = population_memory(is, hash);
     if (r->hash != hash || hash == 0) {
-        *r = (struct remembered){hash, objective_tree_error(is->objective, &x->tree, is->goal.column, is->bound)};
+        *r = (struct remembered){hash, objective_tree_error(is->objective, &x->genes, is->goal.column, is->bound)};
         is->evaluations++;
     }
     population_count(is, x);
@@ -24,10 +26,10 @@ static void evaluate(struct island *is, struct individual *x)
 }
 
 /* Change genes of a tree that was seen lately, so that hardly a child is bred for nothing. */
-static void renew(struct island *is, struct tree *t)
+static void renew(struct island *is, struct genes *t)
 {
     for (int tries = 2; tries > 0; tries--) {
-        const uint64_t hash = tree_hash(t);
+        const uint64_t hash = genes_hash(t);
         if (population_memory(is, hash)->hash != hash)
             break;
         tree_mutate_gene(is->rng, is->goal.genes, t);
@@ -42,23 +44,23 @@ static void rank_population(struct island *is)
     is->bound = hopeless * is->now[n / 2].error;
 }
 
-void breed_paper_start(struct island *is, const struct tree *seed, size_t n)
+void breed_paper_start(struct island *is, const struct genes *seed, size_t n)
 {
     for (size_t i = 0; i < is->plan->population; i++) {
         if (i < n)
-            tree_copy(&seed[i], &is->now[i].tree);
+            genes_copy(&seed[i], &is->now[i].genes);
         else
-            population_draw(is, i, &is->now[i].tree);
+            population_draw(is, i, &is->now[i].genes);
         evaluate(is, &is->now[i]);
     }
     rank_population(is);
 }
 
-static void make_children(struct island *is, struct tree *child_a, struct tree *child_b)
+static void make_children(struct island *is, struct genes *child_a, struct genes *child_b)
 {
-    struct tree *child[2] = {child_a, child_b};
+    struct genes *child[2] = {child_a, child_b};
     const size_t max = is->goal.max_length;
-    const struct tree *a = population_choose(is), *b = population_choose(is);
+    const struct genes *a = population_choose(is), *b = population_choose(is);
     if (gsl_rng_uniform(is->rng) < crossover_rate) {
         tree_cross(is->rng, a, b, max, child[0], child[1]);
     } else {
@@ -76,9 +78,9 @@ void breed_paper_step(struct island *is)
     const size_t n = is->plan->population;
     struct individual *next = is->now + n;
     for (size_t i = 1; i < n; i += 2)
-        make_children(is, &next[i].tree, &next[i + 1].tree);
+        make_children(is, &next[i].genes, &next[i + 1].genes);
     for (size_t i = 1; i < n; i++) {
-        renew(is, &next[i].tree);
+        renew(is, &next[i].genes);
         evaluate(is, &next[i]);
         const struct individual parent = is->now[i];
         is->now[i] = next[i];
@@ -87,10 +89,10 @@ void breed_paper_step(struct island *is)
     rank_population(is);
 }
 
-static bool lives_here(const struct island *is, const struct tree *t)
+static bool lives_here(const struct island *is, const struct genes *t)
 {
     for (size_t i = 0; i < is->plan->population; i++)
-        if (tree_equal(&is->now[i].tree, t))
+        if (genes_equal(&is->now[i].genes, t))
             return true;
     return false;
 }
@@ -99,10 +101,10 @@ void breed_paper_receive(struct island *is, size_t n, int *parcel)
 {
     size_t place = is->plan->population;
     for (size_t i = 0; i < n; i++, parcel += population_parcel(is)) {
-        const struct tree migrant = {parcel + 1, (size_t)parcel[0]};
+        const struct genes migrant = {parcel + 1, (size_t)parcel[0]};
         if (lives_here(is, &migrant))
             continue;
-        tree_copy(&migrant, &is->now[--place].tree);
+        genes_copy(&migrant, &is->now[--place].genes);
         evaluate(is, &is->now[place]);
     }
     rank_population(is);

@@ -15,16 +15,16 @@ struct goal {
     const struct gene_set *genes; /* not owned */
     uint64_t ring, place;         /* key of its random streams: which ring, where in it */
     const struct fitting *fit;    /* not owned; of programs */
-    size_t limit;                 /* cost of the costliest trees that a front keeps; 0: the plan's */
+    size_t limit;                 /* largest cost that a front keeps; 0: the plan's */
     struct tails tails;           /* of programs: what their largest errors may be */
 };
 
 struct individual {
-    struct tree tree; /* genes not owned: in the island's pool; constants are decimal numbers */
-    double fitness;   /* what selection minimises, the paper's 1/fitness */
-    double error;     /* INFINITY when not finite, or so bad that it was not evaluated to the end */
-    double cost;      /* by the plan's model, with the values of the frame that it needs */
-    uint64_t hash;    /* of its operations */
+    struct genes genes; /* genes not owned: in the island's pool; constants are decimal numbers */
+    double fitness;     /* what selection minimises, the paper's 1/fitness */
+    double error;       /* INFINITY when not finite, or so bad that it was not evaluated to the end */
+    double cost;        /* by the plan's model, with the values of the frame that it needs */
+    uint64_t hash;      /* of its operations */
 };
 
 #endif

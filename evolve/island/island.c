@@ -31,7 +31,7 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     is->all = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
     is->stage = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
     for (size_t i = 0; i < room; i++)
-        is->now[i].tree.gene = is->pool + i * goal->max_length;
+        is->now[i].genes.gene = is->pool + i * goal->max_length;
     is->scratch.gene = is->pool + room * goal->max_length;
     return is;
 }
@@ -58,7 +58,7 @@ void island_free(struct island *is)
     free(is);
 }
 
-void island_start(struct island *is, const struct tree *seed, size_t n)
+void island_start(struct island *is, const struct genes *seed, size_t n)
 {
     stream_key(is->rng, is->plan->seed, is->goal.ring, is->goal.place, is->generation);
     if (is->plan->breeding == BREED_PAPER)
@@ -88,10 +88,10 @@ size_t island_parcel_size(const struct island *is, size_t n)
     return n * population_parcel(is);
 }
 
-static void pack(const struct tree *t, int *parcel)
+static void pack(const struct genes *t, int *parcel)
 {
-    struct tree packed = {parcel + 1, 0};
-    tree_copy(t, &packed);
+    struct genes packed = {parcel + 1, 0};
+    genes_copy(t, &packed);
     parcel[0] = (int)packed.length;
 }
 
@@ -102,10 +102,10 @@ void island_pack(const struct island *is, size_t n, int *parcel)
     const size_t from_front = members < n ? members : n;
     for (size_t i = 0; i < n; i++, parcel += island_parcel_size(is, 1))
         if (i < from_front)
-            pack(&front_member(is->stage, (i * members + is->generation % members) / from_front % members)->tree,
+            pack(&front_member(is->stage, (i * members + is->generation % members) / from_front % members)->genes,
                  parcel);
         else
-            pack(&is->now[i - from_front].tree, parcel);
+            pack(&is->now[i - from_front].genes, parcel);
 }
 
 void island_receive(struct island *is, size_t n, int *parcel)
@@ -131,8 +131,8 @@ size_t island_report_size(const struct island *is)
 {
     size_t size = 1;
     for (size_t c = 0; c <= is->all->limit; c++)
-        if (is->all->member[c].tree.length > 0)
-            size += REPORTED + is->all->member[c].tree.length;
+        if (is->all->member[c].genes.length > 0)
+            size += REPORTED + is->all->member[c].genes.length;
     return size;
 }
 
@@ -141,19 +141,19 @@ void island_report(const struct island *is, int *report)
     *report++ = (int)front_count(is->all);
     for (size_t c = 0; c <= is->all->limit; c++) {
         const struct member *m = &is->all->member[c];
-        if (m->tree.length == 0)
+        if (m->genes.length == 0)
             continue;
         memcpy(report + 1, &m->error, sizeof m->error);
-        struct tree genes = {report + REPORTED, 0};
-        tree_copy(&m->tree, &genes);
+        struct genes genes = {report + REPORTED, 0};
+        genes_copy(&m->genes, &genes);
         *report = (int)genes.length;
         report += REPORTED + genes.length;
     }
 }
 
-const int *island_reported(const int *at, struct tree *t, double *error)
+const int *island_reported(const int *at, struct genes *t, double *error)
 {
     memcpy(error, at + 1, sizeof *error);
-    *t = (struct tree){(int *)at + REPORTED, (size_t)at[0]};
+    *t = (struct genes){(int *)at + REPORTED, (size_t)at[0]};
     return at + REPORTED + t->length;
 }

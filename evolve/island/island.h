@@ -12,7 +12,7 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
 void island_free(struct island *is);
 
 /** Generation 0: n seeds (each at most max_length genes), then random trees of all shapes. */
-void island_start(struct island *is, const struct tree *seed, size_t n);
+void island_start(struct island *is, const struct genes *seed, size_t n);
 /** One generation. */
 void island_step(struct island *is);
 /** The best so far: lowest plan_fitness.  Valid until the island changes. */
@@ -42,6 +42,6 @@ size_t island_report_size(const struct island *is);
 /** The front: how many members, then each with its error, by ascending cost. */
 void island_report(const struct island *is, int *report);
 /** A report's member, the first of which begins at report + 1; returns where the next begins.  *t: genes in the report. */
-const int *island_reported(const int *at, struct tree *t, double *error);
+const int *island_reported(const int *at, struct genes *t, double *error);
 
 #endif

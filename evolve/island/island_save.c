@@ -60,8 +60,8 @@ static void put_front(const struct island *is, unsigned char **to, const struct 
 {
     for (size_t c = 0; c <= f->limit; c++) {
         const struct member *m = &f->member[c];
-        const struct record empty = {0}, r = {m->tree.length, 0, m->error, m->cost, m->polished};
-        put_record(is, to, m->tree.length > 0 ? &r : &empty, m->tree.gene);
+        const struct record empty = {0}, r = {m->genes.length, 0, m->error, m->cost, m->polished};
+        put_record(is, to, m->genes.length > 0 ? &r : &empty, m->genes.gene);
     }
 }
 
@@ -71,8 +71,8 @@ void island_save(const struct island *is, unsigned char *to)
     put(&to, &f, sizeof f);
     for (size_t i = 0; i < is->plan->population; i++) {
         const struct individual *x = &is->now[i];
-        const struct record r = {x->tree.length, x->fitness, x->error, x->cost, x->hash};
-        put_record(is, &to, &r, x->tree.gene);
+        const struct record r = {x->genes.length, x->fitness, x->error, x->cost, x->hash};
+        put_record(is, &to, &r, x->genes.gene);
     }
     put_front(is, &to, is->all);
     put_front(is, &to, is->stage);
@@ -139,10 +139,10 @@ static void take_front(const struct island *is, const unsigned char **from, stru
     front_clear(f);
     for (size_t c = 0; c <= f->limit; c++) {
         struct record r;
-        const struct tree t = {is->scratch.gene, 0};
+        const struct genes t = {is->scratch.gene, 0};
         take_record(is, from, &r, t.gene);
         if (r.length > 0)
-            front_offer(f, &(struct tree){t.gene, (size_t)r.length}, r.error, r.cost)->polished = r.mark == 1;
+            front_offer(f, &(struct genes){t.gene, (size_t)r.length}, r.error, r.cost)->polished = r.mark == 1;
     }
 }
 
@@ -160,8 +160,8 @@ bool island_load(struct island *is, const unsigned char *from)
     for (size_t i = 0; i < is->plan->population; i++) {
         struct individual *x = &is->now[i];
         struct record r;
-        take_record(is, &from, &r, x->tree.gene);
-        *x = (struct individual){{x->tree.gene, (size_t)r.length}, r.fitness, r.error, r.cost, r.mark};
+        take_record(is, &from, &r, x->genes.gene);
+        *x = (struct individual){{x->genes.gene, (size_t)r.length}, r.fitness, r.error, r.cost, r.mark};
     }
     take_front(is, &from, is->all);
     take_front(is, &from, is->stage);

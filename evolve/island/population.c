@@ -2,6 +2,7 @@
 #include "population.h"
 
 #include "../common/decimal.h"
+#include "../genotype/tree.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,17 +22,17 @@ void population_count(struct island *is, struct individual *x)
 {
     const bool both = is->goal.program;
     const struct operation_count o =
-        both ? count_lines(is->lines, &x->tree, is->goal.last) : count_operations(is->counter, &x->tree, NULL);
+        both ? count_lines(is->lines, &x->genes, is->goal.last) : count_operations(is->counter, &x->genes, NULL);
     x->cost = both ? operations_price(&o, &is->plan->times)
-                   : operations_price(&o, &is->plan->prices) + frame_cost_of(is->frame, &x->tree);
+                   : operations_price(&o, &is->plan->prices) + frame_cost_of(is->frame, &x->genes);
     x->hash = o.hash;
 }
 
 void population_record(struct island *is, const struct individual *x)
 {
-    front_offer(is->all, &x->tree, x->error, x->cost);
+    front_offer(is->all, &x->genes, x->error, x->cost);
     if (is->plan->breeding == BREED_FRONT)
-        front_offer(is->stage, &x->tree, x->error, x->cost);
+        front_offer(is->stage, &x->genes, x->error, x->cost);
 }
 
 int population_compare(const void *a, const void *b)
@@ -41,12 +42,12 @@ int population_compare(const void *a, const void *b)
         return p->fitness < q->fitness ? -1 : 1;
     if (p->error != q->error)
         return p->error < q->error ? -1 : 1;
-    if (p->tree.length != q->tree.length)
-        return p->tree.length < q->tree.length ? -1 : 1;
-    return memcmp(p->tree.gene, q->tree.gene, p->tree.length * sizeof *p->tree.gene);
+    if (p->genes.length != q->genes.length)
+        return p->genes.length < q->genes.length ? -1 : 1;
+    return memcmp(p->genes.gene, q->genes.gene, p->genes.length * sizeof *p->genes.gene);
 }
 
-const struct tree *population_choose(struct island *is)
+const struct genes *population_choose(struct island *is)
 {
     const size_t n = is->plan->population;
     size_t chosen = n;
@@ -55,7 +56,7 @@ const struct tree *population_choose(struct island *is)
             const size_t k = gsl_rng_uniform_int(is->rng, n);
             chosen = k < chosen ? k : chosen;
         }
-        return &is->now[chosen].tree;
+        return &is->now[chosen].genes;
     }
     const double at = gsl_rng_uniform(is->rng) * is->cumulative[n - 1];
     size_t low = 0, high = n - 1;
@@ -66,17 +67,17 @@ const struct tree *population_choose(struct island *is)
         else
             low = middle + 1;
     }
-    return &is->now[low].tree;
+    return &is->now[low].genes;
 }
 
-void population_numbers(struct tree *t)
+void population_numbers(struct genes *t)
 {
-    const struct tree numbers = {(int[2]){decimal_gene(-0.1), decimal_gene(0.1)}, 2};
-    tree_copy(&numbers, t);
+    const struct genes numbers = {(int[2]){decimal_gene(-0.1), decimal_gene(0.1)}, 2};
+    genes_copy(&numbers, t);
 }
 
 /* One of the front of all times, changed a few times; two numbers, as long as nothing has had a finite error. */
-static void random_program(struct island *is, struct tree *t)
+static void random_program(struct island *is, struct genes *t)
 {
     const struct fitting *f = is->goal.fit;
     enum { CHANGES = 3 };
@@ -85,15 +86,15 @@ static void random_program(struct island *is, struct tree *t)
         population_numbers(t);
         return;
     }
-    tree_copy(&front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree, t);
+    genes_copy(&front_member(is->all, gsl_rng_uniform_int(is->rng, members))->genes, t);
     for (int i = 0; i < CHANGES; i++) {
-        const struct tree *mate = &front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree;
+        const struct genes *mate = &front_member(is->all, gsl_rng_uniform_int(is->rng, members))->genes;
         if (f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.last, is->goal.max_length, &is->scratch))
-            tree_copy(&is->scratch, t);
+            genes_copy(&is->scratch, t);
     }
 }
 
-void population_draw(struct island *is, size_t k, struct tree *t)
+void population_draw(struct island *is, size_t k, struct genes *t)
 {
     if (is->goal.program) {
         random_program(is, t);
@@ -113,8 +114,8 @@ static void find_best(struct island *is)
     for (size_t c = 0; c <= is->all->limit; c++) {
         const struct member *m = &is->all->member[c];
         const double fitness = plan_fitness(is->plan, m->error, m->cost);
-        if (m->tree.length > 0 && fitness < is->best.fitness)
-            is->best = (struct individual){m->tree, fitness, m->error, m->cost, 0};
+        if (m->genes.length > 0 && fitness < is->best.fitness)
+            is->best = (struct individual){m->genes, fitness, m->error, m->cost, 0};
     }
 }
 

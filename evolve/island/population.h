@@ -43,7 +43,7 @@ struct island {
     struct index_table met;      /* hashes and errors of those that live already */
     double *cumulative;          /* owned: roulette wheel of the living */
     double *reference;           /* owned: error at each cost of the stage's front when the generation began */
-    struct tree scratch;         /* in the pool */
+    struct genes scratch;        /* in the pool */
     struct individual best;      /* lowest plan_fitness; its tree is in the front */
 };
 
@@ -56,11 +56,11 @@ void population_record(struct island *is, const struct individual *x);
 int population_compare(const void *a, const void *b);
 /* Make what follows from the rest: wheel, reference and best; now[] is sorted. */
 void population_refresh(struct island *is);
-const struct tree *population_choose(struct island *is);
+const struct genes *population_choose(struct island *is);
 /* The k-th individual of a new population. */
-void population_draw(struct island *is, size_t k, struct tree *t);
+void population_draw(struct island *is, size_t k, struct genes *t);
 /* Two numbers: programs that nothing is known of begin with them. */
-void population_numbers(struct tree *t);
+void population_numbers(struct genes *t);
 /* Ints of an individual in a parcel. */
 static inline size_t population_parcel(const struct island *is)
 {

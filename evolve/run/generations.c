@@ -103,7 +103,7 @@ static void advance(struct loop *l, struct local *b)
     b->generation++;
     const struct individual *best = island_best(is);
     b->row[b->generation % l->rows] =
-        (struct log_row){b->generation, best->tree.length, island_evaluations(is), best->error, island_median(is)};
+        (struct log_row){b->generation, best->genes.length, island_evaluations(is), best->error, island_median(is)};
     migrate(l, b);
 }
 
@@ -164,7 +164,7 @@ static void vote(struct loop *l)
         sum[POLL_STOP + STOP_TIME] = 1;
     for (size_t i = 0; i < s->rings; i++) {
         const struct champion *c = &l->problem->archive->champion[s->ring[i].tier][s->ring[i].output];
-        best[i] = c->tree.length > 0 ? c->error : INFINITY;
+        best[i] = c->genes.length > 0 ? c->error : INFINITY;
     }
     for (size_t i = 0; i < l->locals; i++) {
         double *least = &best[l->local[i].island / s->places];

@@ -86,7 +86,7 @@ static void take_report(struct reports *f, size_t island, int *report)
     for (int k = 0; k < report[0]; k++) {
         struct reported *r = &APPEND(f->found, f->n, f->room);
         r->island = island;
-        at = island_reported(at, &r->tree, &r->error);
+        at = island_reported(at, &r->genes, &r->error);
     }
 }
 

@@ -45,8 +45,8 @@ void islands_sizes(const struct islands *s, const struct team *t, size_t (*of)(c
 /** A tree that an island reports. */
 struct reported {
     size_t island;
-    struct tree tree; /* genes in the list's memory */
-    double error;     /* that the islands of its ring minimise */
+    struct genes genes; /* genes in the list's memory */
+    double error;       /* that the islands of its ring minimise */
 };
 struct reports {
     struct reported *found; /* owned: by island, in the order of its report */

@@ -192,7 +192,7 @@ static size_t front_limit(const struct problem *p)
     for (size_t i = 0; i < p->scene->tiers; i++)
         for (size_t k = 0; k < p->scene->tier[i].terminals && !p->scene->tier[i].program; k++) {
             int gene = GENE_SYMBOL + (int)genome_find_symbol(program, p->scene->tier[i].terminal[k]);
-            const struct tree t = {&gene, 1};
+            const struct genes t = {&gene, 1};
             dearest = fmax(dearest, frame_cost_of(f, &t));
         }
     frame_cost_free(f);
@@ -275,7 +275,7 @@ static void compose_seeds(const struct problem *p)
             compose_programs(t, &p->genes[i], p->objective, archive_last(p->archive, i), &p->plan.times, found[i]);
         }
         for (size_t k = 0; k < front_count(found[first]); k++)
-            archive_add_seed(p->archive, (long)i, TIER_BOTH, &front_member(found[first], k)->tree);
+            archive_add_seed(p->archive, (long)i, TIER_BOTH, &front_member(found[first], k)->genes);
     }
     for (size_t i = 0; i < n; i++)
         if (found[i])
@@ -305,7 +305,7 @@ static bool needs_ring(const struct problem *p, size_t tier, int output, size_t 
     const struct tier *t = &p->scene->tier[tier];
     const struct champion *c = &p->archive->champion[tier][output];
     return output >= tier_first(t) && output <= tier_last(t) && c->exact == 0 && !tier_is_chosen(t) &&
-           (generations > 0 || c->tree.length == 0);
+           (generations > 0 || c->genes.length == 0);
 }
 
 /* Programs are near their tier's budget, most of them. */
@@ -347,7 +347,7 @@ static void make_islands(const struct call *call, const struct problem *p, struc
 {
     for (size_t i = 0; i < islands_count(s); i++) {
         const struct ring *ring = &s->ring[i / s->places];
-        struct tree *seed;
+        struct genes *seed;
         const size_t seeds = archive_seeds(p->archive, ring->tier, ring->output, &seed);
         const bool random = starts_at_random(s, i % s->places) && ring->output < TIER_BOTH;
         const struct goal goal = {.program = ring->output == TIER_BOTH,
@@ -421,7 +421,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
     double lowest = INFINITY;
     for (size_t i = 0; i < f.n; i++) {
         const size_t island = f.found[i].island;
-        const struct tree *t = &f.found[i].tree;
+        const struct genes *t = &f.found[i].genes;
         const struct ring *ring = &s->ring[island / s->places];
         const double error = f.found[i].error;
         archive_offer(p->archive, &p->plan, ring->tier, ring->output, t, error,

@@ -24,12 +24,12 @@ static const struct kind {
 struct workload {
     struct columns table; /* VARIABLES columns and the target */
     struct genome_file *program;
-    struct tree tree[GENOMES];
+    struct genes tree[GENOMES];
     int gene[GENOMES][LONGEST];
     size_t genes;
 };
 
-static double kernel_sum(const struct workload *w, const struct tree *t, struct kernel *k)
+static double kernel_sum(const struct workload *w, const struct genes *t, struct kernel *k)
 {
     const struct kernel_task task = {t->gene, t->length, w->program->constant, &w->table};
     return kernel_error_sum(k, &task, VARIABLES, INFINITY);
@@ -52,7 +52,7 @@ static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
         for (size_t i = 0; i < SAMPLES; i++)
             columns_at(&w->table, j)[i] = 2 * gsl_rng_uniform(rng) - 1;
     for (size_t i = 0; i < GENOMES; i++) {
-        struct tree *t = &w->tree[i];
+        struct genes *t = &w->tree[i];
         t->gene = w->gene[i];
         do
             tree_random(rng, &genes, 16, false, kind->longest, t);

@@ -98,7 +98,7 @@ enum { P = GENE_SYMBOL + 15, Q = GENE_SYMBOL + 16 };
 
 static void offer(struct fixture *f, struct archive *a, const int *gene, size_t length)
 {
-    const struct tree t = {(int *)gene, length};
+    const struct genes t = {(int *)gene, length};
     const double error = objective_tree_error(f->objective, &t, 17, INFINITY);
     archive_offer(a, &f->plan, 0, 0, &t, error, ORIGIN_RANDOM);
 }
@@ -116,11 +116,11 @@ static void champions_yield_to_the_better_alone(void **state)
     offer(f, a, worse, 3);
     archive_choose_champions(a, &f->plan, f->objective, NULL);
     assert_false(c->bred);
-    assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.12345678901");
+    assert_string_equal(a->program->constant[-1 - c->genes.gene[1]].text, "0.12345678901");
     offer(f, a, better, 5);
     archive_choose_champions(a, &f->plan, f->objective, NULL);
-    assert_true(c->bred && c->tree.length == 5);
-    assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.000125");
+    assert_true(c->bred && c->genes.length == 5);
+    assert_string_equal(a->program->constant[-1 - c->genes.gene[1]].text, "0.000125");
     assert_true(fabs(c->error - 0.125e-3) < 1e-15);
     assert_false(a->champion[0][1].bred);
     archive_free(a);
@@ -149,7 +149,7 @@ static void less_than_rounding_is_no_gain(void **state)
 {
     struct fixture *f = *state;
     int dear[] = {GENE_ADD, GENE_MUL, P, P, GENE_MUL, P, GENE_SUB, Q, P}, cheap[] = {GENE_MUL, P, Q};
-    const struct tree both[] = {{cheap, 3}, {dear, 9}};
+    const struct genes both[] = {{cheap, 3}, {dear, 9}};
     f->tier.budget = 100;
     for (int far = 0; far < 2; far++) {
         struct archive *a = archive_of(&f->scene, NULL);
@@ -157,7 +157,7 @@ static void less_than_rounding_is_no_gain(void **state)
         archive_offer(a, &f->plan, 0, 0, &both[0], far ? 3e-16 : 2e-16, ORIGIN_RANDOM);
         archive_offer(a, &f->plan, 0, 0, &both[1], 5e-17, ORIGIN_RANDOM);
         archive_choose_champions(a, &f->plan, f->objective, NULL);
-        assert_int_equal(a->champion[0][0].tree.length, both[far].length);
+        assert_int_equal(a->champion[0][0].genes.length, both[far].length);
         archive_free(a);
     }
     f->tier.budget = 0;
@@ -174,7 +174,7 @@ static void parsimony_decides_without_a_budget(void **state)
     offer(f, a, (const int[]){GENE_MUL, P, Q}, 3);
     offer(f, a, dear, 9);
     archive_choose_champions(a, &f->plan, f->objective, NULL);
-    assert_int_equal(a->champion[0][0].tree.length, 3);
+    assert_int_equal(a->champion[0][0].genes.length, 3);
     assert_true(a->champion[0][0].error == 0);
     archive_free(a);
 }
@@ -183,7 +183,7 @@ static void seeds_go_where_they_fit(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    struct tree *seed;
+    struct genes *seed;
     struct archive *a = archive_of(&f->scene, START);
     assert_int_equal(archive_seeds(a, 0, 0, &seed), 1); /* the champion */
     assert_true(decimal_valid(seed[0].gene[1]) && decimal_value(seed[0].gene[1]) == 0.1234568);
@@ -197,7 +197,7 @@ static void seeds_go_where_they_fit(void **state)
     assert_int_equal(archive_seeds(a, 0, 0, &seed), 0);
     f->tier.max_length = 9;
     free(seed);
-    archive_add_seed(a, 0, 0, &(struct tree){(int[]){GENE_SYMBOL}, 1}); /* xA is no terminal */
+    archive_add_seed(a, 0, 0, &(struct genes){(int[]){GENE_SYMBOL}, 1}); /* xA is no terminal */
     assert_int_equal(archive_seeds(a, 0, 0, &seed), 3);
     free(seed);
     archive_measure(a, &f->plan, f->objective);
@@ -233,12 +233,12 @@ static void exact_values_are_taken(void **state)
         archive_find_exact(a, &f->plan, &f->table, 1e-10);
         assert_true(c[0].exact == 0 && c[1].exact == Q);
         archive_measure(a, &f->plan, f->objective);
-        assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[1].cost == 1 && c[1].bred == !known);
+        assert_true(c[1].genes.length == 1 && c[1].genes.gene[0] == Q && c[1].cost == 1 && c[1].bred == !known);
         const int product[] = {GENE_MUL, P, Q}, constant[] = {decimal_gene(0.1)};
-        archive_offer(a, &f->plan, 0, 1, &(struct tree){(int *)constant, 1}, 0, ORIGIN_RANDOM);
+        archive_offer(a, &f->plan, 0, 1, &(struct genes){(int *)constant, 1}, 0, ORIGIN_RANDOM);
         offer(f, a, product, 3);
         archive_choose_champions(a, &f->plan, f->objective, NULL);
-        assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[0].tree.length == 3);
+        assert_true(c[1].genes.length == 1 && c[1].genes.gene[0] == Q && c[0].genes.length == 3);
         if (!archive_write(a, WRITTEN, &facts, &heldout, &d))
             fail_msg("%s", d.text);
         struct genome_file *g = genome_read(WRITTEN, &d);
@@ -273,7 +273,7 @@ static void fronts_are_written(void **state)
         char name[40];
         snprintf(name, sizeof name, "steps_xi_c%.0f", m->cost);
         assert_string_equal(g->genome[i].name, name);
-        assert_int_equal(g->genome[i].out[0].length, m->tree.length);
+        assert_int_equal(g->genome[i].out[0].length, m->genes.length);
         assert_non_null(genome_find_note(g->genome[i].note, g->genome[i].notes, "heldout_random"));
     }
     genome_file_free(g);

@@ -32,7 +32,7 @@ static void check(const struct front *f, const struct offer *o)
             continue;
         const struct member *m = &f->member[front_place(f, o[k].cost)];
         members++;
-        assert_true(m->tree.length == 1 && m->tree.gene[0] == k);
+        assert_true(m->genes.length == 1 && m->genes.gene[0] == k);
         assert_true(m->error == o[k].error && m->cost == o[k].cost);
         assert_true(front_error(f, o[k].cost) == o[k].error);
     }
@@ -56,7 +56,7 @@ static void holds_what_is_not_outdone(void **state)
         assert_true(front_error(f, LIMIT) == INFINITY && front_count(f) == 0);
         for (int k = 0; k < OFFERS; k++) {
             int gene = k;
-            const struct tree t = {&gene, 1};
+            const struct genes t = {&gene, 1};
             o[k].cost = gsl_rng_uniform(rng) * (LIMIT + 4);
             o[k].error = (double)gsl_rng_uniform_int(rng, 300) / (1 + o[k].cost);
             const double before = front_error(f, o[k].cost);
@@ -76,7 +76,7 @@ static void refuses_what_is_not_finite(void **state)
 {
     (void)state;
     int gene = 1;
-    const struct tree t = {&gene, 1};
+    const struct genes t = {&gene, 1};
     struct front *f = front_new(LIMIT, MAX_LENGTH);
     assert_null(front_offer(f, &t, INFINITY, 1));
     assert_null(front_offer(f, &t, NAN, 1));

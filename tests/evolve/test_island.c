@@ -78,14 +78,14 @@ static struct goal goal_of(const struct fixture *f, enum breeding breeding, uint
 }
 
 /* A rough start for each breeding, then what is looked for: x y, then x y + 0.5; of programs with eta. */
-static struct tree known(enum breeding breeding, bool rough)
+static struct genes known(enum breeding breeding, bool rough)
 {
     static int paper[2][5] = {{GENE_ADD, GENE_MUL, X, Y, 0}, {GENE_MUL, X, Y}};
     static int program[2][11] = {{LINE_GENE + 1, LINE_GENE + 2, GENE_MUL, X, Y, GENE_ADD, LINE_GENE, 0, GENE_SUB, X, Y},
                                  {LINE_GENE, LINE_GENE + 1, GENE_MUL, X, Y, GENE_SUB, X, Y}};
     paper[0][4] = program[0][7] = decimal_gene(0.5);
-    return breeding == BREED_PAPER ? (struct tree){paper[rough], rough ? 3 : 5}
-                                   : (struct tree){program[rough], rough ? 8 : 11};
+    return breeding == BREED_PAPER ? (struct genes){paper[rough], rough ? 3 : 5}
+                                   : (struct genes){program[rough], rough ? 8 : 11};
 }
 
 /* The paper's breeding with its roulette and its prices, and without parsimony. */
@@ -104,7 +104,7 @@ static struct plan plan_of(enum breeding breeding, uint64_t seed, size_t populat
     return p;
 }
 
-static uint64_t structure(const struct fixture *f, enum breeding breeding, const struct tree *t)
+static uint64_t structure(const struct fixture *f, enum breeding breeding, const struct genes *t)
 {
     uint64_t hash;
     if (breeding == BREED_PAPER) {
@@ -128,10 +128,10 @@ static void check_front(const struct fixture *f, enum breeding breeding, const s
     assert_int_equal(report[0], front_count(front));
     for (int k = 0; k < report[0]; k++) {
         const struct member *m = front_member(front, (size_t)k);
-        struct tree t;
+        struct genes t;
         double error;
         at = island_reported(at, &t, &error);
-        assert_true(tree_equal(&t, &m->tree) && error == m->error);
+        assert_true(genes_equal(&t, &m->genes) && error == m->error);
         assert_true(t.length <= MAX_LENGTH &&
                     (breeding == BREED_PAPER ? gene_span(t.gene, t.length) == t.length
                                              : lines_valid(f->objective->rules, t.gene, t.length)));
@@ -141,7 +141,7 @@ static void check_front(const struct fixture *f, enum breeding breeding, const s
         assert_true(found == m->error);
         last = m->error;
         for (int i = 0; i < k; i++)
-            assert_true(structure(f, breeding, &front_member(front, (size_t)i)->tree) != structure(f, breeding, &t));
+            assert_true(structure(f, breeding, &front_member(front, (size_t)i)->genes) != structure(f, breeding, &t));
     }
     assert_int_equal(at - report, island_report_size(is)); /* no more: a message has INT_MAX bytes at most */
 }
@@ -256,7 +256,7 @@ static void seeds_survive(void **state)
         struct plan plan = plan_of((enum breeding)breeding, 1, 20);
         plan.patience = 2;
         const struct goal goal = goal_of(f, plan.breeding, 0);
-        const struct tree seed[] = {known(plan.breeding, true), known(plan.breeding, false)};
+        const struct genes seed[] = {known(plan.breeding, true), known(plan.breeding, false)};
         struct objective *objective = objective_new(f->program, &f->table, NORM_MAX);
         objective->decimal = true;
         struct island *is = island_new(&plan, &goal, objective);
@@ -264,7 +264,7 @@ static void seeds_survive(void **state)
         for (int k = 0; k < 12; k++)
             island_step(is);
         assert_true(island_best(is)->error < 1e-15);
-        assert_true(structure(f, plan.breeding, &island_best(is)->tree) == structure(f, plan.breeding, &seed[1]));
+        assert_true(structure(f, plan.breeding, &island_best(is)->genes) == structure(f, plan.breeding, &seed[1]));
         island_free(is);
         objective_free(objective);
     }
@@ -277,7 +277,7 @@ static void guests_compete(void **state)
         struct plan plan = plan_of((enum breeding)breeding, 1, 30);
         plan.parsimony = 0.01;
         const struct goal goal = goal_of(f, plan.breeding, 0), there = goal_of(f, plan.breeding, 1);
-        const struct tree seed = known(plan.breeding, true);
+        const struct genes seed = known(plan.breeding, true);
         struct island *is = island_new(&plan, &goal, f->objective), *other = island_new(&plan, &there, f->objective);
         island_start(is, &seed, 1);
         island_start(other, NULL, 0);
@@ -295,18 +295,18 @@ static void guests_compete(void **state)
 }
 
 /* A fit that knows the answer. */
-static bool fit_by_magic(struct fits *fits, const struct tree *in, int last, struct tree *out)
+static bool fit_by_magic(struct fits *fits, const struct genes *in, int last, struct genes *out)
 {
-    const struct tree answer = known(BREED_FRONT, false);
+    const struct genes answer = known(BREED_FRONT, false);
     (void)fits;
     (void)last;
     if (in->length == 2)
         return false;
-    tree_copy(&answer, out);
+    genes_copy(&answer, out);
     return true;
 }
 
-static bool no_fit(struct fits *fits, const struct tree *in, int last, struct tree *out)
+static bool no_fit(struct fits *fits, const struct genes *in, int last, struct genes *out)
 {
     (void)fits;
     (void)in;
@@ -318,7 +318,7 @@ static bool no_fit(struct fits *fits, const struct tree *in, int last, struct tr
 static void fits_are_called(void **state)
 {
     const struct fixture *f = *state;
-    const struct tree seed = known(BREED_FRONT, true);
+    const struct genes seed = known(BREED_FRONT, true);
     for (int k = 0; k < 2; k++) {
         struct fitting fit = f->hooks;
         fit.tune = k == 0 ? fit_by_magic : no_fit;

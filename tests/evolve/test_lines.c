@@ -10,6 +10,7 @@
 #include "../../evolve/fit/fits.h"
 #include "../../evolve/genotype/lines_edit.h"
 #include "../../evolve/genotype/lines_text.h"
+#include "../../evolve/genotype/tree.h"
 #include "../../evolve/island/island.h"
 #include "../../evolve/island/population.h"
 #include "../../evolve/samples/samples.h"
@@ -73,7 +74,8 @@ static int teardown(void **state)
 }
 
 /* The program of two answers, after lets of its own; its genes are the caller's.  Length 0: it is none. */
-static struct tree read_program(const struct fixture *f, const char *lets, const char *xi, const char *eta, bool called)
+static struct genes read_program(const struct fixture *f, const char *lets, const char *xi, const char *eta,
+                                 bool called)
 {
     char *text = NULL;
     size_t size;
@@ -85,7 +87,7 @@ static struct tree read_program(const struct fixture *f, const char *lets, const
     struct genome_file *g = genome_parse("text", text, size, &d);
     assert_non_null(g);
     const struct genome_expr *const out[2] = {&g->genome[0].out[0], &g->genome[0].out[1]};
-    struct tree t = {new_array(LONGEST, sizeof *t.gene), 0};
+    struct genes t = {new_array(LONGEST, sizeof *t.gene), 0};
     if (!lines_read(f->lines, g, out, &f->genes, called, LONGEST, &t))
         t.length = 0;
     genome_file_free(g);
@@ -94,19 +96,19 @@ static struct tree read_program(const struct fixture *f, const char *lets, const
 }
 
 /* A chain of functions from p, q: "let u v = newton p q\nlet ..." */
-static struct tree program_of(const struct fixture *f, const char *lets, const char *xi, const char *eta)
+static struct genes program_of(const struct fixture *f, const char *lets, const char *xi, const char *eta)
 {
-    const struct tree t = read_program(f, lets, xi, eta, false);
+    const struct genes t = read_program(f, lets, xi, eta, false);
     assert_true(t.length > 0 && lines_valid(f->objective->rules, t.gene, t.length));
     return t;
 }
 
-static double error_of(const struct fixture *f, const struct tree *t)
+static double error_of(const struct fixture *f, const struct genes *t)
 {
     return objective_error(f->objective, t, f->last, INFINITY);
 }
 
-static double cost_of(const struct fixture *f, const struct tree *t)
+static double cost_of(const struct fixture *f, const struct genes *t)
 {
     struct lines_counter *c = lines_counter_new(f->objective->rules);
     const struct operation_count o = count_lines(c, t, -1);
@@ -116,14 +118,14 @@ static double cost_of(const struct fixture *f, const struct tree *t)
 
 /* Bit by bit, or both infinite: errors of a program against those of its expressions in a copy of the frame, from which
  * the same program is read again. */
-static void check_against_text(const struct fixture *f, const struct tree *t)
+static void check_against_text(const struct fixture *f, const struct genes *t)
 {
     const size_t n = f->set.n;
     double *error = new_array(2 * n, sizeof *error), *value = new_array(n, sizeof *value);
     char *text = NULL;
     size_t size;
     struct diag d;
-    struct tree out[2];
+    struct genes out[2];
     FILE *stream = open_memstream(&text, &size);
     genome_print(f->program, stream);
     fclose(stream);
@@ -142,8 +144,8 @@ static void check_against_text(const struct fixture *f, const struct tree *t)
     const struct genome_expr answer[2] = {{.name = "xi", .gene = out[0].gene, .length = out[0].length},
                                           {.name = "eta", .gene = out[1].gene, .length = out[1].length}};
     const struct genome_expr *const both[2] = {&answer[0], &answer[1]};
-    struct tree again = {new_array(LONGEST, sizeof *again.gene), 0};
-    assert_true(lines_read(f->lines, copy, both, &f->genes, true, LONGEST, &again) && tree_equal(t, &again));
+    struct genes again = {new_array(LONGEST, sizeof *again.gene), 0};
+    assert_true(lines_read(f->lines, copy, both, &f->genes, true, LONGEST, &again) && genes_equal(t, &again));
     free(again.gene);
     free(out[0].gene);
     free(out[1].gene);
@@ -161,17 +163,17 @@ static void test_changes(void **state)
     struct line_editor *e = line_editor_new(f->objective->rules);
     struct fits *fits = fits_new(f->objective);
     const struct fitting hooks = fits_hooks(fits);
-    struct tree mate = program_of(f, "let u v = newton_kept ut vt", "u", "v");
-    struct tree t = program_of(f, "let us1 vs1 = newton p q\nlet u v = solve_u us1 vs1", "u", "v");
-    struct tree child = {new_array(LONGEST, sizeof *child.gene), 0};
-    const struct tree parents[2] = {t, mate};
-    struct tree now = {new_array(LONGEST, sizeof *now.gene), 0};
+    struct genes mate = program_of(f, "let u v = newton_kept ut vt", "u", "v");
+    struct genes t = program_of(f, "let us1 vs1 = newton p q\nlet u v = solve_u us1 vs1", "u", "v");
+    struct genes child = {new_array(LONGEST, sizeof *child.gene), 0};
+    const struct genes parents[2] = {t, mate};
+    struct genes now = {new_array(LONGEST, sizeof *now.gene), 0};
     gsl_rng *rng = stream_new();
     size_t changed = 0;
     for (uint64_t k = 0; k < 400; k++) {
         stream_key(rng, 7, k, 0, 0);
         if (k % 8 == 0)
-            tree_copy(&parents[k / 8 % 2], &now);
+            genes_copy(&parents[k / 8 % 2], &now);
         if (!hooks.change(fits, rng, &f->genes, &now, &mate, f->last, LONGEST, &child))
             continue;
         assert_true(lines_valid(f->objective->rules, child.gene, child.length) && child.length <= LONGEST);
@@ -183,7 +185,7 @@ static void test_changes(void **state)
             assert_true(power[f->lines->root[h]] == 0 || power[f->lines->root[h]] == ANY_POWER);
         if (k % 4 == 0)
             check_against_text(f, &child);
-        tree_copy(&child, &now);
+        genes_copy(&child, &now);
         changed++;
     }
     assert_true(changed > 200);
@@ -206,9 +208,9 @@ static void test_equal(void **state)
         {"let u v = solve_u p q\nlet un2 vn2 = solve_u u v", "un2", "vn2", "let u v = solve_u p q"},
         {"let b1 = - d1 d1", "+ p * b1 e22", "/ q 1", ""}};
     for (size_t i = 0; i < sizeof equal / sizeof *equal; i++) {
-        struct tree a = program_of(f, equal[i][0], equal[i][1], equal[i][2]);
-        struct tree b = *equal[i][3] ? program_of(f, equal[i][3], "u", "v") : program_of(f, "", "p", "q");
-        assert_true(tree_equal(&a, &b) && tree_hash(&a) == tree_hash(&b));
+        struct genes a = program_of(f, equal[i][0], equal[i][1], equal[i][2]);
+        struct genes b = *equal[i][3] ? program_of(f, equal[i][3], "u", "v") : program_of(f, "", "p", "q");
+        assert_true(genes_equal(&a, &b) && genes_hash(&a) == genes_hash(&b));
         free(a.gene);
         free(b.gene);
     }
@@ -218,11 +220,11 @@ static void test_equal(void **state)
 static void test_last(void **state)
 {
     const struct fixture *f = *state;
-    struct tree inner = program_of(f, "let u v = newton p q", "u", "v");
-    struct tree whole = read_program(f, "let u v = newton p q\nlet x y = place u v", "x", "y", true);
-    struct tree other = read_program(f, "let u v = newton p q\nlet x = * 2 u", "x", "v", true);
-    struct tree unknown = read_program(f, "", "xB", "q", false);
-    assert_true(tree_equal(&inner, &whole));
+    struct genes inner = program_of(f, "let u v = newton p q", "u", "v");
+    struct genes whole = read_program(f, "let u v = newton p q\nlet x y = place u v", "x", "y", true);
+    struct genes other = read_program(f, "let u v = newton p q\nlet x = * 2 u", "x", "v", true);
+    struct genes unknown = read_program(f, "", "xB", "q", false);
+    assert_true(genes_equal(&inner, &whole));
     assert_int_equal(other.length, 0);
     assert_int_equal(unknown.length, 0);
     assert_true(objective_error(f->objective, &inner, -1, INFINITY) != error_of(f, &inner));
@@ -265,7 +267,7 @@ static void test_derivatives(void **state)
     const double step = 1e-6;
     struct lines_run *r = lines_run_new(f->objective->rules, &f->table);
     for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
-        struct tree t = program_of(f, text[i][0], text[i][1], text[i][2]);
+        struct genes t = program_of(f, text[i][0], text[i][1], text[i][2]);
         lines_run_load(r, &t, f->last, false);
         assert_true(r->code->numbers > 0);
         for (size_t k = 0; k < r->code->numbers; k++)
@@ -295,7 +297,7 @@ static void test_derivatives(void **state)
 
 static double cost_of_text(const struct fixture *f, const char *lets, const char *xi, const char *eta)
 {
-    struct tree t = program_of(f, lets, xi, eta);
+    struct genes t = program_of(f, lets, xi, eta);
     const double cost = cost_of(f, &t);
     free(t.gene);
     return cost;
@@ -330,7 +332,7 @@ static void test_seeds(void **state)
     compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->last, &f->plan.prices, found);
     struct lines_counter *c = lines_counter_new(f->objective->rules);
     for (size_t i = 0; i < sizeof method / sizeof *method; i++) {
-        struct tree t = program_of(f, method[i][0], method[i][1], method[i][2]);
+        struct genes t = program_of(f, method[i][0], method[i][1], method[i][2]);
         const struct operation_count o = count_lines(c, &t, f->last);
         assert_true(front_error(found, operations_price(&o, &f->plan.prices)) <= error_of(f, &t));
         free(t.gene);
@@ -350,9 +352,9 @@ static void test_evolution(void **state)
     plan.population = 60;
     plan.migrants = 0;
     compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->last, &plan.times, found);
-    struct tree *seed = new_array(front_count(found), sizeof *seed);
+    struct genes *seed = new_array(front_count(found), sizeof *seed);
     for (size_t i = 0; i < front_count(found); i++)
-        seed[i] = front_member(found, i)->tree;
+        seed[i] = front_member(found, i)->genes;
     const struct goal goal = {
         .program = true, .last = f->last, .max_length = LONGEST, .genes = &f->genes, .fit = &hooks};
     struct island *is = island_new(&plan, &goal, f->objective);
@@ -369,7 +371,7 @@ static void test_evolution(void **state)
     assert_true(better >= 3);
     for (size_t i = 0; i + 1 < front_count(all); i++) {
         const struct member *m = front_member(all, i), *next = front_member(all, i + 1);
-        assert_true(m->cost < next->cost && m->error > next->error && m->error == error_of(f, &m->tree));
+        assert_true(m->cost < next->cost && m->error > next->error && m->error == error_of(f, &m->genes));
     }
     unsigned char *saved = new_array(island_state_size(is), 1);
     island_save(is, saved);
@@ -385,7 +387,7 @@ static void test_evolution(void **state)
 static void test_tails(void **state)
 {
     const struct fixture *f = *state;
-    struct tree t = program_of(f, "", "ut", "vt");
+    struct genes t = program_of(f, "", "ut", "vt");
     const double error = error_of(f, &t);
     const struct tails own = objective_tails(f->objective, &t, f->last), any = {0, 0};
     const struct tails less = {own.p99 / 2, own.max / 3}, more = {2 * own.p99, 3 * own.max};
@@ -439,8 +441,8 @@ static void test_p99(void **state)
 static void test_fit(void **state)
 {
     const struct fixture *f = *state;
-    struct tree fitted = {new_array(LONGEST, sizeof *fitted.gene), 0};
-    struct tree t = program_of(f, "let u v = inside + 0.1001 p - q 0.1001", "* 0.5101 u", "* 0.5101 v");
+    struct genes fitted = {new_array(LONGEST, sizeof *fitted.gene), 0};
+    struct genes t = program_of(f, "let u v = inside + 0.1001 p - q 0.1001", "* 0.5101 u", "* 0.5101 v");
     struct lines_run *r = lines_run_new(f->objective->rules, &f->table);
     for (enum scene_norm norm = NORM_MEAN; norm <= NORM_MAX; norm++) {
         f->objective->norm = norm;
@@ -449,7 +451,7 @@ static void test_fit(void **state)
         assert_true(error_of(f, &fitted) < 0.9 * error_of(f, &t));
     }
     f->objective->norm = NORM_MEAN;
-    struct tree none = program_of(f, "let u v = newton p q", "* 0.5 u", "* 2 v");
+    struct genes none = program_of(f, "let u v = newton p q", "* 0.5 u", "* 2 v");
     assert_false(lines_fit(r, &none, f->last, NORM_MEAN, 5, &fitted));
     free(none.gene);
     lines_run_free(r);
@@ -463,7 +465,7 @@ static void test_clamps(void **state)
     const struct fixture *f = *state;
     const struct gene_set genes = archive_genes(f->archive, 1, false);
     int gene[LONGEST];
-    struct tree t = {gene, 0};
+    struct genes t = {gene, 0};
     size_t clamps = 0;
     gsl_rng *rng = stream_new();
     assert_true(genes.operations == 5 && genes.functions == 0);

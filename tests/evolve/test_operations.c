@@ -3,6 +3,7 @@
 #include "../../evolve/common/stream.h"
 #include "../../evolve/eval/objective.h"
 #include "../../evolve/eval/operation_count.h"
+#include "../../evolve/genotype/tree.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -35,9 +36,9 @@ static const struct {
     {"+*2x*-23x", 1, 1, 0}, /* 2 x - x: the second factor is -1 */
 };
 
-static struct tree parse(const char *text, int gene[MAX_LENGTH])
+static struct genes parse(const char *text, int gene[MAX_LENGTH])
 {
-    struct tree t = {gene, strlen(text)};
+    struct genes t = {gene, strlen(text)};
     for (size_t i = 0; i < t.length; i++)
         switch (text[i]) {
         case '+':
@@ -71,7 +72,7 @@ static void known_counts(void **state)
     int gene[MAX_LENGTH];
     struct counter *c = counter_new(MAX_LENGTH);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const struct tree t = parse(known[i].text, gene);
+        const struct genes t = parse(known[i].text, gene);
         const struct operation_count o = count_operations(c, &t, NULL);
         if (o.mul != known[i].mul || o.add != known[i].add || o.div != known[i].div)
             fail_msg("%s: %u mul, %u add, %u div", known[i].text, o.mul, o.add, o.div);
@@ -112,7 +113,7 @@ static void equal_hashes_mean_equal_errors(void **state)
         double error;
     } seen[1 << 16];
     int gene[MAX_LENGTH], other[MAX_LENGTH];
-    struct tree t = {gene, 0}, u = {other, 0};
+    struct genes t = {gene, 0}, u = {other, 0};
     size_t repeats = 0;
     struct counter *c = counter_new(MAX_LENGTH);
     struct columns table = columns_new(SAMPLES, 3);
@@ -154,7 +155,7 @@ static void prices(void **state)
     (void)state;
     int gene[MAX_LENGTH];
     struct counter *c = counter_new(MAX_LENGTH);
-    const struct tree t = parse("%+x*xy+1y", gene);
+    const struct genes t = parse("%+x*xy+1y", gene);
     const struct operation_count o = count_operations(c, &t, NULL);
     assert_true(operations_price(&o, &(struct prices){.add = 0, .div = 1}) == 2);
     assert_true(operations_price(&o, &(struct prices){.add = 1, .div = 8, .path = 0}) == 11);
@@ -162,7 +163,7 @@ static void prices(void **state)
     const struct operation_count p = count_operations(c, &t, NULL);
     assert_int_equal(p.other, 1);
     const struct genome_constant seven = {NULL, 7};
-    const struct tree product = {(int[]){GENE_MUL, -1, X}, 3}; /* -1 is 0 as a decimal number */
+    const struct genes product = {(int[]){GENE_MUL, -1, X}, 3}; /* -1 is 0 as a decimal number */
     assert_int_equal(count_operations(c, &product, NULL).mul, 0);
     assert_int_equal(count_operations(c, &product, &seven).mul, 1);
     counter_free(c);

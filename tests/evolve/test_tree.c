@@ -25,7 +25,7 @@ static bool contains(const int *gene, size_t n, int wanted)
     return false;
 }
 
-static void check_tree(const struct tree *t, size_t max, const char *what, int step)
+static void check_tree(const struct genes *t, size_t max, const char *what, int step)
 {
     if (t->length < 1 || t->length > max || gene_span(t->gene, t->length) != t->length)
         fail_msg("%s, operation %d: %zu genes, the first tree has %zu", what, step, t->length,
@@ -40,7 +40,7 @@ static void operators_keep_genomes_valid(void **state)
 {
     (void)state;
     static int gene[POPULATION + 2][MAX_LENGTH];
-    struct tree tree[POPULATION + 2];
+    struct genes tree[POPULATION + 2];
     gsl_rng *rng = stream_new();
     stream_key(rng, 3, 0, 0, 0);
     for (int i = 0; i < POPULATION + 2; i++)
@@ -51,21 +51,21 @@ static void operators_keep_genomes_valid(void **state)
     }
     memcpy(gene[0], (int[]){GENE_NEG, GENE_MUL, GENE_SYMBOL, -1}, 4 * sizeof(int)); /* a seed may bring this operator */
     tree[0].length = 4;
-    struct tree *child_a = &tree[POPULATION], *child_b = &tree[POPULATION + 1];
+    struct genes *child_a = &tree[POPULATION], *child_b = &tree[POPULATION + 1];
     for (int step = 0; step < OPERATIONS; step++) {
-        struct tree *a = &tree[gsl_rng_uniform_int(rng, POPULATION)], *b = &tree[gsl_rng_uniform_int(rng, POPULATION)];
+        struct genes *a = &tree[gsl_rng_uniform_int(rng, POPULATION)], *b = &tree[gsl_rng_uniform_int(rng, POPULATION)];
         switch (gsl_rng_uniform_int(rng, 3)) {
         case 0:
             tree_cross(rng, a, b, MAX_LENGTH, child_a, child_b);
             check_tree(child_a, MAX_LENGTH, "cross", step);
             check_tree(child_b, MAX_LENGTH, "cross", step);
-            tree_copy(child_a, a);
-            tree_copy(child_b, b);
+            genes_copy(child_a, a);
+            genes_copy(child_b, b);
             break;
         case 1:
             tree_mutate_branch(rng, &set, a, MAX_LENGTH, child_a);
             check_tree(child_a, MAX_LENGTH, "branch", step);
-            tree_copy(child_a, a);
+            genes_copy(child_a, a);
             break;
         default:
             tree_mutate_gene(rng, &set, a);
@@ -81,8 +81,8 @@ static void crossover_exchanges(void **state)
     (void)state;
     int a_gene[7] = {GENE_MUL, GENE_SYMBOL, GENE_ADD, -1, GENE_SYMBOL + 1}, b_gene[3] = {GENE_SUB, -2, GENE_SYMBOL + 2};
     int c_gene[8], d_gene[8];
-    const struct tree a = {a_gene, 5}, b = {b_gene, 3};
-    struct tree c = {c_gene, 0}, d = {d_gene, 0};
+    const struct genes a = {a_gene, 5}, b = {b_gene, 3};
+    struct genes c = {c_gene, 0}, d = {d_gene, 0};
     gsl_rng *rng = stream_new();
     for (uint64_t k = 0; k < 1000; k++) {
         int sum = 0;
@@ -100,7 +100,7 @@ static void smallest_limits(void **state)
 {
     (void)state;
     int gene[3], other[3];
-    struct tree t = {gene, 0}, child = {other, 0}, twin = {(int[3]){0}, 0};
+    struct genes t = {gene, 0}, child = {other, 0}, twin = {(int[3]){0}, 0};
     gsl_rng *rng = stream_new();
     stream_key(rng, 9, 0, 0, 0);
     for (size_t max = 1; max <= 3; max++)
@@ -121,16 +121,16 @@ static void shapes_and_hashes(void **state)
 {
     (void)state;
     int gene[63], same_gene[63];
-    struct tree t = {gene, 0}, same = {same_gene, 0};
+    struct genes t = {gene, 0}, same = {same_gene, 0};
     gsl_rng *rng = stream_new();
     stream_key(rng, 1, 0, 0, 0);
     tree_random(rng, &set, 5, true, 63, &t);
     assert_int_equal(t.length, 63);
-    tree_copy(&t, &same);
-    assert_true(tree_equal(&t, &same) && tree_hash(&t) == tree_hash(&same));
+    genes_copy(&t, &same);
+    assert_true(genes_equal(&t, &same) && genes_hash(&t) == genes_hash(&same));
     same.gene[62] = same.gene[62] == -1 ? -2 : -1;
-    assert_false(tree_equal(&t, &same));
-    assert_true(tree_hash(&t) != tree_hash(&same));
+    assert_false(genes_equal(&t, &same));
+    assert_true(genes_hash(&t) != genes_hash(&same));
     gsl_rng_free(rng);
 }
 

@@ -102,7 +102,7 @@ size_t monomials_room(size_t n)
     return n * (2 + 2 * MONOMIAL_DEGREE);
 }
 
-void monomials_tree(const struct monomial *term, const double *coefficient, size_t n, struct tree *t)
+void monomials_tree(const struct monomial *term, const double *coefficient, size_t n, struct genes *t)
 {
     struct part *p = new_array(n, sizeof *p);
     for (size_t i = 0; i < n; i++)

@@ -3,7 +3,7 @@
 #define FOOTPOINT_MONOMIALS_H
 
 #include "../../evolve/common/columns.h"
-#include "../../evolve/genotype/tree.h"
+#include "../../evolve/genotype/genotype.h"
 
 enum { MONOMIAL_DEGREE = 4 };
 
@@ -20,6 +20,6 @@ struct monomial *monomials_new(const int *symbol, size_t n, size_t degree, size_
 size_t monomials_room(size_t n);
 /** The sum of n different monomials, each times its coefficient, in Horner's form: what occurs most is factored out
  *  first. */
-void monomials_tree(const struct monomial *term, const double *coefficient, size_t n, struct tree *t);
+void monomials_tree(const struct monomial *term, const double *coefficient, size_t n, struct genes *t);
 
 #endif

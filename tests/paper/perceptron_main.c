@@ -145,7 +145,7 @@ static void add_errors(const struct study *s, struct genome *g, size_t weights, 
 {
     static const char *const part_name[] = {"training", "heldout", "heldout_random"};
     const struct sample_set *part[] = {&s->training, &s->heldout[0], &s->heldout[1]};
-    const struct tree tree = {g->out[k].gene, g->out[k].length};
+    const struct genes tree = {g->out[k].gene, g->out[k].length};
     char key[40];
     snprintf(key, sizeof key, "terms_%s", frame_output[k]);
     genome_add_note(&g->note, &g->notes, &g->note_room, key, "%zu weights of the network", weights);

@@ -23,13 +23,13 @@ bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct
     const bool good = polynomials_fit(p, s->best, coefficient) >= 0;
     if (good) {
         struct monomial *term = new_array(f->terms, sizeof *term);
-        f->tree.gene = new_array(monomials_room(f->terms), sizeof *f->tree.gene);
+        f->genes.gene = new_array(monomials_room(f->terms), sizeof *f->genes.gene);
         for (size_t i = 0; i < f->terms; i++)
             term[i] = p->term[at[i]];
         if (coefficients != COEFFICIENTS_SQUARES)
             polynomials_fit_norm(p, s->best, objective->norm, coefficient);
-        monomials_tree(term, coefficient, f->terms, &f->tree);
-        f->error = objective_tree_error(objective, &f->tree, target, INFINITY);
+        monomials_tree(term, coefficient, f->terms, &f->genes);
+        f->error = objective_tree_error(objective, &f->genes, target, INFINITY);
         free(term);
     }
     free(coefficient);
@@ -39,7 +39,7 @@ bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct
 
 void pga_find_free(struct pga_find *f)
 {
-    free(f->tree.gene);
+    free(f->genes.gene);
 }
 
 #define NOTE(...) genome_add_note(&g->note, &g->notes, &g->note_room, __VA_ARGS__)
@@ -48,16 +48,16 @@ static void add_output(const struct pga_options *o, struct genome_file *program,
                        const struct pga_find *f, const struct sample_set heldout[2])
 {
     static const char *const part_name[2] = {"heldout", "heldout_random"};
-    struct tree bound = {new_array(f->tree.length, sizeof *bound.gene), 0};
+    struct genes bound = {new_array(f->genes.length, sizeof *bound.gene), 0};
     char key[40];
-    tree_bind(program, &f->tree, &bound);
+    genes_bind(program, &f->genes, &bound);
     snprintf(key, sizeof key, "found_%s", frame_output[k]);
     NOTE(key, "p-GA seed %llu generations %zu population %zu evaluations %zu%s", (unsigned long long)o->plan.seed,
          o->generations, o->plan.population, f->evaluations, o->plan.exchange ? " exchange" : "");
     snprintf(key, sizeof key, "terms_%s", frame_output[k]);
     NOTE(key, "%zu condition %.1e singular %zu", f->terms, f->condition, f->singular);
     snprintf(key, sizeof key, "training_%s", frame_output[k]);
-    NOTE(key, "genes %zu coefficients %s %.4e", f->tree.length, coefficients_name[o->coefficients], f->error);
+    NOTE(key, "genes %zu coefficients %s %.4e", f->genes.length, coefficients_name[o->coefficients], f->error);
     for (int part = 0; part < 2; part++) {
         struct errors e;
         errors_measure(program, &bound, &k, 1, &heldout[part], &e);

@@ -9,9 +9,9 @@
 
 /** The search for one output. */
 struct pga_find {
-    struct tree tree; /* genes owned; constants are decimal numbers */
-    double error;     /* in the objective's norm, as written */
-    double condition; /* of the normal equations, columns scaled */
+    struct genes genes; /* genes owned; constants are decimal numbers */
+    double error;       /* in the objective's norm, as written */
+    double condition;   /* of the normal equations, columns scaled */
     size_t terms, evaluations, singular;
 };
 

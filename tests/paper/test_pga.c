@@ -149,7 +149,7 @@ static void horner_form_is_the_sum(void **state)
             }
         if (n == 0)
             continue;
-        struct tree t = {new_array(monomials_room(n), sizeof *t.gene), 0};
+        struct genes t = {new_array(monomials_room(n), sizeof *t.gene), 0};
         monomials_tree(term, coefficient, n, &t);
         assert_true(t.length <= monomials_room(n));
         assert_int_equal(gene_span(t.gene, t.length), t.length);
