@@ -1,10 +1,7 @@
 /* Ordinary segments drawn at random.  A bilinear one is made from its mid-lines and c3 (r = c0 + c1 xi + c2 eta + c3 xi
  * eta): c1 and c2 from aspect ratio and skew, c3 = a c1 + b c2 + g n from taper (a, b) and warp (g), n the unit normal
  * of c1, c2.  What exceeds the scene's limits is drawn again, so that little warp is drawn more often;
- * PART_HELDOUT_EVEN has aspect ratios, not their logarithms, and angles of warp uniform.  The slave node is put at
- * r(xi,eta) + gap n(xi,eta), the whole is rotated, scaled and moved at random, and labelled with the certain foot
- * point. */
-#include "../common/stream.h"
+ * PART_HELDOUT_EVEN has aspect ratios, not their logarithms, and angles of warp uniform. */
 #include "../common/vec3.h"
 #include "../surface/surface.h"
 #include "samples.h"
@@ -12,7 +9,6 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
 #include <math.h>
-#include <string.h>
 
 static double uniform(gsl_rng *stream, double max)
 {
@@ -72,136 +68,4 @@ bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *sh
             return false;
     }
     return shapes->warp == 0 || warp_of(f, x) <= shapes->warp; /* acos knows a plane to 1e-8 only */
-}
-
-bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct sample *s)
-{
-    const struct surface *f = surface_find(scene->segment);
-    double lo[2], hi[2], wide[2][2], at[2], r[3], n[3];
-    scene_box(scene, lo, hi);
-    for (int k = 0; k < 2; k++) {
-        const double middle = (lo[k] + hi[k]) / 2, half = (hi[k] - lo[k]) / 2 * (1 + 1e-9);
-        at[k] = gsl_ran_flat(stream, lo[k], hi[k]);
-        wide[0][k] = middle - half;
-        wide[1][k] = middle + half;
-    }
-    const double h = uniform(stream, gap);
-    if ((scene->segment->triangle && at[0] + at[1] > hi[0]) || !surface_normal(f, s->x, at[0], at[1], r, n))
-        return false;
-    for (int k = 0; k < 3; k++)
-        s->xs[k] = r[k] + h * n[k];
-    return f->foot(f, s, wide[0], wide[1]) && fabs(s->xi - at[0]) + fabs(s->eta - at[1]) < 1e-6;
-}
-
-/* Rotation from a random unit quaternion. */
-static void random_rotation(gsl_rng *stream, double q[3][3])
-{
-    double v[4];
-    gsl_ran_dir_nd(stream, 4, v);
-    const double w = v[0], x = v[1], y = v[2], z = v[3];
-    const double m[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                            {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-                            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
-    memcpy(q, m, sizeof m);
-}
-
-/* Rotate, scale by 1e-3..1e3 (uniform logarithm) and move by a few edges; normals only turn. */
-static void move(gsl_rng *stream, const struct segment_kind *kind, double (*x)[3])
-{
-    double q[3][3], shift[3];
-    random_rotation(stream, q);
-    const double scale = pow(10, uniform(stream, 3));
-    for (int k = 0; k < 3; k++)
-        shift[k] = uniform(stream, 10);
-    for (size_t i = 0; i < segment_vectors(kind); i++) {
-        const double v[3] = {x[i][0], x[i][1], x[i][2]};
-        const bool node = i < strlen(kind->nodes);
-        for (int k = 0; k < 3; k++)
-            x[i][k] = node ? scale * (vector_dot(q[k], v) + shift[k]) : vector_dot(q[k], v);
-    }
-}
-
-static void swap(double *a, double *b)
-{
-    const double t = *a;
-    *a = *b;
-    *b = t;
-}
-
-void sample_order(struct sample *s, enum corner_order order)
-{
-    int nearest = 0;
-    if (order == CORNERS_ANY)
-        return;
-    for (int i = 1; i < 4; i++)
-        if (vector_distance2(s->xs, s->x[i]) < vector_distance2(s->xs, s->x[nearest]))
-            nearest = i;
-    for (; nearest > 0; nearest--) {
-        /* B becomes A: the new xi is eta, the new eta is -xi. */
-        double first[3];
-        memcpy(first, s->x[0], sizeof first);
-        memmove(s->x[0], s->x[1], 3 * sizeof first);
-        memcpy(s->x[3], first, sizeof first);
-        swap(&s->xi, &s->eta);
-        s->eta = -s->eta;
-    }
-    if (order == CORNERS_NEAREST_SHORTER && vector_distance2(s->x[0], s->x[3]) > vector_distance2(s->x[0], s->x[1])) {
-        for (int k = 0; k < 3; k++)
-            swap(&s->x[1][k], &s->x[3][k]);
-        swap(&s->xi, &s->eta);
-        s->gap = -s->gap;
-    }
-}
-
-size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
-{
-    const struct shapes *p = &scene->shapes;
-    const bool warps = !scene->segment->triangle && p->warp > 0;
-    const bool curves = strlen(scene->segment->nodes) > scene->segment->corners;
-    size_t lines = 0;
-    snprintf(line[lines++], DRAWN_LENGTH, "logarithm of aspect%s%s%s%s, gap, xi and eta uniform in these limits",
-             p->skew > 0 ? ", skew" : "", !scene->segment->triangle && p->taper > 0 ? ", two tapers" : "",
-             warps ? ", warp (a rectangle's of such sides)" : "", curves ? ", two principal curvatures, shifts" : "");
-    if (warps)
-        snprintf(line[lines++], DRAWN_LENGTH, "again where the segment's own warp is beyond its limit");
-    snprintf(line[lines++], DRAWN_LENGTH,
-             "heldout_even (shown where mean or 99 %% differ by more than 1.5): aspect%s%s uniform",
-             warps ? ", the segment's own warp" : "", curves ? ", the larger curvature" : "");
-    return lines;
-}
-
-bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
-{
-    struct shapes drawn = scene->shapes;
-    const struct shapes *shapes = &drawn;
-    const struct segment_kind *kind = scene->segment;
-    const struct surface *f = surface_find(kind);
-    drawn.evenly = part == PART_HELDOUT_EVEN;
-    const int corners = (int)kind->corners;
-    const size_t count = samples_wanted(scene, part);
-    gsl_rng *stream = stream_new();
-    const int tries = 10000;
-    for (size_t i = 0; i < count; i++) {
-        struct sample s = {0};
-        int n;
-        stream_key(stream, scene->seed, (uint64_t)part, i, 0);
-        for (n = 0; n < tries; n++) {
-            double shortest = INFINITY;
-            if (!(f->shape ? draw_face : draw_quad)(f, stream, shapes, s.x))
-                continue;
-            move(stream, kind, s.x);
-            for (int k = 0; k < corners; k++)
-                shortest = fmin(shortest, sqrt(vector_distance2(s.x[k], s.x[(k + 1) % corners])));
-            if (place_slave(stream, scene, shapes->gap * shortest, &s))
-                break;
-        }
-        if (n == tries) {
-            gsl_rng_free(stream);
-            return diag_at(d, scene->path, 0, 0, "no segment within the limits of shapes in %d draws", tries);
-        }
-        sample_order(&s, scene->order);
-        sample_set_add(set, &s);
-    }
-    gsl_rng_free(stream);
-    return true;
 }
