@@ -26,10 +26,24 @@ const struct genome *archive_start_genome(const struct archive *a, size_t tier)
     return NULL;
 }
 
-int archive_last(const struct archive *a, size_t tier)
+struct quest *archive_quests(const struct archive *a, size_t tier, size_t *n)
 {
-    const struct tier *t = &a->scene->tier[tier];
-    return t->last ? line_function(a->program, t->last) : -1;
+    size_t first = 0;
+    while (a->quest[first].tier < tier)
+        first++;
+    *n = a->scene->tier[tier].program ? 1 : 2;
+    return &a->quest[first];
+}
+
+static void make_quests(struct archive *a)
+{
+    a->quest = new_array(2 * a->scene->tiers, sizeof *a->quest);
+    for (size_t i = 0; i < a->scene->tiers; i++) {
+        const struct tier *t = &a->scene->tier[i];
+        for (int k = t->program ? TIER_BOTH : 0; k <= (t->program ? TIER_BOTH : 1); k++)
+            a->quest[a->quests++] =
+                (struct quest){t, i, k, t->last ? line_function(a->program, t->last) : -1, .front = NULL};
+    }
 }
 
 /* The program that a genome's outputs make, its genes the caller's; length 0 where it is none of the tier's values, or has
@@ -87,14 +101,14 @@ static const struct genome_expr *output_of(const struct genome *g, int output)
     return NULL;
 }
 
-static bool read_champion(struct archive *a, size_t tier, int output, struct diag *d)
+static bool read_champion(struct archive *a, struct quest *q, struct diag *d)
 {
-    const struct genome *g = archive_start_genome(a, tier);
-    const struct genome_expr *e = g ? output_of(g, output) : NULL;
-    struct champion *c = &a->champion[tier][output];
+    const struct genome *g = archive_start_genome(a, q->tier);
+    const struct genome_expr *e = g ? output_of(g, q->output) : NULL;
+    struct champion *c = &q->champion;
     bool good = true;
-    if (g && output == TIER_BOTH) {
-        c->genes = read_program(a, a->start, output_of(g, 0), output_of(g, 1), tier);
+    if (g && quest_of_programs(q)) {
+        c->genes = read_program(a, a->start, output_of(g, 0), output_of(g, 1), q->tier);
         good =
             c->genes.length > 0 || a->shipped ||
             diag_at(
@@ -122,13 +136,13 @@ static void round_constants(const struct genome_file *program, struct genes *t)
 }
 
 /* The champion becomes its own tier's seed. */
-static void seed_champion(struct archive *a, size_t tier, int output)
+static void seed_champion(struct archive *a, const struct quest *q)
 {
-    const struct genes *t = &a->champion[tier][output].genes;
+    const struct genes *t = &q->champion.genes;
     if (t->length == 0)
         return;
-    archive_add_seed(a, (long)tier, output, t);
-    if (output != TIER_BOTH)
+    archive_add_seed(a, (long)q->tier, q->output, t);
+    if (!quest_of_programs(q))
         round_constants(a->program, &a->seed[a->seeds - 1].genes);
 }
 
@@ -136,23 +150,21 @@ struct archive *archive_new(const struct scene *s, struct genome_file *program, 
                             struct diag *d)
 {
     struct archive *a = new_array(1, sizeof *a);
-    *a = (struct archive){
-        .scene = s, .program = program, .shipped = shipped, .champion = new_array(s->tiers, sizeof *a->champion)};
+    *a = (struct archive){.scene = s, .program = program, .shipped = shipped};
+    make_quests(a);
     a->rules = line_rules_new(program);
     a->counter = lines_counter_new(a->rules);
     a->lines = lines_new(a->rules);
-    a->tails = new_array(s->tiers, sizeof *a->tails);
     struct memory *bare = memory_open();
     genome_print(program, bare->stream);
     a->bare = memory_close(bare);
     a->start = start ? genome_read(start, d) : NULL;
     bool good = a->start || !start;
-    for (size_t i = 0; good && i < s->tiers; i++)
-        for (int k = tier_first(&s->tier[i]); good && k <= tier_last(&s->tier[i]); k++) {
-            good = read_champion(a, i, k, d);
-            if (good)
-                seed_champion(a, i, k);
-        }
+    for (size_t i = 0; good && i < a->quests; i++) {
+        good = read_champion(a, &a->quest[i], d);
+        if (good)
+            seed_champion(a, &a->quest[i]);
+    }
     if (good)
         return a;
     archive_free(a);
@@ -163,24 +175,20 @@ void archive_free(struct archive *a)
 {
     if (!a)
         return;
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < TIER_OUTPUTS; k++) {
-            free(a->champion[i][k].genes.gene);
-            front_free(a->front ? a->front[i][k] : NULL);
-            front_free(a->old ? a->old[i][k] : NULL);
-        }
+    for (size_t i = 0; i < a->quests; i++) {
+        free(a->quest[i].champion.genes.gene);
+        front_free(a->quest[i].front);
+        front_free(a->quest[i].old);
+    }
     for (size_t i = 0; i < a->seeds; i++)
         free(a->seed[i].genes.gene);
     free(a->seed);
-    free(a->champion);
-    free(a->front);
-    free(a->old);
+    free(a->quest);
     free(a->bare);
     frame_cost_free(a->frame);
     lines_counter_free(a->counter);
     lines_free(a->lines);
     line_rules_free(a->rules);
-    free(a->tails);
     genome_file_free(a->start);
     genome_file_free(a->program);
     free(a);
@@ -249,12 +257,13 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
     return good;
 }
 
-/* The tier can breed from it. */
-static bool fits_tier(const struct archive *a, size_t tier, int output, const struct archive_seed *s)
+/* Islands of the quest can breed from it. */
+static bool fits_quest(const struct archive *a, const struct quest *q, const struct archive_seed *s)
 {
-    const struct tier *t = &a->scene->tier[tier];
-    bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->genes.length <= tier_genes(t);
-    if (output == TIER_BOTH)
+    const struct tier *t = q->own;
+    bool known =
+        (s->tier < 0 || s->tier == (long)q->tier) && s->output == q->output && s->genes.length <= tier_genes(t);
+    if (quest_of_programs(q))
         return known;
     for (size_t i = 0; known && i < s->genes.length; i++) {
         known = s->genes.gene[i] < GENE_OPERATORS;
@@ -264,111 +273,109 @@ static bool fits_tier(const struct archive *a, size_t tier, int output, const st
     return known;
 }
 
-size_t archive_seeds(const struct archive *a, size_t tier, int output, struct genes **seed)
+size_t archive_seeds(const struct archive *a, const struct quest *q, struct genes **seed)
 {
     size_t n = 0;
     *seed = new_array(a->seeds + 1, sizeof **seed);
     for (size_t i = 0; i < a->seeds; i++)
-        if (fits_tier(a, tier, output, &a->seed[i]))
+        if (fits_quest(a, q, &a->seed[i]))
             (*seed)[n++] = a->seed[i].genes;
     return n;
 }
 
-struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct genes *t,
+struct operation_count archive_operations(const struct archive *a, const struct quest *q, const struct genes *t,
                                           const struct genome_constant *constant)
 {
-    if (output == TIER_BOTH)
-        return count_lines(a->counter, t, archive_last(a, tier));
+    if (quest_of_programs(q))
+        return count_lines(a->counter, t, q->last);
     struct counter *c = counter_new(t->length);
     const struct operation_count o = count_operations(c, t, constant);
     counter_free(c);
     return o;
 }
 
-static double cost_of(const struct archive *a, const struct plan *plan, size_t tier, int output, const struct genes *t,
+static double cost_of(const struct archive *a, const struct plan *plan, const struct quest *q, const struct genes *t,
                       const struct genome_constant *constant)
 {
-    const struct operation_count o = archive_operations(a, tier, output, t, constant);
-    return output == TIER_BOTH ? operations_price(&o, &plan->times)
-                               : operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
+    const struct operation_count o = archive_operations(a, q, t, constant);
+    return quest_of_programs(q) ? operations_price(&o, &plan->times)
+                                : operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
 }
 
-double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t)
+double archive_bare_error(const struct archive *a, struct objective *o, const struct quest *q, const struct genes *t)
 {
-    return output == TIER_BOTH ? objective_error(o, t, archive_last(a, tier), INFINITY)
-                               : objective_tree_error(o, t, frame_target(a->program, output), INFINITY);
+    return quest_of_programs(q) ? objective_error(o, t, q->last, INFINITY)
+                                : objective_tree_error(o, t, frame_target(a->program, q->output), INFINITY);
 }
 
-double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t)
+double archive_error(const struct archive *a, struct objective *o, const struct quest *q, const struct genes *t)
 {
-    return output == TIER_BOTH ? objective_error_in_tails(o, t, archive_last(a, tier), &a->tails[tier], INFINITY)
-                               : archive_bare_error(a, o, tier, output, t);
+    return quest_of_programs(q) ? objective_error_in_tails(o, t, q->last, &q->tails, INFINITY)
+                                : archive_bare_error(a, o, q, t);
 }
 
 /* Programs may have the 99 % and largest errors of the champion that was, or else of the best seed within the budget. */
-static void find_tails(struct archive *a, const struct plan *plan, struct objective *o, size_t tier)
+static void find_tails(const struct archive *a, const struct plan *plan, struct objective *o, struct quest *q)
 {
-    const struct champion *c = &a->champion[tier][TIER_BOTH];
-    const int last = archive_last(a, tier);
-    const double budget = a->scene->tier[tier].budget;
+    const struct champion *c = &q->champion;
+    const double budget = q->own->budget;
     struct genes *seed;
-    const size_t n = archive_seeds(a, tier, TIER_BOTH, &seed);
+    const size_t n = archive_seeds(a, q, &seed);
     const struct genes *best = c->genes.length > 0 ? &c->genes : NULL;
     double least = INFINITY;
     for (size_t i = 0; i < n && c->genes.length == 0; i++) {
-        const double cost = cost_of(a, plan, tier, TIER_BOTH, &seed[i], NULL);
-        const double error = objective_error(o, &seed[i], last, least);
+        const double cost = cost_of(a, plan, q, &seed[i], NULL);
+        const double error = objective_error(o, &seed[i], q->last, least);
         if (error < least && (budget == 0 || cost <= budget)) {
             least = error;
             best = &seed[i];
         }
     }
     if (best)
-        a->tails[tier] = objective_tails(o, best, last);
+        q->tails = objective_tails(o, best, q->last);
     free(seed);
 }
 
-static void measure_champion(struct archive *a, const struct plan *plan, struct objective *exact, size_t tier,
-                             int output)
+static void measure_champion(const struct archive *a, const struct plan *plan, struct objective *exact, struct quest *q)
 {
-    struct champion *c = &a->champion[tier][output];
+    struct champion *c = &q->champion;
     if (c->genes.length > 0) {
-        c->error = archive_error(a, exact, tier, output, &c->genes);
-        c->cost = cost_of(a, plan, tier, output, &c->genes, a->program->constant);
+        c->error = archive_error(a, exact, q, &c->genes);
+        c->cost = cost_of(a, plan, q, &c->genes, a->program->constant);
     }
     c->error_before = c->error;
     c->cost_before = c->cost;
 }
 
 /* A value of the frame that is right to rounding takes the champion's place. */
-static void take_exact(struct archive *a, struct objective *exact, size_t tier, int output)
+static void take_exact(const struct archive *a, struct objective *exact, struct quest *q)
 {
-    struct champion *c = &a->champion[tier][output];
+    struct champion *c = &q->champion;
     const struct genes value = {&c->exact, 1};
     if (c->exact == 0 || genes_equal(&c->genes, &value))
         return;
     free(c->genes.gene);
     c->genes.gene = new_array(1, sizeof *c->genes.gene);
     genes_copy(&value, &c->genes);
-    c->error = archive_error(a, exact, tier, output, &c->genes);
+    c->error = archive_error(a, exact, q, &c->genes);
     c->cost = frame_cost_of(a->frame, &c->genes);
     c->bred = true;
 }
 
-/* The first seed of a tier that has a champion is that champion. */
-static void start_fronts(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, int output)
+/* The first seed of a quest that has a champion is that champion. */
+static void start_fronts(const struct archive *a, const struct plan *plan, struct objective *o, struct quest *q)
 {
-    const size_t longest = tier_genes(&a->scene->tier[tier]);
+    const size_t longest = tier_genes(q->own);
     struct genes *seed;
-    a->front[tier][output] = front_new(plan->front_limit, longest);
-    a->old[tier][output] = front_new(plan->front_limit, longest);
-    const size_t n = archive_seeds(a, tier, output, &seed);
+    q->front = front_new(plan->front_limit, longest);
+    q->old = front_new(plan->front_limit, longest);
+    const size_t n = archive_seeds(a, q, &seed);
     for (size_t i = 0; i < n; i++) {
-        const double error = archive_error(a, o, tier, output, &seed[i]);
-        const bool start = i == 0 && a->champion[tier][output].length_before > 0;
-        archive_offer(a, plan, tier, output, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
+        const double error = archive_error(a, o, q, &seed[i]);
+        const bool start = i == 0 && q->champion.length_before > 0;
+        archive_offer(a, plan, q, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
     }
-    front_copy(a->front[tier][output], a->old[tier][output]);
+    front_copy(q->front, q->old);
     free(seed);
 }
 
@@ -377,37 +384,34 @@ void archive_measure(struct archive *a, const struct plan *plan, struct objectiv
     struct objective *exact = objective_new(a->program, o->table, o->norm);
     if (!a->frame)
         a->frame = frame_cost_new(a->program, &plan->prices);
-    a->front = new_array(a->scene->tiers, sizeof *a->front);
-    a->old = new_array(a->scene->tiers, sizeof *a->old);
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
-            if (k == TIER_BOTH)
-                find_tails(a, plan, o, i);
-            measure_champion(a, plan, exact, i, k);
-            take_exact(a, exact, i, k);
-            start_fronts(a, plan, o, i, k);
-        }
+    for (struct quest *q = a->quest; q < a->quest + a->quests; q++) {
+        if (quest_of_programs(q))
+            find_tails(a, plan, o, q);
+        measure_champion(a, plan, exact, q);
+        take_exact(a, exact, q);
+        start_fronts(a, plan, o, q);
+    }
     objective_free(exact);
 }
 
-void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct genes *t,
+void archive_offer(const struct archive *a, const struct plan *plan, struct quest *q, const struct genes *t,
                    double error, enum origin origin)
 {
-    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, tier, output, t, NULL));
+    struct member *m = front_offer(q->front, t, error, cost_of(a, plan, q, t, NULL));
     if (m)
         m->origin = (int)origin;
 }
 
-static void replace_champion(struct archive *a, struct objective *o, size_t tier, int output, const struct member *m)
+static void replace_champion(const struct archive *a, struct objective *o, struct quest *q, const struct member *m)
 {
-    struct champion *c = &a->champion[tier][output];
+    struct champion *c = &q->champion;
     free(c->genes.gene);
     c->genes.gene = new_array(m->genes.length, sizeof *m->genes.gene);
-    if (output == TIER_BOTH)
+    if (quest_of_programs(q))
         genes_copy(&m->genes, &c->genes);
     else
         genes_bind(a->program, &m->genes, &c->genes);
-    c->error = archive_bare_error(a, o, tier, output, &m->genes);
+    c->error = archive_bare_error(a, o, q, &m->genes);
     c->cost = m->cost;
     c->bred = true;
     c->seed = m->origin == ORIGIN_SEED;
@@ -415,15 +419,15 @@ static void replace_champion(struct archive *a, struct objective *o, size_t tier
 
 /* What the choice among a tier's expressions minimises; INFINITY: out of the question.  Of what is within the budget and
  * right to rounding, the cheapest is the best. */
-static double merit(const struct archive *a, const struct plan *plan, size_t tier, double error, double cost)
+static double merit(const struct archive *a, const struct plan *plan, const struct quest *q, double error, double cost)
 {
-    const double budget = a->scene->tier[tier].budget, least = objective_rounding(a->scene->norm);
+    const double budget = q->own->budget, least = objective_rounding(a->scene->norm);
     if (budget == 0)
         return plan_fitness(plan, error, cost);
     return cost > budget ? INFINITY : error > least ? error : least * cost / budget;
 }
 
-/* Errors of one output of one tier: as the islands found them, or on the validation samples. */
+/* Errors of a quest: as the islands found them, or on the validation samples. */
 struct court {
     struct objective *judge; /* not owned; NULL: as they were found */
     int last;
@@ -442,14 +446,14 @@ static double verdict(const struct court *court, const struct genes *t, double e
     return objective_error_in_tails(court->judge, t, court->last, &court->tails, INFINITY);
 }
 
-static void choose_champion(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge,
-                            size_t tier, int output)
+static void choose_champion(const struct archive *a, const struct plan *plan, struct objective *o,
+                            struct objective *judge, struct quest *q)
 {
-    const struct front *f = a->front[tier][output];
-    const struct champion *c = &a->champion[tier][output];
-    const double budget = a->scene->tier[tier].budget;
-    struct court court = {.judge = output == TIER_BOTH ? judge : NULL, .last = archive_last(a, tier)};
-    const bool fits = c->genes.length > 0 && merit(a, plan, tier, c->error, c->cost) < INFINITY;
+    const struct front *f = q->front;
+    const struct champion *c = &q->champion;
+    const double budget = q->own->budget;
+    struct court court = {.judge = quest_of_programs(q) ? judge : NULL, .last = q->last};
+    const bool fits = c->genes.length > 0 && merit(a, plan, q, c->error, c->cost) < INFINITY;
     if (court.judge && c->genes.length > 0)
         court.tails = objective_tails(judge, &c->genes, court.last);
     if (court.judge && fits) {
@@ -458,38 +462,36 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     }
     const double error = c->genes.length > 0 ? verdict(&court, &c->genes, c->error) : INFINITY;
     const double most = fmax(c->error, objective_rounding(a->scene->norm));
-    double least = (court.judge ? worth_judged : worth) * merit(a, plan, tier, error, c->cost);
+    double least = (court.judge ? worth_judged : worth) * merit(a, plan, q, error, c->cost);
     const struct member *best = NULL;
     for (size_t k = 0; k <= f->limit; k++) {
         const struct member *m = &f->member[k];
-        if (m->genes.length == 0 || m->origin == ORIGIN_START || merit(a, plan, tier, m->error, m->cost) == INFINITY)
+        if (m->genes.length == 0 || m->origin == ORIGIN_START || merit(a, plan, q, m->error, m->cost) == INFINITY)
             continue;
         if (budget > 0 && fits && m->error > most) /* the champion may have a pole among the validation samples */
             continue;
         const double own = verdict(&court, &m->genes, m->error);
-        if ((budget > 0 || own <= error) && merit(a, plan, tier, own, m->cost) < least) {
+        if ((budget > 0 || own <= error) && merit(a, plan, q, own, m->cost) < least) {
             best = m;
-            least = merit(a, plan, tier, own, m->cost);
+            least = merit(a, plan, q, own, m->cost);
         }
     }
     if (!best && c->genes.length == 0 && front_count(f) > 0)
         best = front_member(f, 0); /* the cheapest, where none is within the budget */
     if (best)
-        replace_champion(a, o, tier, output, best);
+        replace_champion(a, o, q, best);
 }
 
 bool archive_has(const struct archive *a, size_t tier)
 {
-    bool has = true;
-    for (int k = tier_first(&a->scene->tier[tier]); k <= tier_last(&a->scene->tier[tier]); k++)
-        has = has && a->champion[tier][k].genes.length > 0;
-    return has;
+    size_t n;
+    const struct quest *q = archive_quests(a, tier, &n);
+    return q[0].champion.genes.length > 0 && q[n - 1].champion.genes.length > 0;
 }
 
 void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge)
 {
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
-            if (a->champion[i][k].exact == 0)
-                choose_champion(a, plan, o, judge, i, k);
+    for (struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        if (q->champion.exact == 0)
+            choose_champion(a, plan, o, judge, q);
 }

@@ -10,7 +10,7 @@
 #include "../input/scene.h"
 #include "../island/plan.h"
 
-/** One output of one tier. */
+/** What is known of one quest. */
 struct champion {
     struct genes genes; /* genes owned, constants are the program's, or decimals of a program; length 0: none yet */
     double error;       /* on the training samples, in the scene's norm */
@@ -22,6 +22,22 @@ struct champion {
     double error_before, cost_before;
     size_t length_before; /* 0: there was none */
 };
+
+/** What is bred for by itself: the programs of a tier, or, of a tier of trees, one output of the two. */
+struct quest {
+    const struct tier *own; /* not owned */
+    size_t tier;
+    int output; /* 0: xi, 1: eta, TIER_BOTH: programs */
+    int last;   /* of programs: the function that they end in; -1: none */
+    struct champion champion;
+    struct tails tails;  /* of programs; 0 before archive_measure */
+    struct front *front; /* owned; NULL before archive_measure */
+    struct front *old;   /* owned: the start file and the seeds alone */
+};
+static inline bool quest_of_programs(const struct quest *q)
+{
+    return q->own->program;
+}
 
 /** An expression to breed from. */
 struct archive_seed {
@@ -42,22 +58,22 @@ struct run_facts {
 };
 
 struct archive {
-    const struct scene *scene;                 /* not owned */
-    struct genome_file *program;               /* owned: what the genes mean; the genomes are added on writing */
-    char *bare;                                /* owned: the program's text before that */
-    struct genome_file *start;                 /* owned; NULL: none */
-    bool shipped;                              /* it is another scene's, of the same kind: what suits is taken */
-    struct champion (*champion)[TIER_OUTPUTS]; /* owned: for each tier its outputs */
-    struct archive_seed *seed;                 /* owned */
+    const struct scene *scene;   /* not owned */
+    struct genome_file *program; /* owned: what the genes mean; the genomes are added on writing */
+    char *bare;                  /* owned: the program's text before that */
+    struct genome_file *start;   /* owned; NULL: none */
+    bool shipped;                /* it is another scene's, of the same kind: what suits is taken */
+    struct quest *quest;         /* owned: tier by tier */
+    size_t quests;
+    struct archive_seed *seed; /* owned */
     size_t seeds, seed_room;
     struct line_rules *rules;      /* owned: of the program */
     struct lines_counter *counter; /* owned: of programs, as is the scratch */
     struct lines *lines;
-    struct tails *tails;                  /* owned: by tier; of programs, and 0 before archive_measure */
-    struct frame_cost *frame;             /* owned; NULL before archive_measure */
-    struct front *(*front)[TIER_OUTPUTS]; /* owned: for each tier its outputs; NULL before archive_measure */
-    struct front *(*old)[TIER_OUTPUTS];   /* owned: the start file and the seeds alone */
+    struct frame_cost *frame; /* owned; NULL before archive_measure */
 };
+/** A tier's quests, one or two that follow each other; returns the first. */
+struct quest *archive_quests(const struct archive *a, size_t tier, size_t *n);
 
 /** Champions of the file `start`; none where it is NULL or has no genome of a tier's name.  Takes the program over (and
  *  adds constants to it) even when it returns NULL, with *d filled: the file cannot be read or uses a symbol that the
@@ -77,10 +93,10 @@ bool archive_check_starts(const struct archive *a, struct diag *d);
  *  has the genome's name, or else for all.  False with *d filled if the file cannot be read, has no such output, or
  *  uses a symbol that the program lacks. */
 bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
-/** The seeds of an output that may breed: the champion (its constants rounded) and those added, as far as they use the
+/** The seeds of a quest that may breed: the champion (its constants rounded) and those added, as far as they use the
  *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
  *  that the archive owns. */
-size_t archive_seeds(const struct archive *a, size_t tier, int output, struct genes **seed);
+size_t archive_seeds(const struct archive *a, const struct quest *q, struct genes **seed);
 
 /** Expressions of a tier are of one gene: its terminals become seeds, so that archive_choose_champions chooses among
  *  them.
@@ -108,19 +124,17 @@ struct gene_set archive_genes(const struct archive *a, size_t tier, bool rationa
 
 /** Genes of a tier's terminals; owned by the caller. */
 int *archive_symbols(const struct archive *a, size_t tier);
-/** The function that a tier's programs end in; -1: none. */
-int archive_last(const struct archive *a, size_t tier);
-/** The error of an output in the objective's norm. */
-double archive_bare_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t);
+/** The error in the objective's norm. */
+double archive_bare_error(const struct archive *a, struct objective *o, const struct quest *q, const struct genes *t);
 /** The error that islands minimise: that of a program is charged for its tails. */
-double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct genes *t);
+double archive_error(const struct archive *a, struct objective *o, const struct quest *q, const struct genes *t);
 
 /** Operations of a tree; of a program with the values of the frame that it needs. */
-struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct genes *t,
+struct operation_count archive_operations(const struct archive *a, const struct quest *q, const struct genes *t,
                                           const struct genome_constant *constant);
 
-/** Offer a tree of decimal constants to a front. */
-void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct genes *t,
+/** Offer genes of decimal constants to the quest's front. */
+void archive_offer(const struct archive *a, const struct plan *plan, struct quest *q, const struct genes *t,
                    double error, enum origin origin);
 /** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
  *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest fitness by the plan, if it is
@@ -142,7 +156,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
 /** Members of a tier of programs that may become tiers, by cost: those near its budget or below, each better on the
  *  judge's samples than all cheaper ones, and of these the `most` dearest; returns how many.
  *  @param[out] found  room for the front's limit + 1 */
-size_t archive_members(const struct archive *a, struct objective *judge, size_t tier, size_t most,
+size_t archive_members(const struct archive *a, struct objective *judge, const struct quest *q, size_t most,
                        const struct member **found);
 /** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors.  Where the path
  *  ends in .csv: a line for each member of all fronts.

@@ -30,22 +30,22 @@ static struct part part_new(const struct archive *a, const struct sample_set *se
     return (struct part){table, NULL};
 }
 
-static void print_errors(const struct archive *a, struct part *p, const struct member *m, size_t tier, int output,
+static void print_errors(const struct archive *a, struct part *p, const struct member *m, const struct quest *q,
                          FILE *stream)
 {
     static const enum scene_norm norm[] = {NORM_MEAN, NORM_P99, NORM_MAX};
     fprintf(stream, ",%zu", p->table.n);
     for (int i = 0; i < 3; i++) {
         p->objective->norm = norm[i];
-        fprintf(stream, ",%.3e", archive_bare_error(a, p->objective, tier, output, &m->genes));
+        fprintf(stream, ",%.3e", archive_bare_error(a, p->objective, q, &m->genes));
     }
 }
 
-static void print_expression(const struct archive *a, size_t tier, int output, const struct genes *t, FILE *stream)
+static void print_expression(const struct archive *a, const struct quest *q, const struct genes *t, FILE *stream)
 {
     char number[DECIMAL_TEXT];
-    if (output == TIER_BOTH) {
-        char *text = lines_print(a->lines, t, archive_last(a, tier));
+    if (quest_of_programs(q)) {
+        char *text = lines_print(a->lines, t, q->last);
         fprintf(stream, ",%s\n", text);
         free(text);
         return;
@@ -63,15 +63,15 @@ static void print_expression(const struct archive *a, size_t tier, int output, c
     fputc('\n', stream);
 }
 
-static void print_member(const struct archive *a, struct part part[PARTS], size_t tier, int output,
+static void print_member(const struct archive *a, struct part part[PARTS], const struct quest *q,
                          const struct member *m, FILE *stream)
 {
-    const struct operation_count o = archive_operations(a, tier, output, &m->genes, NULL);
-    fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", a->scene->tier[tier].name, frame_output[output], m->cost, o.mul,
-            o.add, o.div, o.other, origin_name[m->origin], m->error);
+    const struct operation_count o = archive_operations(a, q, &m->genes, NULL);
+    fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", q->own->name, frame_output[q->output], m->cost, o.mul, o.add, o.div,
+            o.other, origin_name[m->origin], m->error);
     for (int k = 0; k < PARTS; k++)
-        print_errors(a, &part[k], m, tier, output, stream);
-    print_expression(a, tier, output, &m->genes, stream);
+        print_errors(a, &part[k], m, q, stream);
+    print_expression(a, q, &m->genes, stream);
 }
 
 bool archive_is_list(const char *path)
@@ -95,11 +95,10 @@ bool archive_write_csv(const struct archive *a, const char *path, const struct h
         part[k].objective = objective_new(a->program, &part[k].table, NORM_MAX);
         part[k].objective->decimal = true;
     }
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int output = tier_first(&a->scene->tier[i]); output <= tier_last(&a->scene->tier[i]); output++)
-            for (size_t c = 0; c <= a->front[i][output]->limit; c++)
-                if (a->front[i][output]->member[c].genes.length > 0)
-                    print_member(a, part, i, output, &a->front[i][output]->member[c], out.stream);
+    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        for (size_t c = 0; c <= q->front->limit; c++)
+            if (q->front->member[c].genes.length > 0)
+                print_member(a, part, q, &q->front->member[c], out.stream);
     for (int k = 0; k < PARTS; k++) {
         objective_free(part[k].objective);
         columns_free(&part[k].table);

@@ -6,17 +6,18 @@
 static const double spare = 1.06; /* of the budget: costs are estimates, times decide */
 
 /* From the cheapest on those that are better, on the judge's samples, than all that are cheaper. */
-static size_t judged_front(const struct archive *a, struct objective *judge, size_t tier, const struct member **found)
+static size_t judged_front(const struct archive *a, struct objective *judge, const struct quest *q,
+                           const struct member **found)
 {
-    const struct front *f = a->front[tier][TIER_BOTH];
-    const double budget = a->scene->tier[tier].budget;
+    const struct front *f = q->front;
+    const double budget = q->own->budget;
     double least = INFINITY;
     size_t n = 0;
     for (size_t c = 0; c <= f->limit; c++) {
         const struct member *m = &f->member[c];
         if (m->genes.length == 0 || (budget > 0 && m->cost > spare * budget))
             continue;
-        const double error = archive_error(a, judge, tier, TIER_BOTH, &m->genes);
+        const double error = archive_error(a, judge, q, &m->genes);
         if (error < least) {
             least = error;
             found[n++] = m;
@@ -25,10 +26,10 @@ static size_t judged_front(const struct archive *a, struct objective *judge, siz
     return n;
 }
 
-size_t archive_members(const struct archive *a, struct objective *judge, size_t tier, size_t most,
+size_t archive_members(const struct archive *a, struct objective *judge, const struct quest *q, size_t most,
                        const struct member **found)
 {
-    const size_t n = judged_front(a, judge, tier, found), first = n > most ? n - most : 0;
+    const size_t n = judged_front(a, judge, q, found), first = n > most ? n - most : 0;
     for (size_t i = first; i < n; i++)
         found[i - first] = found[i];
     return n - first;

@@ -22,38 +22,36 @@ static void print_gain(const struct front *f, const struct champion *c, double r
 void archive_table(const struct archive *a, FILE *stream)
 {
     fprintf(stream, "%-24s %-6s %10s    %-10s %6s    %-6s\n", "tier", "output", "error", "", "genes", "");
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
-            const struct champion *c = &a->champion[i][k];
-            char error[16] = "-", length[16] = "-";
-            if (!archive_has(a, i))
-                continue;
-            if (c->length_before > 0) {
-                snprintf(error, sizeof error, "%.3e", c->error_before);
-                snprintf(length, sizeof length, "%zu", c->length_before);
-            }
-            fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s", a->scene->tier[i].name, frame_output[k], error,
-                    c->error, length, c->genes.length, c->bred ? "" : "unchanged");
-            if (k == TIER_BOTH && c->bred && c->length_before > 0)
-                print_gain(a->front[i][k], c, objective_rounding(a->scene->norm), stream);
-            fputc('\n', stream);
+    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++) {
+        const struct champion *c = &q->champion;
+        char error[16] = "-", length[16] = "-";
+        if (!archive_has(a, q->tier))
+            continue;
+        if (c->length_before > 0) {
+            snprintf(error, sizeof error, "%.3e", c->error_before);
+            snprintf(length, sizeof length, "%zu", c->length_before);
         }
+        fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s", q->own->name, frame_output[q->output], error,
+                c->error, length, c->genes.length, c->bred ? "" : "unchanged");
+        if (quest_of_programs(q) && c->bred && c->length_before > 0)
+            print_gain(q->front, c, objective_rounding(a->scene->norm), stream);
+        fputc('\n', stream);
+    }
 }
 
 void archive_front_table(const struct archive *a, FILE *stream)
 {
     fprintf(stream, "%-24s %-6s %6s %10s %10s  %s\n", "front", "output", "cost", "old", "new", "from");
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
-            for (size_t c = 0; c <= a->front[i][k]->limit; c++) {
-                const struct member *m = &a->front[i][k]->member[c];
-                const double old = a->old[i][k]->lowest[c];
-                char text[16] = "-";
-                if (m->genes.length == 0)
-                    continue;
-                if (old < INFINITY)
-                    snprintf(text, sizeof text, "%.3e", old);
-                fprintf(stream, "%-24s %-6s %6g %10s %10.3e  %s\n", a->scene->tier[i].name, frame_output[k], m->cost,
-                        text, m->error, origin_name[m->origin]);
-            }
+    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        for (size_t c = 0; c <= q->front->limit; c++) {
+            const struct member *m = &q->front->member[c];
+            const double old = q->old->lowest[c];
+            char text[16] = "-";
+            if (m->genes.length == 0)
+                continue;
+            if (old < INFINITY)
+                snprintf(text, sizeof text, "%.3e", old);
+            fprintf(stream, "%-24s %-6s %6g %10s %10.3e  %s\n", q->own->name, frame_output[q->output], m->cost, text,
+                    m->error, origin_name[m->origin]);
+        }
 }

@@ -108,25 +108,26 @@ static bool is_remark(const char *key)
 
 /* Provenance: carried over with an expression of the start file, new for one that this run found.  Remarks are about
  * the whole genome and stay as long as it stays. */
-static void add_provenance(struct genome *g, const struct tier *t, const struct champion *champion,
-                           const struct genome *before, const struct run_facts *run)
+static void add_provenance(struct genome *g, const struct quest *quest, size_t n, const struct genome *before,
+                           const struct run_facts *run)
 {
-    const bool bred = champion[tier_first(t)].bred || champion[tier_last(t)].bred;
+    const bool bred = quest[0].champion.bred || quest[n - 1].champion.bred;
     for (size_t i = 0; before && !bred && i < before->notes; i++)
         if (is_remark(before->note[i].key))
             NOTE(before->note[i].key, "%s", before->note[i].text);
-    for (int k = tier_first(t); k <= tier_last(t); k++) {
+    for (const struct quest *q = quest; q < quest + n; q++) {
+        const struct champion *c = &q->champion;
         char key[40];
-        note_key("found", k, key);
+        note_key("found", q->output, key);
         const char *old = before ? genome_find_note(before->note, before->notes, key) : NULL;
-        if (champion[k].exact) {
-            note_key("exact", k, key);
+        if (c->exact) {
+            note_key("exact", q->output, key);
             NOTE(key, "nothing evolved, the frame's value is right to rounding");
-        } else if (champion[k].bred && champion[k].chosen)
+        } else if (c->bred && c->chosen)
             NOTE(key, "nothing to evolve, chosen among the frame's values");
-        else if (champion[k].bred && champion[k].seed && t->program)
+        else if (c->bred && c->seed && quest_of_programs(q))
             NOTE(key, "a seed, composed of the frame's functions or given");
-        else if (champion[k].bred)
+        else if (c->bred)
             NOTE(key, "seed %llu generations %zu islands %zu", (unsigned long long)run->seed, run->generations,
                  run->islands);
         else if (old)
@@ -144,16 +145,16 @@ struct writing {
 };
 
 /* Lets and outputs of a program of a tier, as its text is read again; gives how many genes it has then. */
-static size_t expand(const struct archive *a, const struct genes *t, size_t tier, struct genome_file *f,
+static size_t expand(const struct archive *a, const struct genes *t, const struct quest *q, struct genome_file *f,
                      const char *name, struct genes out[2])
 {
-    const struct tier *own = &a->scene->tier[tier];
-    const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = own->terminals};
+    const struct tier *own = q->own;
+    const struct gene_set genes = {.symbol = archive_symbols(a, q->tier), .symbols = own->terminals};
     struct genes again = {new_array(tier_genes(own), sizeof *again.gene), 0};
     const bool good = lines_respell(a->lines, t, &genes, tier_genes(own), &again);
     const struct genes *written = good ? &again : t;
     const size_t length = written->length;
-    lines_expand(a->lines, written, archive_last(a, tier), f, name, out);
+    lines_expand(a->lines, written, q->last, f, name, out);
     free(again.gene);
     free(genes.symbol);
     return length;
@@ -165,14 +166,15 @@ static struct writing expand_tiers(struct archive *a)
                         .output = new_array(2 * a->scene->tiers, sizeof *w.output),
                         .genes = new_array(a->scene->tiers, sizeof *w.genes)};
     for (size_t i = 0; i < a->scene->tiers; i++) {
-        const struct champion *c = a->champion[i];
+        size_t n;
+        const struct quest *q = archive_quests(a, i, &n);
         struct genes *out = &w.out[w.n];
         if (!archive_has(a, i))
             continue;
-        out[0] = c[0].genes;
-        out[1] = c[1].genes;
-        if (a->scene->tier[i].program)
-            w.genes[i] = expand(a, &c[TIER_BOTH].genes, i, a->program, a->scene->tier[i].name, out);
+        out[0] = q[0].champion.genes;
+        out[1] = q[n - 1].champion.genes;
+        if (quest_of_programs(q))
+            w.genes[i] = expand(a, &q->champion.genes, q, a->program, q->own->name, out);
         w.output[w.n + 1] = 1;
         w.n += 2;
     }
@@ -192,12 +194,12 @@ static void measure_heldout(const struct archive *a, const struct heldout *heldo
 /* Training errors are the champions'; those held out are measured on what is written. */
 static void add_errors(struct genome *g, const struct archive *a, size_t tier, const struct writing *w, size_t at)
 {
-    const struct tier *t = &a->scene->tier[tier];
+    size_t n;
     char key[40];
-    for (int k = tier_first(t); k <= tier_last(t); k++) {
-        const struct champion *c = &a->champion[tier][k];
-        note_key("training", k, key);
-        const size_t genes = k == TIER_BOTH ? w->genes[tier] : c->genes.length;
+    for (const struct quest *q = archive_quests(a, tier, &n), *end = q + n; q < end; q++) {
+        const struct champion *c = &q->champion;
+        note_key("training", q->output, key);
+        const size_t genes = quest_of_programs(q) ? w->genes[tier] : c->genes.length;
         NOTE(key, "genes %zu %s %.3e", genes, norm_name[a->scene->norm], c->error);
     }
     for (int part = 0; part < HELDOUT_PARTS; part++)
@@ -212,8 +214,10 @@ static void add_errors(struct genome *g, const struct archive *a, size_t tier, c
 static void add_tier(struct archive *a, size_t tier, const struct run_facts *run, const struct writing *w, size_t at)
 {
     const struct tier *t = &a->scene->tier[tier];
+    size_t n;
+    const struct quest *quest = archive_quests(a, tier, &n);
     struct genome *g = genome_add(a->program, t->name);
-    add_provenance(g, t, a->champion[tier], archive_start_genome(a, tier), run);
+    add_provenance(g, quest, n, archive_start_genome(a, tier), run);
     add_errors(g, a, tier, w, at);
     for (size_t k = 0; k < 2; k++) {
         const struct genes *out = &w->out[at + k];
@@ -260,26 +264,27 @@ static void add_member_errors(const struct genome_file *f, struct genome *g, int
 
 /* The genome of one member, with its cost, where it comes from, and its errors; of programs, of which hundreds stand on
  * a front with lets of their own, those on the training samples alone. */
-static void add_member(const struct archive *a, const struct member *m, size_t tier, int output,
+static void add_member(const struct archive *a, const struct member *m, const struct quest *q,
                        const struct heldout *heldout, struct genome_file *f)
 {
     char name[300];
     struct genes out[2] = {{NULL, 0}, {NULL, 0}};
     size_t genes = m->genes.length;
-    const int first = output == TIER_BOTH ? 0 : output, last = output == TIER_BOTH ? 1 : output;
-    snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
-    if (output == TIER_BOTH) {
-        genes = expand(a, &m->genes, tier, f, name, out);
+    const bool both = quest_of_programs(q);
+    const int first = both ? 0 : q->output, last = both ? 1 : q->output;
+    snprintf(name, sizeof name, "%.250s_%s_c%.0f", q->own->name, frame_output[q->output], m->cost);
+    if (both) {
+        genes = expand(a, &m->genes, q, f, name, out);
     } else {
-        out[output].gene = new_array(m->genes.length, sizeof *out[output].gene);
-        genes_bind(f, &m->genes, &out[output]);
+        out[q->output].gene = new_array(m->genes.length, sizeof *out[q->output].gene);
+        genes_bind(f, &m->genes, &out[q->output]);
     }
     struct genome *g = genome_add(f, name);
     NOTE("cost", "%g", m->cost);
     NOTE("origin", "%s", origin_name[m->origin]);
     NOTE("training", "genes %zu %s %.3e", genes, norm_name[a->scene->norm], m->error);
     for (int k = first; k <= last; k++) {
-        if (output != TIER_BOTH)
+        if (!both)
             add_member_errors(f, g, k, &out[k], heldout);
         genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
         free(out[k].gene);
@@ -289,21 +294,21 @@ static void add_member(const struct archive *a, const struct member *m, size_t t
 #undef NOTE
 
 /* Of a front all members, of programs only those that may become tiers where their number is given. */
-static void add_front(const struct archive *a, size_t tier, int output, const struct heldout *heldout,
+static void add_front(const struct archive *a, const struct quest *q, const struct heldout *heldout,
                       struct objective *judge, size_t most, struct genome_file *f)
 {
-    const struct front *front = a->front[tier][output];
-    if (output == TIER_BOTH && most > 0 && judge) {
+    const struct front *front = q->front;
+    if (quest_of_programs(q) && most > 0 && judge) {
         const struct member **chosen = new_array(front->limit + 1, sizeof(struct member *));
-        const size_t n = archive_members(a, judge, tier, most, chosen);
+        const size_t n = archive_members(a, judge, q, most, chosen);
         for (size_t i = 0; i < n; i++)
-            add_member(a, chosen[i], tier, output, heldout, f);
+            add_member(a, chosen[i], q, heldout, f);
         free(chosen);
         return;
     }
     for (size_t c = 0; c <= front->limit; c++)
         if (front->member[c].genes.length > 0)
-            add_member(a, &front->member[c], tier, output, heldout, f);
+            add_member(a, &front->member[c], q, heldout, f);
 }
 
 bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
@@ -321,10 +326,8 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
         return false;
     }
     add_file_notes(f, a->scene, heldout);
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < TIER_OUTPUTS; k++)
-            if (a->front[i][k])
-                add_front(a, i, k, heldout, judge, most, f);
+    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        add_front(a, q, heldout, judge, most, f);
     if (!programs || most > 0)
         scene_region_add(f, heldout->part, 2);
     genome_print_needed(f, out.stream);

@@ -30,33 +30,35 @@ void archive_find_exact(struct archive *a, const struct plan *plan, const struct
     struct objective *worst = objective_new(a->program, table, NORM_MAX);
     if (!a->frame)
         a->frame = frame_cost_new(a->program, &plan->prices);
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = tier_first(&a->scene->tier[i]); k < TIER_BOTH; k++) {
-            struct champion *c = &a->champion[i][k];
-            const struct genes value = {&c->exact, 1};
-            c->exact = exact_value(a, worst, &a->scene->tier[i], k, tolerance);
-            if (c->exact)
-                archive_add_seed(a, (long)i, k, &value);
-        }
+    for (struct quest *q = a->quest; q < a->quest + a->quests; q++) {
+        struct champion *c = &q->champion;
+        const struct genes value = {&c->exact, 1};
+        c->exact = quest_of_programs(q) ? 0 : exact_value(a, worst, q->own, q->output, tolerance);
+        if (c->exact)
+            archive_add_seed(a, (long)q->tier, q->output, &value);
+    }
     objective_free(worst);
 }
 
 void archive_choose_values(struct archive *a, size_t tier, bool anew)
 {
     const struct tier *t = &a->scene->tier[tier];
-    for (int k = 0; k < TIER_BOTH; k++) {
-        struct champion *c = &a->champion[tier][k];
+    size_t n;
+    for (struct quest *q = archive_quests(a, tier, &n), *end = q + n; q < end; q++) {
+        struct champion *c = &q->champion;
         c->chosen = true;
         for (size_t i = 0; i < t->terminals && (anew || c->genes.length == 0); i++) {
             int gene = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
-            archive_add_seed(a, (long)tier, k, &(struct genes){&gene, 1});
+            archive_add_seed(a, (long)tier, q->output, &(struct genes){&gene, 1});
         }
     }
 }
 
 bool archive_is_exact(const struct archive *a, size_t tier)
 {
-    return a->champion[tier][0].exact && a->champion[tier][1].exact;
+    size_t n;
+    const struct quest *q = archive_quests(a, tier, &n);
+    return q[0].champion.exact && q[n - 1].champion.exact;
 }
 
 void archive_print_exact(const struct archive *a, FILE *stream)

@@ -55,7 +55,8 @@ struct gene_set archive_genes(const struct archive *a, size_t tier, bool rationa
 {
     const struct tier *t = &a->scene->tier[tier];
     const int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, t->program ? GENE_DIV : GENE_PDIV};
-    const struct champion *c = a->champion[tier];
+    size_t n, own = 0;
+    const struct quest *quest = archive_quests(a, tier, &n);
     struct gene_set s = {.symbols = t->terminals};
     if (t->functions > 0) {
         add_operations(a, t, &s);
@@ -65,13 +66,14 @@ struct gene_set archive_genes(const struct archive *a, size_t tier, bool rationa
         memcpy(s.operation, operation, s.operations * sizeof *operation);
     }
     s.symbol = archive_symbols(a, tier);
-    const size_t own = c[0].genes.length + c[1].genes.length + c[TIER_BOTH].genes.length;
+    for (const struct quest *q = quest; q < quest + n; q++)
+        own += q->champion.genes.length;
     s.constant = new_array(2 * GRID + 1 + own, sizeof *s.constant);
     for (int k = -GRID; k <= GRID; k++)
         add_constant(&s, decimal_gene(k * 5 / 100.0));
-    for (int k = tier_first(t); k <= tier_last(t); k++)
-        for (size_t i = 0; k < TIER_BOTH && i < c[k].genes.length; i++) {
-            const int gene = c[k].genes.gene[i];
+    for (const struct quest *q = quest; q < quest + n; q++)
+        for (size_t i = 0; !t->program && i < q->champion.genes.length; i++) {
+            const int gene = q->champion.genes.gene[i];
             if (gene < 0)
                 add_constant(&s, decimal_gene(a->program->constant[-1 - gene].value));
         }

@@ -83,16 +83,8 @@ static inline bool tier_is_chosen(const struct tier *t)
     return !t->program && t->max_length == 1;
 }
 
-/** Outputs of a tier, first..last: 0 is xi, 1 eta, and 2 both, of a tier of programs. */
+/** Outputs: 0 is xi, 1 eta, and 2 both, of programs. */
 enum { TIER_BOTH = 2, TIER_OUTPUTS };
-static inline int tier_first(const struct tier *t)
-{
-    return t->program ? TIER_BOTH : 0;
-}
-static inline int tier_last(const struct tier *t)
-{
-    return t->program ? TIER_BOTH : 1;
-}
 
 struct scene {
     char *name, *path; /* owned; name is the file's base name without .scene */

@@ -163,7 +163,7 @@ static void vote(struct loop *l)
     if (time_is_up(l))
         sum[POLL_STOP + STOP_TIME] = 1;
     for (size_t i = 0; i < s->rings; i++) {
-        const struct champion *c = &l->problem->archive->champion[s->ring[i].tier][s->ring[i].output];
+        const struct champion *c = &s->ring[i].quest->champion;
         best[i] = c->genes.length > 0 ? c->error : INFINITY;
     }
     for (size_t i = 0; i < l->locals; i++) {

@@ -2,23 +2,23 @@
 #ifndef FOOTPOINT_ISLANDS_H
 #define FOOTPOINT_ISLANDS_H
 
+#include "../archive/archive.h"
 #include "../island/island.h"
 #include "../mpi/mail.h"
 
 /** Tags of messages: blocks for rank 0, and migrants. */
 enum tag { TAG_LOG, TAG_REPORT, TAG_MIGRANTS /* + the receiving island: the last */ };
 
-/** The output that a ring of islands searches. */
+/** What a ring of islands searches for. */
 struct ring {
-    size_t tier;
-    int output;
-    size_t max_length; /* genes */
-    double load;       /* of its islands: what an individual costs, about */
+    struct quest *quest; /* not owned */
+    size_t max_length;   /* genes */
+    double load;         /* of its islands: what an individual costs, about */
 };
 /** Its key in random streams. */
 static inline size_t ring_key(const struct ring *r)
 {
-    return 2 * r->tier + (size_t)(r->output % TIER_BOTH);
+    return 2 * r->quest->tier + (size_t)(r->quest->output == 1);
 }
 
 /** All islands of a run.  Ring r holds the islands r * places .. r * places + places - 1. */

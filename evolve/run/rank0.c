@@ -48,7 +48,7 @@ static bool take_row(struct rank0 *k, bool wait)
     if (!row)
         return false;
     const struct ring *ring = &k->islands->ring[island / places];
-    run_log_add(&k->log, island, k->scene->tier[ring->tier].name, frame_output[ring->output], island % places, row);
+    run_log_add(&k->log, island, ring->quest->own->name, frame_output[ring->quest->output], island % places, row);
     free(row);
     return true;
 }
@@ -122,14 +122,14 @@ void rank0_show(struct rank0 *k, size_t generation, const double *best, double w
         return;
     for (size_t i = 0; i < s->rings; i++) {
         const struct ring *ring = &s->ring[i];
-        const char *tier = k->scene->tier[ring->tier].name;
-        const bool pair = i + 1 < s->rings && s->ring[i + 1].tier == ring->tier;
+        const char *tier = ring->quest->own->name;
+        const bool pair = i + 1 < s->rings && s->ring[i + 1].quest->tier == ring->quest->tier;
         const double worse = pair ? fmax(best[i], best[i + 1]) : best[i];
         char name[40];
-        snprintf(name, sizeof name, "%.16s %s", tier, frame_output[ring->output]);
+        snprintf(name, sizeof name, "%.16s %s", tier, frame_output[ring->quest->output]);
         append(text, name, best[i]);
         if (pair)
-            append(text, frame_output[s->ring[i + 1].output], best[i + 1]);
+            append(text, frame_output[s->ring[i + 1].quest->output], best[i + 1]);
         snprintf(name, sizeof name, "%.8s", tier);
         append(brief, name, worse);
         i += pair;

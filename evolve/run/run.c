@@ -272,7 +272,9 @@ static void compose_seeds(const struct problem *p)
             continue;
         if (first == i) {
             found[i] = front_new(p->plan.front_limit, tier_genes(t));
-            compose_programs(t, &p->genes[i], p->objective, archive_last(p->archive, i), &p->plan.times, found[i]);
+            size_t quests;
+            const int last = archive_quests(p->archive, i, &quests)->last;
+            compose_programs(t, &p->genes[i], p->objective, last, &p->plan.times, found[i]);
         }
         for (size_t k = 0; k < front_count(found[first]); k++)
             archive_add_seed(p->archive, (long)i, TIER_BOTH, &front_member(found[first], k)->genes);
@@ -300,29 +302,26 @@ static void prepare(const struct call *call, struct problem *p, const struct run
 }
 
 /* False of outputs that are exact or chosen; in a run of no generations true of those alone that have no champion. */
-static bool needs_ring(const struct problem *p, size_t tier, int output, size_t generations)
+static bool needs_ring(const struct quest *q, size_t generations)
 {
-    const struct tier *t = &p->scene->tier[tier];
-    const struct champion *c = &p->archive->champion[tier][output];
-    return output >= tier_first(t) && output <= tier_last(t) && c->exact == 0 && !tier_is_chosen(t) &&
-           (generations > 0 || c->genes.length == 0);
+    return q->champion.exact == 0 && !tier_is_chosen(q->own) && (generations > 0 || q->champion.genes.length == 0);
 }
 
 /* Programs are near their tier's budget, most of them. */
-static struct ring ring_of(const struct problem *p, size_t tier, int output)
+static struct ring ring_of(struct quest *q)
 {
-    const struct tier *t = &p->scene->tier[tier];
-    return (struct ring){tier, output, tier_genes(t), t->budget > 0 ? t->budget : (double)t->max_length};
+    const struct tier *t = q->own;
+    return (struct ring){q, tier_genes(t), t->budget > 0 ? t->budget : (double)t->max_length};
 }
 
 static void make_rings(const struct evolve_options *o, const struct problem *p, struct islands *s)
 {
-    s->ring = new_array(TIER_OUTPUTS * p->scene->tiers, sizeof *s->ring);
+    const struct archive *a = p->archive;
+    s->ring = new_array(a->quests, sizeof *s->ring);
     s->places = o->islands;
-    for (size_t tier = 0; tier < p->scene->tiers; tier++)
-        for (int output = 0; output < TIER_OUTPUTS; output++)
-            if (needs_ring(p, tier, output, o->generations))
-                s->ring[s->rings++] = ring_of(p, tier, output);
+    for (struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        if (needs_ring(q, o->generations))
+            s->ring[s->rings++] = ring_of(q);
     s->owner = new_array(islands_count(s), sizeof *s->owner);
     s->island = new_array(islands_count(s), sizeof(struct island *));
     s->seeded = new_array(islands_count(s), sizeof *s->seeded);
@@ -335,9 +334,8 @@ static bool starts_at_random(const struct islands *s, size_t place)
 }
 
 /* A program dearer than its tier's budget is of use as an ancestor only, and hardly so where it is much dearer. */
-static size_t islands_limit(const struct problem *p, size_t tier)
+static size_t islands_limit(const struct problem *p, const struct tier *t)
 {
-    const struct tier *t = &p->scene->tier[tier];
     const size_t limit = (size_t)(1.06 * t->budget);
     return t->program && limit > 0 && limit < p->plan.front_limit ? limit : p->plan.front_limit;
 }
@@ -348,15 +346,16 @@ static void make_islands(const struct call *call, const struct problem *p, struc
     for (size_t i = 0; i < islands_count(s); i++) {
         const struct ring *ring = &s->ring[i / s->places];
         struct genes *seed;
-        const size_t seeds = archive_seeds(p->archive, ring->tier, ring->output, &seed);
-        const bool random = starts_at_random(s, i % s->places) && ring->output < TIER_BOTH;
-        const struct goal goal = {.program = ring->output == TIER_BOTH,
-                                  .column = frame_target(p->archive->program, ring->output),
-                                  .last = archive_last(p->archive, ring->tier),
-                                  .tails = p->archive->tails[ring->tier],
-                                  .limit = islands_limit(p, ring->tier),
+        const struct quest *q = ring->quest;
+        const size_t seeds = archive_seeds(p->archive, q, &seed);
+        const bool random = starts_at_random(s, i % s->places) && !quest_of_programs(q);
+        const struct goal goal = {.program = quest_of_programs(q),
+                                  .column = frame_target(p->archive->program, q->output),
+                                  .last = q->last,
+                                  .tails = q->tails,
+                                  .limit = islands_limit(p, q->own),
                                   .max_length = ring->max_length,
-                                  .genes = &p->genes[ring->tier],
+                                  .genes = &p->genes[q->tier],
                                   .ring = ring_key(ring),
                                   .place = i % s->places,
                                   .fit = &p->hooks};
@@ -424,16 +423,15 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         const struct genes *t = &f.found[i].genes;
         const struct ring *ring = &s->ring[island / s->places];
         const double error = f.found[i].error;
-        archive_offer(p->archive, &p->plan, ring->tier, ring->output, t, error,
-                      s->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
+        archive_offer(p->archive, &p->plan, ring->quest, t, error, s->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
         members++;
         lowest = fmin(lowest, error);
         if (i + 1 < f.n && f.found[i + 1].island == island)
             continue;
         if (!call->options->quiet)
             fprintf(stderr, "island %zu of %s %s (%s): %zu on its front, lowest error %.3e\n", island % s->places,
-                    p->scene->tier[ring->tier].name, frame_output[ring->output],
-                    s->seeded[island] ? "seeded" : "random", members, lowest);
+                    ring->quest->own->name, frame_output[ring->quest->output], s->seeded[island] ? "seeded" : "random",
+                    members, lowest);
         members = 0;
         lowest = INFINITY;
     }

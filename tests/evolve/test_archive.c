@@ -100,7 +100,7 @@ static void offer(struct fixture *f, struct archive *a, const int *gene, size_t 
 {
     const struct genes t = {(int *)gene, length};
     const double error = objective_tree_error(f->objective, &t, 17, INFINITY);
-    archive_offer(a, &f->plan, 0, 0, &t, error, ORIGIN_RANDOM);
+    archive_offer(a, &f->plan, &a->quest[0], &t, error, ORIGIN_RANDOM);
 }
 
 /* Nothing better: the champion's genes stay as they were read.  Better: it is outdone, and its new constants are exact.
@@ -110,7 +110,7 @@ static void champions_yield_to_the_better_alone(void **state)
     struct fixture *f = *state;
     struct archive *a = archive_of(&f->scene, START);
     archive_measure(a, &f->plan, f->objective);
-    const struct champion *c = &a->champion[0][0];
+    const struct champion *c = &a->quest[0].champion;
     assert_true(fabs(c->error - 0.12345678901) < 1e-15 && c->cost == 4); /* p and q are differences */
     const int worse[] = {GENE_MUL, P, P}, better[] = {GENE_ADD, decimal_gene(0.125e-3), GENE_MUL, Q, P};
     offer(f, a, worse, 3);
@@ -122,7 +122,7 @@ static void champions_yield_to_the_better_alone(void **state)
     assert_true(c->bred && c->genes.length == 5);
     assert_string_equal(a->program->constant[-1 - c->genes.gene[1]].text, "0.000125");
     assert_true(fabs(c->error - 0.125e-3) < 1e-15);
-    assert_false(a->champion[0][1].bred);
+    assert_false(a->quest[1].champion.bred);
     archive_free(a);
 }
 
@@ -137,9 +137,9 @@ static void budgets_decide(void **state)
     offer(f, a, free_of_cost, 1);
     offer(f, a, cheap, 3);
     archive_choose_champions(a, &f->plan, f->objective, NULL);
-    const struct champion *c = &a->champion[0][0];
+    const struct champion *c = &a->quest[0].champion;
     assert_true(c->bred && c->cost <= 2);
-    assert_true(c->error == front_error(a->front[0][0], 2));
+    assert_true(c->error == front_error(a->quest[0].front, 2));
     archive_free(a);
     f->tier.budget = 0;
 }
@@ -154,10 +154,10 @@ static void less_than_rounding_is_no_gain(void **state)
     for (int far = 0; far < 2; far++) {
         struct archive *a = archive_of(&f->scene, NULL);
         archive_measure(a, &f->plan, f->objective);
-        archive_offer(a, &f->plan, 0, 0, &both[0], far ? 3e-16 : 2e-16, ORIGIN_RANDOM);
-        archive_offer(a, &f->plan, 0, 0, &both[1], 5e-17, ORIGIN_RANDOM);
+        archive_offer(a, &f->plan, &a->quest[0], &both[0], far ? 3e-16 : 2e-16, ORIGIN_RANDOM);
+        archive_offer(a, &f->plan, &a->quest[0], &both[1], 5e-17, ORIGIN_RANDOM);
         archive_choose_champions(a, &f->plan, f->objective, NULL);
-        assert_int_equal(a->champion[0][0].genes.length, both[far].length);
+        assert_int_equal(a->quest[0].champion.genes.length, both[far].length);
         archive_free(a);
     }
     f->tier.budget = 0;
@@ -174,8 +174,8 @@ static void parsimony_decides_without_a_budget(void **state)
     offer(f, a, (const int[]){GENE_MUL, P, Q}, 3);
     offer(f, a, dear, 9);
     archive_choose_champions(a, &f->plan, f->objective, NULL);
-    assert_int_equal(a->champion[0][0].genes.length, 3);
-    assert_true(a->champion[0][0].error == 0);
+    assert_int_equal(a->quest[0].champion.genes.length, 3);
+    assert_true(a->quest[0].champion.error == 0);
     archive_free(a);
 }
 
@@ -185,23 +185,23 @@ static void seeds_go_where_they_fit(void **state)
     struct diag d;
     struct genes *seed;
     struct archive *a = archive_of(&f->scene, START);
-    assert_int_equal(archive_seeds(a, 0, 0, &seed), 1); /* the champion */
+    assert_int_equal(archive_seeds(a, &a->quest[0], &seed), 1); /* the champion */
     assert_true(decimal_valid(seed[0].gene[1]) && decimal_value(seed[0].gene[1]) == 0.1234568);
     free(seed);
     assert_true(archive_read_seeds(a, START, &d));
-    assert_int_equal(archive_seeds(a, 0, 0, &seed), 3); /* and both genomes of the file */
+    assert_int_equal(archive_seeds(a, &a->quest[0], &seed), 3); /* and both genomes of the file */
     free(seed);
-    assert_int_equal(archive_seeds(a, 0, 1, &seed), 2);
+    assert_int_equal(archive_seeds(a, &a->quest[1], &seed), 2);
     free(seed);
     f->tier.max_length = 4;
-    assert_int_equal(archive_seeds(a, 0, 0, &seed), 0);
+    assert_int_equal(archive_seeds(a, &a->quest[0], &seed), 0);
     f->tier.max_length = 9;
     free(seed);
     archive_add_seed(a, 0, 0, &(struct genes){(int[]){GENE_SYMBOL}, 1}); /* xA is no terminal */
-    assert_int_equal(archive_seeds(a, 0, 0, &seed), 3);
+    assert_int_equal(archive_seeds(a, &a->quest[0], &seed), 3);
     free(seed);
     archive_measure(a, &f->plan, f->objective);
-    assert_int_equal(front_count(a->front[0][0]), front_count(a->old[0][0]));
+    assert_int_equal(front_count(a->quest[0].front), front_count(a->quest[0].old));
     assert_false(archive_read_seeds(a, "/nowhere/seeds.gen", &d));
     FILE *file = fopen(START, "w");
     fputs("footpoint-genome 1\ninput alien\ngenome g\nxi = alien\nend\n", file);
@@ -223,22 +223,22 @@ static void exact_values_are_taken(void **state)
     columns_at(&f->table, 18)[7] += 1e-11;
     for (int known = 0; known < 2; known++) {
         struct archive *a = archive_of(&f->scene, known ? START : NULL);
-        const struct champion *c = a->champion[0];
+        const struct champion *xi = &a->quest[0].champion, *eta = &a->quest[1].champion;
         archive_find_exact(a, &f->plan, &f->table, 1e-12);
-        assert_true(c[0].exact == 0 && c[1].exact == 0);
+        assert_true(xi->exact == 0 && eta->exact == 0);
         f->tier.budget = 0.5; /* q is a difference */
         archive_find_exact(a, &f->plan, &f->table, 1e-10);
-        assert_int_equal(c[1].exact, 0);
+        assert_int_equal(eta->exact, 0);
         f->tier.budget = 0;
         archive_find_exact(a, &f->plan, &f->table, 1e-10);
-        assert_true(c[0].exact == 0 && c[1].exact == Q);
+        assert_true(xi->exact == 0 && eta->exact == Q);
         archive_measure(a, &f->plan, f->objective);
-        assert_true(c[1].genes.length == 1 && c[1].genes.gene[0] == Q && c[1].cost == 1 && c[1].bred == !known);
+        assert_true(eta->genes.length == 1 && eta->genes.gene[0] == Q && eta->cost == 1 && eta->bred == !known);
         const int product[] = {GENE_MUL, P, Q}, constant[] = {decimal_gene(0.1)};
-        archive_offer(a, &f->plan, 0, 1, &(struct genes){(int *)constant, 1}, 0, ORIGIN_RANDOM);
+        archive_offer(a, &f->plan, &a->quest[1], &(struct genes){(int *)constant, 1}, 0, ORIGIN_RANDOM);
         offer(f, a, product, 3);
         archive_choose_champions(a, &f->plan, f->objective, NULL);
-        assert_true(c[1].genes.length == 1 && c[1].genes.gene[0] == Q && c[0].genes.length == 3);
+        assert_true(eta->genes.length == 1 && eta->genes.gene[0] == Q && xi->genes.length == 3);
         if (!archive_write(a, WRITTEN, &facts, &heldout, &d))
             fail_msg("%s", d.text);
         struct genome_file *g = genome_read(WRITTEN, &d);
@@ -266,10 +266,10 @@ static void fronts_are_written(void **state)
         fail_msg("%s", d.text);
     struct genome_file *g = genome_read(WRITTEN, &d);
     assert_non_null(g);
-    const size_t xi = front_count(a->front[0][0]), eta = front_count(a->front[0][1]);
+    const size_t xi = front_count(a->quest[0].front), eta = front_count(a->quest[1].front);
     assert_int_equal(g->genomes, xi + eta);
     for (size_t i = 0; i < xi; i++) {
-        const struct member *m = front_member(a->front[0][0], i);
+        const struct member *m = front_member(a->quest[0].front, i);
         char name[40];
         snprintf(name, sizeof name, "steps_xi_c%.0f", m->cost);
         assert_string_equal(g->genome[i].name, name);
