@@ -1,6 +1,6 @@
 /* What callers get of the bench's searches: checked, the closest point of the face, along a direction, with derivatives;
  * ours, from calls.inc, and those written by hand, of which converged Newton asked the same stands first.  Compiled as
- * bench_methods.c, once for each instruction set.  One at a time a function is called for each sample; over arrays the
+ * bench_methods.c, once for each instruction set.  Calls are a function's calls for each sample; over arrays the
  * header's own loop is called for a block, and what is written by hand is looped over. */
 #include "bench_methods.h"
 
@@ -13,6 +13,7 @@
 #include "../../runtime/geometry/footpoint-quad9-geometry.h"
 #include "../../runtime/geometry/footpoint-tri3-geometry.h"
 #include "../../runtime/geometry/footpoint-tri6-geometry.h"
+#include "../rivals/newton_lanes_calls.h"
 #include "../rivals/rivals_along.h"
 #include "../rivals/rivals_derivatives.h"
 #include "../support/kind_arguments.h"
@@ -31,7 +32,7 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
     {                                                                                                                  \
         (void)t;                                                                                                       \
         for (size_t i = 0; i < n; i++) {                                                                               \
-            const double(*x)[3] = in[i].x;                                                                             \
+            const double(*x)[3] = (const double(*)[3])in[i].x;                                                         \
             double loc[2] = {BENCH_NO_ANSWER, BENCH_NO_ANSWER}, gap = 0;                                               \
             double(*const s)[SEGMENT_INPUTS] = slope[i];                                                               \
             if (!s) /* no row is NULL, as a compiler sees of a caller's own arrays */                                  \
@@ -40,7 +41,7 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
             found[i][0] = loc[0];                                                                                      \
             found[i][1] = loc[1];                                                                                      \
             found[i][2] = gap;                                                                                         \
-            NEXT_SAMPLE;                                                                                               \
+            NEXT_SAMPLE(loc[0], loc[1], gap);                                                                          \
         }                                                                                                              \
     }
 /* What follows the name is written with x, columns, and block b. */
@@ -161,6 +162,21 @@ static inline int attach(const double (*x)[3], int nodes, double loc[2], double 
 BY_HAND(DEFINE)
 #undef DEFINE
 
+#define DEFINE_FAIR(name, over)                                                                                        \
+    DEFINE_ONE(name, if (!rival_fair_checked(x, loc, &gap)) NO_ANSWER)                                                 \
+    DEFINE_MANY(                                                                                                       \
+        name, for (int first = 0; first < BENCH_BLOCK; first += NEWTON_LANES) {                                        \
+            const double *lane[15];                                                                                    \
+            int answered[NEWTON_LANES];                                                                                \
+            for (int k = 0; k < 15; k++)                                                                               \
+                lane[k] = x[k] + first;                                                                                \
+            newton_lanes_fair(lane, over, b->xi + first, b->eta + first, b->gap + first, answered);                    \
+            for (int i = 0; i < NEWTON_LANES; i++)                                                                     \
+                b->status[first + i] = answered[i] ? FOOTPOINT_OK : FOOTPOINT_ERR_NO_CONVERGENCE;                      \
+        })
+DEFINE_FAIR(newton_fair_checked, 1)
+DEFINE_FAIR(newton_fair_over, BENCH_OVER)
+
 DEFINE_ONE(footpoint_locate, (void)footpoint_locate(NODES(quad4), loc, &gap))
 BATCH_FN(footpoint_locate)
 {
@@ -257,6 +273,13 @@ DEFINE_ONE(footpoint_differentiate, {
     .name = #name_, .kind = #kind_, .scene = scene_, .ours = 1, .question = question_, .scalar = scalar_##name_
 #define ROW(kind_, name_, question_, found, derivatives)                                                               \
     {.name = #name_, .kind = #kind_, .question = question_, .scalar = scalar_##name_, .batch = batch_##name_},
+#define FAIR(name_, question_)                                                                                         \
+    {.name = #name_,                                                                                                   \
+     .kind = "quad4",                                                                                                  \
+     .fair = 1,                                                                                                        \
+     .question = question_,                                                                                            \
+     .scalar = scalar_##name_,                                                                                         \
+     .batch = batch_##name_},
 #define CHECKED(scene, kind, name) {OURS(scene, kind, name##_checked, ASK_CHECKED), .batch = batch_##name##_checked},
 #define OVER(scene, kind, name) {OURS(scene, kind, name##_over, ASK_OVER), .batch = batch_##name##_over},
 #define CLOSEST(scene, kind, name) {OURS(scene, kind, name##_closest, ASK_CLOSEST), .batch = batch_##name##_closest},
@@ -266,7 +289,8 @@ DEFINE_ONE(footpoint_differentiate, {
         {OURS(scene, kind, name##_hessian, ASK_DERIVATIVES)},
 
 static const struct bench_method calls[] = {
-    BY_HAND(ROW){OURS("quad4", quad4, footpoint_locate, ASK_CHECKED), .batch = batch_footpoint_locate},
+    BY_HAND(ROW) FAIR(newton_fair_checked, ASK_CHECKED) FAIR(newton_fair_over, ASK_OVER) //
+    {OURS("quad4", quad4, footpoint_locate, ASK_CHECKED), .batch = batch_footpoint_locate},
     {OURS("quad4", quad4, footpoint_robust, ASK_CLOSEST)},
     {OURS("quad4", quad4, footpoint_differentiate, ASK_DERIVATIVES)},
     {OURS("tri3", tri3, tri3_robust, ASK_CLOSEST)},

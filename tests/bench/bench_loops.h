@@ -1,13 +1,30 @@
-/* What the methods of bench_methods.h are written with: their loops over samples, one at a time and by columns. */
+/* The loops over samples that the methods of bench_methods.h, included before, consist of: calls and columns. */
 #ifndef FOOTPOINT_BENCH_LOOPS_H
 #define FOOTPOINT_BENCH_LOOPS_H
 
-/* Memory changes between samples, as far as the compiler knows: each search stands for itself. */
-#define NEXT_SAMPLE __asm__ volatile("" ::: "memory")
+#include <stdint.h>
+#include <string.h>
+
+/* Ends sample i.  As far as the compiler knows memory changes, so that it joins no two searches; the processor still
+ * overlaps them.  In a chain it cannot: a coordinate of the next slave node is then made of what was found, with no change
+ * to its value. */
+static inline void next_sample(struct bench_input *in, size_t n, size_t i, const struct bench_chain *chain,
+                               const double found[BENCH_FOUND])
+{
+    if (chain && i + 1 < n) {
+        uint64_t coordinate, bits[BENCH_FOUND];
+        memcpy(bits, found, sizeof bits);
+        memcpy(&coordinate, &in[i + 1].x[chain->slave][0], sizeof coordinate);
+        coordinate |= (bits[0] | bits[1] | bits[2]) & chain->none;
+        memcpy(&in[i + 1].x[chain->slave][0], &coordinate, sizeof coordinate);
+    }
+    __asm__ volatile("" ::: "memory");
+}
+#define NEXT_SAMPLE(xi, eta, gap) next_sample(in, n, i, chain, (const double[BENCH_FOUND]){xi, eta, gap})
 #define METHOD_FN __attribute__((noinline, flatten)) static
 
 #define SCALAR_FN(name)                                                                                                \
-    METHOD_FN void scalar_##name(const struct bench_input *restrict in, size_t n,                                      \
+    METHOD_FN void scalar_##name(struct bench_input *restrict in, size_t n, const struct bench_chain *restrict chain,  \
                                  const struct rival_tuning *restrict t, double(*restrict found)[BENCH_FOUND],          \
                                  bench_slopes *restrict slope)
 #define BATCH_FN(name)                                                                                                 \

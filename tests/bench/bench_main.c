@@ -1,7 +1,7 @@
 /* footpoint-bench: speed against error of every search, bare and as callers get it, on the same held-out samples of a scene.
  *
- * Errors are taken against certain answers.  "scalar" is one search at a time, "batch" a loop over columns of
- * coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
+ * Errors are taken against certain answers.  Mode "chain" is calls that wait for one another, "scalar" independent calls,
+ * "batch" a loop over columns of coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
  * the best that the machine has is taken. */
 #include "../../codegen/genome/console.h"
 #include "../../codegen/genome/options.h"
@@ -28,7 +28,7 @@ static const struct option_row rows[] = {
      .help = "a scene of evolve/scenes, or a path (default: all of evolve/scenes)"},
     {"all", 0, OPTION_FLAG, AT(all),
      .help = "every method on all held-out samples; otherwise of bare searches the front alone: what no other method "
-             "leaves behind in time and error, one at a time or over arrays"},
+             "leaves behind in time and error, in calls, dependent or not, or over arrays"},
     {"csv", 0, OPTION_FLAG, AT(csv), .help = "comma-separated values"},
     {"validation", 0, OPTION_FLAG, AT(validation), .help = "on validation samples instead, to choose functions by"},
     {"isa", 0, OPTION_TEXT, AT(isa), "NAME",

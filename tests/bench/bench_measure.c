@@ -1,7 +1,7 @@
 /* Errors and times; see bench_measure.h.
  *
  * The methods take turns, --rounds times, and the median of a method's turns counts, so that whatever else the machine
- * does falls on all of them alike.  How far the ratio to converged Newton, of the same round, scatters is the noise. */
+ * does falls on all of them alike.  How far the ratio to Newton, of the same round, scatters is the noise. */
 #include "bench_measure.h"
 
 #include "../../codegen/genome/base.h"
@@ -21,12 +21,21 @@ enum { TIMED_BLOCKS = 62, TIMED_SAMPLES = TIMED_BLOCKS * BENCH_BLOCK, REPEATS = 
 static const size_t most_cases[BENCH_QUESTIONS] = {600000,        600000,        TIMED_SAMPLES,
                                                    TIMED_SAMPLES, TIMED_SAMPLES, TIMED_SAMPLES};
 
-const char *const bench_mode_name[BENCH_MODES] = {"scalar", "batch"};
+const char *const bench_mode_name[BENCH_MODES] = {"chain", "scalar", "batch"};
 const char *const bench_question_name[BENCH_QUESTIONS] = {"bare", "checked", "over", "closest", "along", "derivatives"};
 
 static bool has_mode(const struct bench_method *m, int mode)
 {
-    return mode == BENCH_SCALAR || m->batch;
+    return mode != BENCH_BATCH || m->batch;
+}
+
+/* Searches n inputs of a kind of segment by calls; of BENCH_CHAIN each waits for the one before. */
+static void search_calls(const struct bench_result *r, int mode, struct bench_input *in, size_t n,
+                         double (*found)[BENCH_FOUND], bench_slopes *slope)
+{
+    static volatile uint64_t none;
+    const struct bench_chain chain = {none, segment_vectors(r->kind)};
+    r->method->scalar(in, n, mode == BENCH_CHAIN ? &chain : NULL, &r->tuning, found, slope);
 }
 
 /* ---- answers ---- */
@@ -74,7 +83,7 @@ void bench_find(const struct bench_result *r, int mode, const struct bench_case 
     }
     for (size_t i = 0; i < n; i++)
         in[i] = c[i].in;
-    r->method->scalar(in, n, &r->tuning, found, slope);
+    search_calls(r, mode, in, n, found, slope);
 }
 
 static void measure_errors(struct bench_result *r, int mode, const struct bench_cases *cases)
@@ -154,7 +163,7 @@ static double time_blocks(const struct bench_result *r, int mode, const struct t
             if (mode == BENCH_BATCH)
                 r->method->batch(&t->b[at], &r->tuning);
             else
-                r->method->scalar(&t->in[at * BENCH_BLOCK], BENCH_BLOCK, &r->tuning, found, slope);
+                search_calls(r, mode, &t->in[at * BENCH_BLOCK], BENCH_BLOCK, found, slope);
         }
     return 1e9 * (seconds() - start) / ((double)blocks * repeats * BENCH_BLOCK);
 }
@@ -208,8 +217,17 @@ static void find_asked(const struct bench_table *table, const struct scene *scen
         }
 }
 
-/* From the times of the turns, in order of the rounds. */
-static void take_times(struct bench_result *r, int mode, size_t rounds, double *ns, const double *newton)
+static void take_times(struct bench_result *r, int mode, size_t rounds, const double ns[BENCH_ROUNDS])
+{
+    double sorted[BENCH_ROUNDS];
+    memcpy(sorted, ns, sizeof sorted);
+    gsl_sort(sorted, 1, rounds);
+    r->ns[mode] = sorted[rounds / 2];
+    r->ns_min[mode] = sorted[0];
+}
+
+/* Compares times of the turns with Newton's, both indexed by round. */
+static void take_noise(struct bench_result *r, int mode, size_t rounds, const double *ns, const double *newton)
 {
     double ratio[BENCH_ROUNDS];
     for (size_t i = 0; i < rounds; i++)
@@ -219,18 +237,21 @@ static void take_times(struct bench_result *r, int mode, size_t rounds, double *
                      (gsl_stats_quantile_from_sorted_data(ratio, 1, rounds, 0.75) -
                       gsl_stats_quantile_from_sorted_data(ratio, 1, rounds, 0.25)) /
                      gsl_stats_median_from_sorted_data(ratio, 1, rounds);
-    gsl_sort(ns, 1, rounds);
-    r->ns[mode] = ns[rounds / 2];
-    r->ns_min[mode] = ns[0];
 }
 
-/* Converged Newton asked the same: the first that is. */
-static int newton_of(const struct bench_run *run, int i)
+/* Returns Newton asked the same as method i: the first of these or the fair one, whose median is less. */
+static int newton_of(const struct bench_run *run, int i, int mode)
 {
-    int first = 0;
-    while (run->result[first].method->question != run->result[i].method->question)
-        first++;
-    return first;
+    int newton = 0;
+    while (run->result[newton].method->question != run->result[i].method->question)
+        newton++;
+    for (int k = newton + 1; k < run->count; k++) {
+        const struct bench_method *const m = run->result[k].method;
+        if (m->fair && m->question == run->result[i].method->question &&
+            run->result[k].ns[mode] < run->result[newton].ns[mode])
+            newton = k;
+    }
+    return newton;
 }
 
 static void measure_times(struct bench_run *run, struct timed timed[BENCH_QUESTIONS], size_t rounds)
@@ -247,13 +268,17 @@ static void measure_times(struct bench_run *run, struct timed timed[BENCH_QUESTI
                 if (has_mode(run->result[i].method, mode))
                     ns[i][mode][round] = time_blocks(&run->result[i], mode, &timed[run->result[i].method->question],
                                                      blocks[i][mode], REPEATS);
-    for (int i = run->count - 1; i >= 0; i--) /* a Newton behind those that are compared with it */
-        for (int mode = 0; mode < BENCH_MODES; mode++)
-            if (has_mode(run->result[i].method, mode))
-                take_times(&run->result[i], mode, rounds, ns[i][mode], ns[newton_of(run, i)][mode]);
     for (int i = 0; i < run->count; i++)
         for (int mode = 0; mode < BENCH_MODES; mode++)
-            run->result[i].ratio[mode] = run->result[newton_of(run, i)].ns[mode] / run->result[i].ns[mode];
+            if (has_mode(run->result[i].method, mode))
+                take_times(&run->result[i], mode, rounds, ns[i][mode]);
+    for (int i = 0; i < run->count; i++)
+        for (int mode = 0; mode < BENCH_MODES; mode++)
+            if (has_mode(run->result[i].method, mode)) {
+                const int newton = newton_of(run, i, mode);
+                take_noise(&run->result[i], mode, rounds, ns[i][mode], ns[newton][mode]);
+                run->result[i].ratio[mode] = run->result[newton].ns[mode] / run->result[i].ns[mode];
+            }
     free(blocks);
     free(ns);
 }

@@ -9,7 +9,9 @@
 /** Turns that each method takes: most, and usually. */
 enum { BENCH_ROUNDS = 41 };
 
-enum bench_mode { BENCH_SCALAR, BENCH_BATCH, BENCH_MODES };
+/** Three clocks: dependent calls, each of which waits for the one before; independent calls, which the processor
+ *  overlaps; loops over arrays. */
+enum bench_mode { BENCH_CHAIN, BENCH_SCALAR, BENCH_BATCH, BENCH_MODES };
 extern const char *const bench_mode_name[BENCH_MODES];
 
 struct bench_result {
@@ -20,7 +22,8 @@ struct bench_result {
     struct error_stats error[BENCH_MODES][BENCH_FOUND]; /* of xi, eta and gap, as bench_errors says */
     double ns[BENCH_MODES];                             /* of a search, median of the turns */
     double ns_min[BENCH_MODES];
-    double ratio[BENCH_MODES]; /* the median of converged Newton, asked the same, over this one's */
+    double
+        ratio[BENCH_MODES]; /* the median of Newton, asked the same, over this one's: converged or fair, the quicker */
     double noise[BENCH_MODES]; /* half of the turns' interquartile range of the ratio, over its median */
 };
 

@@ -1,6 +1,6 @@
 /* The bare searches of the bench; compiled once for each instruction set, named by BENCH_ISA, with the same flags for all
  * methods.  Each is there twice, with the search inlined: as a loop over structures of one sample that may not be
- * vectorised across samples, and as a loop over columns that may.  What callers get besides: bench_calls.c.
+ * vectorised across samples (calls, dependent or not), and as a loop over columns that may (arrays).  What callers get besides: bench_calls.c.
  *
  * A new rival: write it in a header of its own with FOOTPOINT_REAL as its scalar, list it there, and name the list in
  * METHODS below and in count_rivals.cpp. */
@@ -29,7 +29,7 @@
             search;                                                                                                    \
             found[i][0] = xi;                                                                                          \
             found[i][1] = eta;                                                                                         \
-            NEXT_SAMPLE;                                                                                               \
+            NEXT_SAMPLE(xi, eta, 0);                                                                                   \
         }                                                                                                              \
     }
 #define DEFINE_BATCH(name, search)                                                                                     \
@@ -54,12 +54,12 @@
     {                                                                                                                  \
         (void)t, (void)slope;                                                                                          \
         for (size_t i = 0; i < n; i++) {                                                                               \
-            const double(*x)[3] = in[i].x;                                                                             \
+            const double(*x)[3] = (const double(*)[3])in[i].x;                                                         \
             double xi = 0, eta = 0;                                                                                    \
             search;                                                                                                    \
             found[i][0] = xi;                                                                                          \
             found[i][1] = eta;                                                                                         \
-            NEXT_SAMPLE;                                                                                               \
+            NEXT_SAMPLE(xi, eta, 0);                                                                                   \
         }                                                                                                              \
     }
 #define DEFINE_BATCH_OF(name, search)                                                                                  \
@@ -109,7 +109,7 @@
     DEFINE_SCALAR(name, found_##name(xA, xB, xC, xD, xS, t, &xi, &eta))
 
 /* The same by columns. */
-#define DEFINE_LANES(name, from_start, tolerance)                                                                      \
+#define DEFINE_LANES(name, start, tolerance)                                                                           \
     BATCH_FN(name)                                                                                                     \
     {                                                                                                                  \
         (void)t;                                                                                                       \
@@ -118,11 +118,12 @@
             const double *x[15];                                                                                       \
             for (int k = 0; k < 15; k++)                                                                               \
                 x[k] = b->x[k] + first;                                                                                \
-            for (int i = 0; from_start && i < NEWTON_LANES; i++) {                                                     \
+            for (int i = 0; start == NEWTON_LANES_GIVEN && i < NEWTON_LANES; i++) {                                    \
                 lanes.u[i] = b->before[0][first + i];                                                                  \
                 lanes.v[i] = b->before[1][first + i];                                                                  \
             }                                                                                                          \
-            newton_lanes_run(&lanes, x, from_start, tolerance);                                                        \
+            newton_lanes_read(&lanes, x, start);                                                                       \
+            newton_lanes_run(&lanes, start, tolerance);                                                                \
             for (int i = 0; i < NEWTON_LANES; i++) {                                                                   \
                 b->xi[first + i] = lanes.moving[i] > 0 ? BENCH_NO_ANSWER : lanes.u[i];                                 \
                 b->eta[first + i] = lanes.moving[i] > 0 ? BENCH_NO_ANSWER : lanes.v[i];                                \
@@ -132,13 +133,15 @@
 
 #define NODES xA, xB, xC, xD, xS
 DEFINE_CONVERGED(newton, rival_newton(NODES, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, xi, eta))
+DEFINE_CONVERGED(newton_fair, rival_newton_fair(NODES, RIVAL_FAIR_STEPS_MAX, RIVAL_FAIR_TOLERANCE, xi, eta))
 DEFINE_CONVERGED(newton_loose, rival_newton(NODES, RIVAL_STEPS_MAX, RIVAL_NEWTON_LOOSE, xi, eta))
 DEFINE_CONVERGED(newton_previous, rival_newton_from(NODES, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, xi, eta))
 DEFINE_CONVERGED(trust_region, rival_trust_region(NODES, &t->box, RIVAL_STEPS_MAX, TRUST_REGION_TOLERANCE, xi, eta))
 DEFINE_BATCH(newton, found_newton(NODES, t, &xi, &eta))
-DEFINE_LANES(newton_lanes, 0, RIVAL_NEWTON_TOLERANCE)
-DEFINE_LANES(newton_loose, 0, RIVAL_NEWTON_LOOSE)
-DEFINE_LANES(newton_previous, 1, RIVAL_NEWTON_TOLERANCE)
+DEFINE_LANES(newton_fair, NEWTON_LANES_TAPER, RIVAL_FAIR_TOLERANCE)
+DEFINE_LANES(newton_lanes, NEWTON_LANES_CENTRE, RIVAL_NEWTON_TOLERANCE)
+DEFINE_LANES(newton_loose, NEWTON_LANES_CENTRE, RIVAL_NEWTON_LOOSE)
+DEFINE_LANES(newton_previous, NEWTON_LANES_GIVEN, RIVAL_NEWTON_TOLERANCE)
 
 #define ITERATION(name, start, gauss_newton, newton, clamped) DEFINE_METHOD(name, rival_##name(NODES, &xi, &eta))
 #define CLOSED_FORM(name) DEFINE_METHOD(name, rival_##name(NODES, &xi, &eta))
@@ -205,14 +208,15 @@ RIVAL_PATCHES(PATCH_FIXED)
 #define METHOD(scene_, kind_, name_, mul, div, add, sqrt)                                                              \
     {.name = #name_, .kind = #kind_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #define batch_trust_region NULL
-/* "newton" is the iteration as codes have it, in batches a loop of searches; "newton_lanes" steps a batch together. */
+/* "newton" is the iteration as codes have it, in batches a loop of searches; the others step a batch together. */
 #define scalar_newton_lanes scalar_newton
 #define steps_newton_lanes steps_newton
 #define OPS_newton_lanes OPS_newton
 #define STEP_newton_lanes STEP_newton
 
 static const struct bench_method methods[] = {
-    CONVERGED(newton) CONVERGED(newton_lanes) CONVERGED(newton_loose) CONVERGED(newton_previous) CONVERGED(trust_region)
+    CONVERGED(newton){RIVAL(newton_fair), .fair = 1, .step = STEP_newton_fair, .steps = steps_newton_fair},
+    CONVERGED(newton_lanes) CONVERGED(newton_loose) CONVERGED(newton_previous) CONVERGED(trust_region)
         RIVAL_ITERATIONS(ITERATION) RIVAL_TUNED_ITERATIONS(TUNED_ITERATION) RIVAL_KEPT(TUNED_ITERATION)
             RIVAL_CLOSED_FORMS(CLOSED_FORM) RIVAL_POLYNOMIALS(POLYNOMIAL){RIVAL(pinball), .depth_only = 1},
     FACE_ITERATION(tri3_areas, tri3, 0, 0) RIVAL_FACES(FACE_CONVERGED) RIVAL_FACE_ITERATIONS(FACE_ITERATION)

@@ -7,6 +7,7 @@
 #include "../rivals/rivals_kept.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 /** A block is no power of 2: rows of derivatives are as far apart as it is long, and would drive each other out of a
  *  cache. */
@@ -14,7 +15,15 @@ enum { BENCH_BLOCK = 160, BENCH_COLUMN = BENCH_BLOCK + 8 };
 
 enum { BENCH_OVER = 8 };
 
-/** What is asked.  A method answers one of these; converged Newton, asked the same, is what it is compared with. */
+/** Makes each search wait for the one before: coordinate 0 of vector `slave` takes the bits of what was found, masked by
+ *  `none`, which is 0 and which no compiler knows. */
+struct bench_chain {
+    uint64_t none;
+    size_t slave;
+};
+
+/** What is asked.  A method answers one of these; its time is compared with that of converged Newton, asked the same, or
+ *  fair Newton, whichever is the quicker. */
 enum bench_question {
     ASK_BARE,        /* xi and eta, nothing checked: NAME_at, NAME_n */
     ASK_CHECKED,     /* with gap and status: NAME, NAME_checked_n */
@@ -70,6 +79,7 @@ struct bench_method {
     const char *scene; /* the one it was made for, or NULL: any */
     enum bench_question question;
     int ours;
+    int fair;       /* fair Newton: a time is over its own if that is less than converged Newton's */
     int depth_only; /* finds no xi, eta */
     enum rival_start start;
     enum bench_tune tune;
@@ -77,9 +87,11 @@ struct bench_method {
     struct bench_counts
         ops; /* of a whole search, 0 if not counted; of iterations until they stand, of the first step ... */
     struct bench_counts step; /* ... and of a later one */
-    /* One search for each of n inputs, not vectorised over them.  `slope` is of ASK_DERIVATIVES alone. */
-    void (*scalar)(const struct bench_input *restrict in, size_t n, const struct rival_tuning *restrict t,
-                   double (*restrict found)[BENCH_FOUND], bench_slopes *restrict slope);
+    /* One search for each of n inputs, not vectorised over them: independent calls if `chain` is NULL, otherwise each
+     * waits for the one before, and `in` is written to.  Only ASK_DERIVATIVES needs `slope`. */
+    void (*scalar)(struct bench_input *restrict in, size_t n, const struct bench_chain *restrict chain,
+                   const struct rival_tuning *restrict t, double (*restrict found)[BENCH_FOUND],
+                   bench_slopes *restrict slope);
     /* BENCH_BLOCK searches, vectorised if the compiler can; NULL: the method has no such form. */
     void (*batch)(struct bench_block *restrict b, const struct rival_tuning *restrict t);
     /* Steps that an iteration takes until it stands; NULL: its steps are fixed. */

@@ -58,12 +58,11 @@ void bench_print_all(const struct scene *scene, const char *sample, const struct
 {
     if (is_first()) {
         print_head(table);
-        puts("*: ours; operations: 0 where they are not counted; ns: of one search, least and median; ratio: the "
-             "median of "
-             "converged Newton,\nasked the same, in the same mode over this one's; noise: per cent, half of the "
-             "interquartile range of the ratio over the rounds;\ngap: or distance, over the square root of the "
-             "segment's "
-             "area; with derivatives, errors of these; pinball finds no xi, eta: --contact\n");
+        puts("*: ours; operations: 0 where they are not counted; mode: chain (dependent calls), scalar (independent "
+             "calls), batch (arrays);\nns: of one search, least and median; ratio: the median of Newton, converged or "
+             "fair, the quicker, asked the same, in the same mode\nover this one's; noise: per cent, half of the "
+             "interquartile range of the ratio over the rounds; gap: or distance, over the square\nroot of the "
+             "segment's area; with derivatives, errors of these; pinball finds no xi, eta: --contact\n");
         printf("%-14s %-6s   %-40s %-6s %4s %3s %4s %4s %7s %7s %6s %5s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n",
                "scene", "sample", "method", "mode", "mul", "div", "add", "sqrt", "ns_min", "ns", "ratio", "noise",
                "mean_xi", "p99_xi", "max_xi", "mean_eta", "p99_eta", "max_eta", "mean_gap", "p99_gap", "max_gap",
@@ -114,6 +113,14 @@ static bool is_on_front(const struct bench_run *run, const struct bench_result *
     return true;
 }
 
+static bool is_on_some_front(const struct bench_run *run, const struct bench_result *r)
+{
+    bool is = false;
+    for (int mode = 0; mode < BENCH_MODES; mode++)
+        is = is || is_on_front(run, r, mode);
+    return is;
+}
+
 static int by_error(const void *a, const void *b)
 {
     const double x = error_of(*(const struct bench_result *const *)a, BENCH_SCALAR).mean,
@@ -127,12 +134,12 @@ static void print_row(const struct bench_result *r)
     printf("%c %-40s", r->method->ours ? '*' : ' ', r->method->name);
     if (r->method->question == ASK_BARE)
         printf(" %4ld %3ld %4ld %4ld", r->ops.mul, r->ops.div, r->ops.add, r->ops.sqrt);
-    printf(" %8.1f", r->ns[BENCH_SCALAR]);
+    printf(" %8.1f %8.1f", r->ns[BENCH_CHAIN], r->ns[BENCH_SCALAR]);
     if (has_mode(r, BENCH_BATCH))
         printf(" %8.2f", r->ns[BENCH_BATCH]);
     else
         printf(" %8s", "-");
-    printf(" %8.1f", r->ratio[BENCH_SCALAR]);
+    printf(" %8.1f %8.1f", r->ratio[BENCH_CHAIN], r->ratio[BENCH_SCALAR]);
     if (has_mode(r, BENCH_BATCH))
         printf(" %8.1f", r->ratio[BENCH_BATCH]);
     else
@@ -157,7 +164,8 @@ static void print_question(const struct scene *scene, enum bench_question questi
                "method", "mul", "div", "add", "sqrt");
     else
         printf("\n%s, %s\n  %-40s", scene->name, name[question], "method");
-    printf(" %8s %8s %8s %8s %8s %8s %8s\n", "ns", "arrays", "faster", "arrays", "mean", "99 %", "worst");
+    printf(" %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "chain ns", "calls", "arrays", "faster", "calls", "arrays", "mean",
+           "99 %", "worst");
 }
 
 static void print_front_of(const struct scene *scene, const struct bench_run *run, enum bench_question question)
@@ -169,8 +177,7 @@ static void print_front_of(const struct scene *scene, const struct bench_run *ru
         if (r->method->question == question) {
             newton = newton ? newton : r;
             methods++;
-            if (question != ASK_BARE || r == newton || is_on_front(run, r, BENCH_SCALAR) ||
-                is_on_front(run, r, BENCH_BATCH))
+            if (question != ASK_BARE || r == newton || r->method->fair || is_on_some_front(run, r))
                 front[n++] = r;
         }
     if (n > 0) {
@@ -187,11 +194,10 @@ void bench_print_front(const struct scene *scene, const struct bench_table *tabl
     if (is_first()) {
         print_head(table);
         puts(
-            "*: ours; ns: of one search, one at a time and over arrays; faster: the time of converged Newton, asked "
-            "the "
-            "same, over this one's;\nerror: the larger of those of xi and eta; of closest points and along a direction "
-            "that of the distance, over the square root of\nthe segment's area; of derivatives that of those of xi and "
-            "eta, over the greatest");
+            "*: ours; ns: of one search, in dependent calls (chain), in independent calls and over arrays; faster: the "
+            "time of Newton, converged\nor fair, the quicker, asked the same, over this one's; error: the larger of "
+            "those of xi and eta; of closest points and along a\ndirection that of the distance, over the square root "
+            "of the segment's area; of derivatives that of those of xi and eta, over the\ngreatest");
     }
     for (int q = 0; q < BENCH_QUESTIONS; q++)
         print_front_of(scene, run, (enum bench_question)q);

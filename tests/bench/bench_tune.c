@@ -65,7 +65,7 @@ static double mean_error(const gsl_vector *point, void *data)
     const struct fit *f = data;
     double sum = 0;
     set_point(f->tuning, gsl_vector_get(point, 0), gsl_vector_get(point, 1));
-    f->method->scalar(f->in, f->n, f->tuning, f->found, NULL);
+    f->method->scalar(f->in, f->n, NULL, f->tuning, f->found, NULL);
     for (size_t i = 0; i < f->n; i++)
         sum += fabs(f->found[i][0] - f->s[i]->xi) + fabs(f->found[i][1] - f->s[i]->eta);
     return isfinite(sum) ? sum / (2 * (double)f->n) : GSL_DBL_MAX;
@@ -101,7 +101,7 @@ static void fill_columns(const struct fit *f, int output, gsl_matrix *columns, g
     for (int k = 0; k < f->method->coefficients; k++) {
         memset(coefficient, 0, RIVAL_TERMS * sizeof *coefficient);
         coefficient[k] = 1;
-        f->method->scalar(f->in, f->n, f->tuning, f->found, NULL);
+        f->method->scalar(f->in, f->n, NULL, f->tuning, f->found, NULL);
         for (size_t i = 0; i < f->n; i++)
             gsl_matrix_set(columns, i, (size_t)k, f->found[i][output]);
     }

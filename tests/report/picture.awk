@@ -138,7 +138,8 @@ function script(    i, k) {
     printf "set lmargin at screen %g\nset rmargin at screen %g\nset bmargin at screen %g\nset tmargin at screen %g\n",
         left / width, 1 - right / width, bottom / height, 1 - top / height
     printf "set xrange [%g:%g]\nset yrange [%g:%g]\n", x0, x1, y0, y1
-    printf "set xlabel 'nanoseconds a search, %s' offset 0,0.3\n", mode == "batch" ? "in batches" : "one at a time"
+    clock["chain"] = "dependent calls"; clock["scalar"] = "independent calls"; clock["batch"] = "over arrays"
+    printf "set xlabel 'nanoseconds a search, %s' offset 0,0.3\n", clock[mode]
     printf "set ylabel '%s' offset 0.5,0\n", error != "" ? error : \
         (norm == "p99" ? "99 %" : norm) " error, the larger of xi and eta"
     printf "set label 1000 '%s' at screen %g,%g left noenhanced font 'sans,15'\n", scene ", " mode ": " \

@@ -34,7 +34,7 @@ methods() { # methods SCENE SAMPLE QUESTION TITLE: the table, if there is someth
 part() { # part SCENE SAMPLE
     echo "<h3>$2 samples</h3><div class=pictures>"
     for norm in mean p99; do
-        for mode in scalar batch; do
+        for mode in chain scalar batch; do
             picture "$1" "$2" $mode $norm
         done
     done
@@ -105,6 +105,7 @@ td:first-child, .words td { text-align: left } .ours td { font-weight: bold; bac
 <h1>Time against error</h1>
 <div class=pictures>
 END
+    picture "$first" "$sample" chain mean
     picture "$first" "$sample" scalar mean
     picture "$first" "$sample" batch mean
     echo '</div>'
@@ -117,8 +118,9 @@ END
 </p>
 <p>One run, all methods in turn on the same held-out samples, all compiled alike:
 $(awk -F, 'NR == 2 { print $(NF) ", " $(NF - 1) }' "$folder/bench.csv"). <a href="bench.csv">bench.csv</a> holds all.
-Times are medians of the turns, in processor time. The noise of a method is half of the interquartile range of its ratio
-to converged Newton, asked the same, over the rounds, relative to the median; a picture states the median of its methods' noises. Errors
+Times are medians of the turns, in processor time, by three clocks: in dependent calls (mode chain) each search waits for
+the one before; independent calls (scalar) overlap in the processor; arrays (batch) are loops over columns. The noise of a method is half of the interquartile range of its ratio
+to Newton, converged or fair, the quicker, asked the same, over the rounds, relative to the median; a picture states the median of its methods' noises. Errors
 are the larger of those of xi and eta, against the certain foot point; gaps and distances are over the square root of the
 segment's area. <b>$(tail -n 1 "$folder/front.txt")</b>, over all scenes, samples, modes and both norms: faster than any function of
 ours that is as accurate, by more than the noise of the two (<a href="front.txt">front.txt</a>).</p>

@@ -1,4 +1,4 @@
-# What the picture of a scene says, in five sentences of HTML, from what `footpoint-bench --csv` prints:
+# What the pictures of a scene say, in some sentences of HTML, from what `footpoint-bench --csv` prints:
 #     awk -f says.awk -v scene=quad4 -v sample=random bench.csv
 BEGIN { FS = "," }
 NR == 1 {
@@ -12,8 +12,10 @@ $column["scene"] == scene && $column["sample"] == sample && $column["question"] 
     if ($column["ours"]) ours[m]
     else if (m ~ /^gn?[0-9n_]*centre$/ || m ~ /^gn[0-9]_centre$/) truncated[m]
     if (m ~ /^((tri|quad)[0-9]+_)?newton$/) newton = m
-    if (m ~ /newton_lanes$/) lanes = m
+    if (m ~ /newton_fair$/) fair = m
 }
+# Newton's time in a mode: converged or fair, the quicker.
+function quicker(mode) { return fair && ns[fair, mode] < ns[newton, mode] ? ns[fair, mode] : ns[newton, mode] }
 function short(m) { sub(/^footpoint_/, "", m); return "<code>" m "</code>" }
 END {
     for (m in ours) {
@@ -27,13 +29,11 @@ END {
         if (rival && mean[m] <= 1.1 * mean[rival] && (!match_ || ns[m, "scalar"] < ns[match_, "scalar"])) match_ = m
     printf "<p>Each point is a way to find xi and eta on the scene %s: to the right it takes longer, upwards it errs more; what is left of and below everything else is best.\n", scene
     if (fast)
-        printf "Filled points and the line are footpoint's functions, from %s (%.1f ns one at a time, mean error %.0e) to %s (%.1f ns, %.0e); open points are iterations and closed forms written by hand.\n", short(fast), ns[fast, "scalar"], mean[fast], short(exact), ns[exact, "scalar"], mean[exact]
+        printf "Filled points and the line are footpoint's functions, from %s (%.1f ns in independent calls, mean error %.0e) to %s (%.1f ns, %.0e); open points are iterations and closed forms written by hand.\n", short(fast), ns[fast, "scalar"], mean[fast], short(exact), ns[exact, "scalar"], mean[exact]
     else
         print "Open points are iterations and closed forms written by hand; of footpoint there is no function for this scene."
-    printf "Newton's iteration until it stands takes %.1f ns one at a time", ns[newton, "scalar"]
-    if (lanes) printf ", and %.1f ns over arrays if a whole batch steps together", ns[lanes, "batch"]
-    print "."
+    printf "Newton's iteration%s takes %.1f ns in calls that wait for one another, %.1f ns in independent calls and %.1f ns over arrays; %s takes %.1f, %.1f and %.2f.\n", fair ? ", from the centre or from the taper, the quicker," : "", quicker("chain"), quicker("scalar"), quicker("batch"), short(exact), ns[exact, "chain"], ns[exact, "scalar"], ns[exact, "batch"]
     if (match_ && rival)
-        printf "At an error of %.0e, the truncated iteration <code>%s</code> takes %.1f ns one at a time and %.2f ns over arrays, %s %.1f and %.2f.\n", mean[rival], rival, ns[rival, "scalar"], ns[rival, "batch"], short(match_), ns[match_, "scalar"], ns[match_, "batch"]
+        printf "At an error of %.0e, the truncated iteration <code>%s</code> takes %.1f ns in independent calls and %.2f ns over arrays, %s %.1f and %.2f.\n", mean[rival], rival, ns[rival, "scalar"], ns[rival, "batch"], short(match_), ns[match_, "scalar"], ns[match_, "batch"]
     print "These are times of bare searches; what callers get besides stands in tables below the pictures.</p>"
 }

@@ -1,9 +1,10 @@
 # The times of README.md's table "Which function", from what `footpoint-bench --scene quad4 --csv` prints for one or several
 # instruction sets:
 #     awk -f searches.awk FILE...
-# For each search how many times quicker it is than converged Newton asked the same, closest points than four triangles:
-# bare, checked, closest point; the same over arrays; and what checking takes of the bare search, one at a time and over
-# arrays.  Then the functions that are not one of each search.  Figures of several files stand in one cell.
+# For each search how many times quicker it is than Newton, converged or fair, the quicker in that mode, asked the same, and
+# closest points than four triangles: bare, checked, closest point, each in dependent calls, in independent calls and over
+# arrays.  Then the time of checked searches over that of bare ones, and the functions that are not one of each search.
+# Figures of several files stand in one cell.
 BEGIN { FS = "," }
 FNR == 1 {
     for (i = 1; i <= NF; i++) c[$i] = i
@@ -18,30 +19,40 @@ FNR == 1 {
     order[++n] = m
 }
 function figure(v) { return sprintf(v < 9.95 ? "%.1f" : "%.0f", v) }
-# rival's time over ours, of all files
-function cell(ours, rival, mode,    f, text) {
+function quickest(f, rivals, mode,    i, k, name, least) {
+    k = split(rivals, name, " ")
+    for (i = 1; i <= k; i++)
+        if ((f, name[i], mode) in ns && (least == "" || ns[f, name[i], mode] < least)) least = ns[f, name[i], mode]
+    return least
+}
+# the time of the quickest rival over ours, of all files
+function cell(ours, rivals, mode,    f, text) {
     for (f = 1; f <= files; f++)
         if ((f, ours, mode) in ns)
-            text = text (text == "" ? "" : " / ") figure(ns[f, rival, mode] / ns[f, ours, mode])
+            text = text (text == "" ? "" : " / ") figure(quickest(f, rivals, mode) / ns[f, ours, mode])
     return text
 }
+function three(ours, rivals) {
+    return " " cell(ours, rivals, "chain") " | " cell(ours, rivals, "scalar") " | " cell(ours, rivals, "batch") " |"
+}
 END {
-    print "| search | bare | checked | closest | arrays | checked arrays | closest arrays | checking | over arrays |"
+    print "| search | bare: dependent | calls | arrays | checked: dependent | calls | arrays | closest: dependent | calls | " \
+        "arrays | checking: dependent | calls | arrays |"
     for (i = 1; i <= n; i++) {
         m = order[i]
         if (question[m] == "bare")
-            print "| `" m "` | " cell(m, "newton", "scalar") " | " cell(m "_checked", "newton_checked", "scalar") " | " \
-                cell(m "_closest", "four_triangles", "scalar") " | " cell(m, "newton", "batch") " | " \
-                cell(m "_checked", "newton_checked", "batch") " | " cell(m "_closest", "four_triangles", "batch") " | " \
-                cell(m, m "_checked", "scalar") " | " cell(m, m "_checked", "batch") " |"
+            print "| `" m "` |" three(m, "newton newton_fair") three(m "_checked", "newton_checked newton_fair_checked") \
+                three(m "_closest", "four_triangles") three(m, m "_checked")
     }
-    print "\n| besides | of | one at a time | over arrays |"
-    split("checked newton_checked over newton_over closest four_triangles along newton_along derivatives newton_implicit", pair, " ")
-    for (i = 1; i <= 9; i += 2) rival[pair[i]] = pair[i + 1]
+    print "\n| besides | of | dependent | calls | arrays |"
+    rival["checked"] = "newton_checked newton_fair_checked"
+    rival["over"] = "newton_over newton_fair_over"
+    rival["closest"] = "four_triangles"
+    rival["along"] = "newton_along"
+    rival["derivatives"] = "newton_implicit"
     for (i = 1; i <= n; i++) {
         m = order[i]
         if (question[m] != "bare" && m !~ /_(checked|closest)$/)
-            print "| `" m "` | `" rival[question[m]] "` | " cell(m, rival[question[m]], "scalar") " | " \
-                cell(m, rival[question[m]], "batch") " |"
+            print "| `" m "` | `" rival[question[m]] "` |" three(m, rival[question[m]])
     }
 }

@@ -74,7 +74,7 @@ static const Real xS[3] = {0.3, 0.6, 0.4};
 
 // A face of any kind, as far as counting goes.
 static const Real face[10][3] = {{0.0, 0.0, 0.0}, {1.0, 0.1, 0.0}, {1.2, 0.9, 0.2}, {-0.1, 1.0, 0.0}, {0.6, 0.0, 0.1},
-                                 {1.1, 0.4, 0.2}, {0.5, 1.0, 0.0}, {0.0, 0.6, 0.1}, {0.5, 0.5, 0.1}, {0.3, 0.6, 0.4}};
+                                 {1.1, 0.4, 0.2}, {0.5, 1.0, 0.0}, {0.0, 0.6, 0.1}, {0.5, 0.5, 0.1},  {0.3, 0.6, 0.4}};
 
 static void print(const char *kind, const char *name, const Counts &c)
 {
@@ -115,6 +115,8 @@ int main()
     const auto newton = [](int most, Real *xi, Real *eta) { rival_newton(xA, xB, xC, xD, xS, most, 0.0, xi, eta); };
     count_steps("newton", newton);
     count_steps("newton_loose", newton);
+    count_steps("newton_fair",
+                [](int most, Real *xi, Real *eta) { rival_newton_fair(xA, xB, xC, xD, xS, most, 0.0, xi, eta); });
     count_steps("newton_previous",
                 [](int most, Real *xi, Real *eta) { rival_newton_from(xA, xB, xC, xD, xS, most, 0.0, xi, eta); });
     count_steps("trust_region", [](int most, Real *xi, Real *eta) {

@@ -8,6 +8,9 @@
 
 enum { NEWTON_LANES = 32 };
 
+/** Where lanes start: the centre, the u and v that they hold, or the taper, as fair Newton does. */
+enum newton_lanes_start { NEWTON_LANES_CENTRE, NEWTON_LANES_GIVEN, NEWTON_LANES_TAPER };
+
 struct newton_lanes {
     double g11[NEWTON_LANES], g12[NEWTON_LANES], g13[NEWTON_LANES], g22[NEWTON_LANES], g23[NEWTON_LANES];
     double g33[NEWTON_LANES], g1[NEWTON_LANES], g2[NEWTON_LANES], g3[NEWTON_LANES];
@@ -15,8 +18,26 @@ struct newton_lanes {
     long long moving[NEWTON_LANES]; /* 1 or 0 */
 };
 
-/* The products of lane i from column i of x[15]. */
-RIVAL_FN void newton_lanes_read(struct newton_lanes *lanes, const double *const x[15], int from_start)
+RIVAL_FN void newton_lanes_set(struct newton_lanes *lanes, int i, const struct rival_products *g,
+                               enum newton_lanes_start start)
+{
+    const struct rival_point p = start == NEWTON_LANES_TAPER ? rival_taper(g) : rival_first(g, 0, 1.0);
+    lanes->g11[i] = g->g11;
+    lanes->g12[i] = g->g12;
+    lanes->g13[i] = g->g13;
+    lanes->g22[i] = g->g22;
+    lanes->g23[i] = g->g23;
+    lanes->g33[i] = g->g33;
+    lanes->g1[i] = g->g1;
+    lanes->g2[i] = g->g2;
+    lanes->g3[i] = g->g3;
+    lanes->u[i] = start == NEWTON_LANES_GIVEN ? lanes->u[i] : p.u;
+    lanes->v[i] = start == NEWTON_LANES_GIVEN ? lanes->v[i] : p.v;
+    lanes->moving[i] = 1;
+}
+
+/** Reads the segment and the slave node of lane i from column i of x[15]. */
+RIVAL_FN void newton_lanes_read(struct newton_lanes *lanes, const double *const x[15], enum newton_lanes_start start)
 {
     for (int i = 0; i < NEWTON_LANES; i++) {
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
@@ -25,19 +46,30 @@ RIVAL_FN void newton_lanes_read(struct newton_lanes *lanes, const double *const 
         struct rival_basis b;
         rival_basis_centre(xA, xB, xC, xD, xS, &b);
         const struct rival_products g = rival_products_of(&b, RIVAL_MANY);
-        const struct rival_point p = rival_first(&g, 0, 1.0);
-        lanes->g11[i] = g.g11;
-        lanes->g12[i] = g.g12;
-        lanes->g13[i] = g.g13;
-        lanes->g22[i] = g.g22;
-        lanes->g23[i] = g.g23;
-        lanes->g33[i] = g.g33;
-        lanes->g1[i] = g.g1;
-        lanes->g2[i] = g.g2;
-        lanes->g3[i] = g.g3;
-        lanes->u[i] = from_start ? lanes->u[i] : p.u;
-        lanes->v[i] = from_start ? lanes->v[i] : p.v;
-        lanes->moving[i] = 1;
+        newton_lanes_set(lanes, i, &g, start);
+    }
+}
+
+/** Reads segments of `over` slave nodes each: the segment of lane i is in the first column of its group. */
+RIVAL_FN void newton_lanes_read_over(struct newton_lanes *lanes, const double *const x[15], int over,
+                                     enum newton_lanes_start start)
+{
+    for (int first = 0; first < NEWTON_LANES; first += over) {
+        double node[4][3];
+        struct rival_basis b;
+        for (int k = 0; k < 12; k++)
+            node[k / 3][k % 3] = x[k][first];
+        rival_basis_centre(node[0], node[1], node[2], node[3], node[0], &b);
+        struct rival_products g = rival_products_of(&b, RIVAL_MANY);
+        for (int i = first; i < first + over; i++) {
+            double d[3];
+            for (int k = 0; k < 3; k++)
+                d[k] = b.d[k] + 4 * (x[12 + k][i] - node[0][k]);
+            g.g1 = rival_dot(b.e1, d);
+            g.g2 = rival_dot(b.e2, d);
+            g.g3 = rival_dot(b.c3, d);
+            newton_lanes_set(lanes, i, &g, start);
+        }
     }
 }
 
@@ -61,15 +93,15 @@ RIVAL_FN long long newton_lanes_step(struct newton_lanes *lanes, int newton, dou
     return count;
 }
 
-/** From the centre (from_start 0), or from what lanes->u and v hold. */
-RIVAL_FN void newton_lanes_run(struct newton_lanes *lanes, const double *const x[15], int from_start, double tolerance)
+/** Steps lanes that have been read until all of them stand. */
+RIVAL_FN void newton_lanes_run(struct newton_lanes *lanes, enum newton_lanes_start start, double tolerance)
 {
+    const int most = start == NEWTON_LANES_TAPER ? RIVAL_FAIR_STEPS_MAX : RIVAL_STEPS_MAX;
     long long moving = NEWTON_LANES;
-    int n = from_start ? 0 : 1;
-    newton_lanes_read(lanes, x, from_start);
-    for (; !from_start && n < RIVAL_NEWTON_GAUSS && moving > 0; n++)
+    int n = start == NEWTON_LANES_GIVEN ? 0 : 1;
+    for (; start == NEWTON_LANES_CENTRE && n < RIVAL_NEWTON_GAUSS && moving > 0; n++)
         moving = newton_lanes_step(lanes, 0, tolerance);
-    for (; n < RIVAL_STEPS_MAX && moving > 0; n++)
+    for (; n < most && moving > 0; n++)
         moving = newton_lanes_step(lanes, 1, tolerance);
 }
 

@@ -95,6 +95,33 @@ RIVAL_DEFINE(quad4, 0)
 RIVAL_DEFINE(tri3, 1)
 #undef RIVAL_DEFINE
 
+/* Computes the gap at p of the segment with basis b, all of whose vectors are four times too long. */
+RIVAL_FN int rival_basis_gap(const struct rival_basis *b, struct rival_point p, double *gap)
+{
+    struct rival_place at;
+    for (int k = 0; k < 3; k++) {
+        at.u[k] = b->e1[k] + p.v * b->c3[k];
+        at.v[k] = b->e2[k] + p.u * b->c3[k];
+        at.d[k] = b->d[k] - p.u * b->e1[k] - p.v * at.v[k];
+    }
+    const int normal = rival_gap(&at, gap);
+    *gap *= 0.25;
+    return normal;
+}
+
+/** Fair Newton with gap and status. */
+RIVAL_FN int rival_fair_checked(const double (*x)[3], double loc[2], double *gap)
+{
+    struct rival_basis b;
+    struct rival_point p;
+    rival_basis_centre(x[0], x[1], x[2], x[3], x[4], &b);
+    const struct rival_products g = rival_products_of(&b, RIVAL_MANY);
+    const int found = rival_fair_steps(&g, RIVAL_FAIR_STEPS_MAX, RIVAL_FAIR_TOLERANCE, &p);
+    loc[0] = p.u;
+    loc[1] = p.v;
+    return rival_basis_gap(&b, p, gap) && found;
+}
+
 /** The closest point of four triangles about the centroid, and (xi, eta) there as the triangles share them out. */
 RIVAL_FN int rival_quad4_triangles(const double (*x)[3], double loc[2], double *dist)
 {

@@ -1,5 +1,6 @@
 /* The hand-written methods: exact where theory says so, equal to textbook iterations, and within their range. */
 #include "../support/ordinary_quad.h"
+#include "rivals_calls.h"
 #include "rivals_closed.h"
 #include "rivals_converged.h"
 #include "rivals_tuned.h"
@@ -159,6 +160,36 @@ static void test_newton(void **state)
     }
 }
 
+/* Fair Newton finds what the reference found, with its gap, and returns 0 if it may take too few steps. */
+static void test_newton_fair(void **state)
+{
+    (void)state;
+    where = "newton_fair";
+    for (number = 0; number < SEGMENTS; number++) {
+        const struct quad q = quad_draw(&quad_ordinary, number);
+        double x[5][3], loc[2], xi, eta, gap;
+        memcpy(x, q.x, sizeof q.x);
+        memcpy(x[4], q.xs, sizeof q.xs);
+        const int steps = rival_newton_fair(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, RIVAL_FAIR_STEPS_MAX,
+                                            RIVAL_FAIR_TOLERANCE, &xi, &eta);
+        assert_in_range(steps, 2, 7);
+        close_to(&q, xi, eta, q.xi, q.eta, tolerance);
+        assert_int_equal(rival_newton_fair(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, 3, 0, &xi, &eta), 0);
+        assert_true(rival_fair_checked((const double(*)[3])x, loc, &gap));
+        close_to(&q, loc[0], loc[1], q.xi, q.eta, tolerance);
+        assert_true(fabs(gap - q.gap) <= tolerance * sqrt(rival_dot(q.x[1], q.x[1]) + rival_dot(q.xs, q.xs)));
+    }
+}
+
+/* Where nodes lie on a line, no step leads anywhere, and there is no normal. */
+static void test_newton_fair_refuses(void **state)
+{
+    const double x[5][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1, 1, 0}};
+    double loc[2], gap;
+    (void)state;
+    assert_false(rival_fair_checked(x, loc, &gap));
+}
+
 static void test_clamped(void **state)
 {
     const struct quad_limits limits = {0.15, 0.1, 0.3, 3};
@@ -178,8 +209,13 @@ static void test_clamped(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_textbook), cmocka_unit_test(test_parallelogram),
-                                       cmocka_unit_test(test_area),     cmocka_unit_test(test_plane),
-                                       cmocka_unit_test(test_newton),   cmocka_unit_test(test_clamped)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_textbook),
+                                       cmocka_unit_test(test_parallelogram),
+                                       cmocka_unit_test(test_area),
+                                       cmocka_unit_test(test_plane),
+                                       cmocka_unit_test(test_newton),
+                                       cmocka_unit_test(test_newton_fair),
+                                       cmocka_unit_test(test_newton_fair_refuses),
+                                       cmocka_unit_test(test_clamped)};
     return cmocka_run_group_tests_name("rivals", tests, NULL, NULL);
 }

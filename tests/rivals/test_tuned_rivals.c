@@ -1,6 +1,6 @@
 /* The rivals that are tuned to a scene, those that iterate until they stand, and their forms for columns. */
 #include "../support/ordinary_quad.h"
-#include "newton_lanes.h"
+#include "newton_lanes_calls.h"
 #include "rivals_kept.h"
 #include "trust_region.h"
 
@@ -158,32 +158,55 @@ static void test_polynomials(void **state)
     close_to(eta, -square_sum);
 }
 
+/* Writes quads as columns; `over` of them share the segment of the first. */
+static void fill_columns(double columns[15][NEWTON_LANES], struct quad quads[NEWTON_LANES],
+                         const struct quad_limits *limits, uint64_t first, uint64_t over)
+{
+    for (uint64_t i = 0; i < NEWTON_LANES; i++) {
+        quads[i] = quad_draw(limits, first + i);
+        for (int k = 0; k < 12; k++)
+            quads[i].x[k / 3][k % 3] = quads[i - i % over].x[k / 3][k % 3];
+        for (int k = 0; k < 15; k++)
+            columns[k][i] = k < 12 ? quads[i].x[k / 3][k % 3] : quads[i].xs[k - 12];
+    }
+}
+
+static int alone(const struct quad *q, enum newton_lanes_start start, double *xi, double *eta)
+{
+    switch (start) {
+    case NEWTON_LANES_CENTRE:
+        return rival_newton(NODES(*q), RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, xi, eta);
+    case NEWTON_LANES_GIVEN:
+        return rival_newton_from(NODES(*q), RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, xi, eta);
+    default:
+        return rival_newton_fair(NODES(*q), RIVAL_FAIR_STEPS_MAX, RIVAL_FAIR_TOLERANCE, xi, eta);
+    }
+}
+
 /* Each lane finds what its sample finds alone, however long the others take. */
 static void test_lanes(void **state)
 {
     const struct quad_limits limits = {0.45, 0.4, 0.8, 1.5};
     (void)state;
-    for (uint64_t first = 0; first < SEGMENTS; first += NEWTON_LANES) {
-        double columns[15][NEWTON_LANES];
-        const double *x[15];
-        struct newton_lanes lanes;
-        for (int from_start = 0; from_start < 2; from_start++) {
+    for (uint64_t first = 0; first < SEGMENTS; first += NEWTON_LANES)
+        for (enum newton_lanes_start start = NEWTON_LANES_CENTRE; start <= NEWTON_LANES_TAPER; start++) {
+            double columns[15][NEWTON_LANES];
+            const double *x[15];
+            struct quad quads[NEWTON_LANES];
+            struct newton_lanes lanes;
             for (int k = 0; k < 15; k++)
                 x[k] = columns[k];
-            for (uint64_t i = 0; i < NEWTON_LANES; i++) {
-                const struct quad q = quad_draw(&limits, first + i);
-                for (int k = 0; k < 15; k++)
-                    columns[k][i] = k < 12 ? q.x[k / 3][k % 3] : q.xs[k - 12];
-                lanes.u[i] = q.xi + 0.02;
-                lanes.v[i] = q.eta - 0.01;
+            fill_columns(columns, quads, &limits, first, 1);
+            for (int i = 0; i < NEWTON_LANES; i++) {
+                lanes.u[i] = quads[i].xi + 0.02;
+                lanes.v[i] = quads[i].eta - 0.01;
             }
-            newton_lanes_run(&lanes, x, from_start, RIVAL_NEWTON_TOLERANCE);
-            for (uint64_t i = 0; i < NEWTON_LANES; i++) {
-                const struct quad q = quad_draw(&limits, first + i);
-                double xi = q.xi + 0.02, eta = q.eta - 0.01;
-                const int n = from_start
-                                  ? rival_newton_from(NODES(q), RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, &xi, &eta)
-                                  : rival_newton(NODES(q), RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, &xi, &eta);
+            newton_lanes_read(&lanes, x, start);
+            newton_lanes_run(&lanes, start,
+                             start == NEWTON_LANES_TAPER ? RIVAL_FAIR_TOLERANCE : RIVAL_NEWTON_TOLERANCE);
+            for (int i = 0; i < NEWTON_LANES; i++) {
+                double xi = quads[i].xi + 0.02, eta = quads[i].eta - 0.01;
+                const int n = alone(&quads[i], start, &xi, &eta);
                 assert_int_equal(n == 0, lanes.moving[i] > 0);
                 if (n) {
                     close_to(lanes.u[i], xi);
@@ -191,7 +214,35 @@ static void test_lanes(void **state)
                 }
             }
         }
-    }
+}
+
+/* Lanes of fair Newton find the gap and the status of calls, whether slave nodes share a segment or not. */
+static void test_lanes_checked(void **state)
+{
+    const struct quad_limits limits = {0.25, 0.1, 0.3, 1.2};
+    (void)state;
+    for (uint64_t first = 0; first < SEGMENTS; first += NEWTON_LANES)
+        for (int over = 1; over <= 8; over += 7) {
+            double columns[15][NEWTON_LANES], xi[NEWTON_LANES], eta[NEWTON_LANES], gap[NEWTON_LANES];
+            const double *x[15];
+            struct quad quads[NEWTON_LANES];
+            int answered[NEWTON_LANES];
+            for (int k = 0; k < 15; k++)
+                x[k] = columns[k];
+            fill_columns(columns, quads, &limits, first, (uint64_t)over);
+            newton_lanes_fair(x, over, xi, eta, gap, answered);
+            for (int i = 0; i < NEWTON_LANES; i++) {
+                double at[5][3], loc[2], alone_gap;
+                for (int k = 0; k < 15; k++)
+                    at[k / 3][k % 3] = columns[k][i];
+                assert_int_equal(rival_fair_checked((const double(*)[3])at, loc, &alone_gap), answered[i]);
+                if (answered[i] && fabs(loc[0]) <= 2 && fabs(loc[1]) <= 2) {
+                    close_to(xi[i], loc[0]);
+                    close_to(eta[i], loc[1]);
+                    close_to(gap[i] / (1 + fabs(alone_gap)), alone_gap / (1 + fabs(alone_gap)));
+                }
+            }
+        }
 }
 
 /* In the box; the closest point of it where that lies inside; never farther off than the middle or a corner's edge. */
@@ -230,9 +281,9 @@ static void test_trust_region(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_centre),      cmocka_unit_test(test_start),
-                                       cmocka_unit_test(test_kept),        cmocka_unit_test(test_similarity),
-                                       cmocka_unit_test(test_polynomials), cmocka_unit_test(test_lanes),
-                                       cmocka_unit_test(test_trust_region)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_centre),        cmocka_unit_test(test_start),
+                                       cmocka_unit_test(test_kept),          cmocka_unit_test(test_similarity),
+                                       cmocka_unit_test(test_polynomials),   cmocka_unit_test(test_lanes),
+                                       cmocka_unit_test(test_lanes_checked), cmocka_unit_test(test_trust_region)};
     return cmocka_run_group_tests_name("tuned rivals", tests, NULL, NULL);
 }

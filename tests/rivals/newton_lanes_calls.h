@@ -1,0 +1,44 @@
+/* Fair Newton over arrays as callers want it, with gap and status; see newton_lanes.h. */
+#ifndef FOOTPOINT_NEWTON_LANES_CALLS_H
+#define FOOTPOINT_NEWTON_LANES_CALLS_H
+
+#include "newton_lanes.h"
+#include "rivals_calls.h"
+
+/** Computes gap[i] of lane i, a slave node and a segment: those of column i of x[15].  answered[i] is 1 if the lane stands
+ *  and the segment has a normal there, otherwise 0. */
+RIVAL_FN void newton_lanes_gap(const struct newton_lanes *lanes, const double *const x[15], double gap[],
+                               int answered[])
+{
+    for (int i = 0; i < NEWTON_LANES; i++) {
+        const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
+        const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
+        const double xS[3] = {x[12][i], x[13][i], x[14][i]};
+        const struct rival_point p = {lanes->u[i], lanes->v[i]};
+        struct rival_basis b;
+        double found;
+        rival_basis_centre(xA, xB, xC, xD, xS, &b);
+        const int normal = rival_basis_gap(&b, p, &found);
+        gap[i] = found;
+        answered[i] = normal & (lanes->moving[i] == 0);
+    }
+}
+
+/** Searches NEWTON_LANES columns; `over` slave nodes share a segment, all in columns of their own. */
+RIVAL_FN void newton_lanes_fair(const double *const x[15], int over, double xi[], double eta[], double gap[],
+                                int answered[])
+{
+    struct newton_lanes lanes;
+    if (over > 1)
+        newton_lanes_read_over(&lanes, x, over, NEWTON_LANES_TAPER);
+    else
+        newton_lanes_read(&lanes, x, NEWTON_LANES_TAPER);
+    newton_lanes_run(&lanes, NEWTON_LANES_TAPER, RIVAL_FAIR_TOLERANCE);
+    for (int i = 0; i < NEWTON_LANES; i++) {
+        xi[i] = lanes.u[i];
+        eta[i] = lanes.v[i];
+    }
+    newton_lanes_gap(&lanes, x, gap, answered);
+}
+
+#endif
