@@ -18,10 +18,8 @@ struct newton_lanes {
     long long moving[NEWTON_LANES]; /* 1 or 0 */
 };
 
-RIVAL_FN void newton_lanes_set(struct newton_lanes *lanes, int i, const struct rival_products *g,
-                               enum newton_lanes_start start)
+RIVAL_FN void newton_lanes_set(struct newton_lanes *lanes, int i, const struct rival_products *g)
 {
-    const struct rival_point p = start == NEWTON_LANES_TAPER ? rival_taper(g) : rival_first(g, 0, 1.0);
     lanes->g11[i] = g->g11;
     lanes->g12[i] = g->g12;
     lanes->g13[i] = g->g13;
@@ -31,6 +29,18 @@ RIVAL_FN void newton_lanes_set(struct newton_lanes *lanes, int i, const struct r
     lanes->g1[i] = g->g1;
     lanes->g2[i] = g->g2;
     lanes->g3[i] = g->g3;
+}
+
+RIVAL_FN struct rival_products newton_lanes_get(const struct newton_lanes *lanes, int i)
+{
+    return (struct rival_products){lanes->g11[i], lanes->g12[i], lanes->g13[i], lanes->g22[i], lanes->g23[i],
+                                   lanes->g33[i], lanes->g1[i],  lanes->g2[i],  lanes->g3[i]};
+}
+
+RIVAL_FN void newton_lanes_begin(struct newton_lanes *lanes, int i, const struct rival_products *g,
+                                 enum newton_lanes_start start)
+{
+    const struct rival_point p = start == NEWTON_LANES_TAPER ? rival_taper(g) : rival_first(g, 0, 1.0);
     lanes->u[i] = start == NEWTON_LANES_GIVEN ? lanes->u[i] : p.u;
     lanes->v[i] = start == NEWTON_LANES_GIVEN ? lanes->v[i] : p.v;
     lanes->moving[i] = 1;
@@ -46,13 +56,14 @@ RIVAL_FN void newton_lanes_read(struct newton_lanes *lanes, const double *const 
         struct rival_basis b;
         rival_basis_centre(xA, xB, xC, xD, xS, &b);
         const struct rival_products g = rival_products_of(&b, RIVAL_MANY);
-        newton_lanes_set(lanes, i, &g, start);
+        newton_lanes_set(lanes, i, &g);
+        newton_lanes_begin(lanes, i, &g, start);
     }
 }
 
-/** Reads segments of `over` slave nodes each: the segment of lane i is in the first column of its group. */
-RIVAL_FN void newton_lanes_read_over(struct newton_lanes *lanes, const double *const x[15], int over,
-                                     enum newton_lanes_start start)
+/** Reads segments of `over` slave nodes each, to start from the taper: the segment of lane i is in the first column of its
+ *  group. */
+RIVAL_FN void newton_lanes_read_over(struct newton_lanes *lanes, const double *const x[15], int over)
 {
     for (int first = 0; first < NEWTON_LANES; first += over) {
         double node[4][3];
@@ -62,14 +73,17 @@ RIVAL_FN void newton_lanes_read_over(struct newton_lanes *lanes, const double *c
         rival_basis_centre(node[0], node[1], node[2], node[3], node[0], &b);
         struct rival_products g = rival_products_of(&b, RIVAL_MANY);
         for (int i = first; i < first + over; i++) {
-            double d[3];
-            for (int k = 0; k < 3; k++)
-                d[k] = b.d[k] + 4 * (x[12 + k][i] - node[0][k]);
+            const double d[3] = {b.d[0] + 4 * (x[12][i] - node[0][0]), b.d[1] + 4 * (x[13][i] - node[0][1]),
+                                 b.d[2] + 4 * (x[14][i] - node[0][2])};
             g.g1 = rival_dot(b.e1, d);
             g.g2 = rival_dot(b.e2, d);
             g.g3 = rival_dot(b.c3, d);
-            newton_lanes_set(lanes, i, &g, start);
+            newton_lanes_set(lanes, i, &g);
         }
+    }
+    for (int i = 0; i < NEWTON_LANES; i++) {
+        const struct rival_products g = newton_lanes_get(lanes, i);
+        newton_lanes_begin(lanes, i, &g, NEWTON_LANES_TAPER);
     }
 }
 
@@ -78,8 +92,7 @@ RIVAL_FN long long newton_lanes_step(struct newton_lanes *lanes, int newton, dou
 {
     long long count = 0;
     for (int i = 0; i < NEWTON_LANES; i++) {
-        const struct rival_products g = {lanes->g11[i], lanes->g12[i], lanes->g13[i], lanes->g22[i], lanes->g23[i],
-                                         lanes->g33[i], lanes->g1[i],  lanes->g2[i],  lanes->g3[i]};
+        const struct rival_products g = newton_lanes_get(lanes, i);
         const double u = lanes->u[i], v = lanes->v[i];
         const long long moving = lanes->moving[i];
         const struct rival_point p = {u, v}, next = rival_step(&g, newton, p, 1.0);

@@ -5,10 +5,10 @@
 #include "newton_lanes.h"
 #include "rivals_calls.h"
 
-/** Computes gap[i] of lane i, a slave node and a segment: those of column i of x[15].  answered[i] is 1 if the lane stands
- *  and the segment has a normal there, otherwise 0. */
-RIVAL_FN void newton_lanes_gap(const struct newton_lanes *lanes, const double *const x[15], double gap[],
-                               int answered[])
+/** Computes the gap of the segment and slave node in each column of x[15], and whether the lane stands and the segment has
+ *  a normal there, as 1 or 0. */
+RIVAL_FN void newton_lanes_gap(const struct newton_lanes *lanes, const double *const x[15],
+                               double gap[restrict NEWTON_LANES], long long answered[restrict NEWTON_LANES])
 {
     for (int i = 0; i < NEWTON_LANES; i++) {
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
@@ -18,9 +18,9 @@ RIVAL_FN void newton_lanes_gap(const struct newton_lanes *lanes, const double *c
         struct rival_basis b;
         double found;
         rival_basis_centre(xA, xB, xC, xD, xS, &b);
-        const int normal = rival_basis_gap(&b, p, &found);
+        const long long normal = rival_basis_gap(&b, p, &found);
         gap[i] = found;
-        answered[i] = normal & (lanes->moving[i] == 0);
+        answered[i] = lanes->moving[i] ? 0 : normal;
     }
 }
 
@@ -29,16 +29,20 @@ RIVAL_FN void newton_lanes_fair(const double *const x[15], int over, double xi[]
                                 int answered[])
 {
     struct newton_lanes lanes;
+    double found[NEWTON_LANES]; /* of its own, so that a compiler sees that it overlaps no column */
+    long long stands[NEWTON_LANES];
     if (over > 1)
-        newton_lanes_read_over(&lanes, x, over, NEWTON_LANES_TAPER);
+        newton_lanes_read_over(&lanes, x, over);
     else
         newton_lanes_read(&lanes, x, NEWTON_LANES_TAPER);
     newton_lanes_run(&lanes, NEWTON_LANES_TAPER, RIVAL_FAIR_TOLERANCE);
+    newton_lanes_gap(&lanes, x, found, stands);
     for (int i = 0; i < NEWTON_LANES; i++) {
         xi[i] = lanes.u[i];
         eta[i] = lanes.v[i];
+        gap[i] = found[i];
+        answered[i] = stands[i] != 0;
     }
-    newton_lanes_gap(&lanes, x, gap, answered);
 }
 
 #endif
