@@ -1,5 +1,5 @@
 # Which members of a front to ship as tiers, from `footpoint-bench --validation --csv` over them and what is shipped: a table,
-# and lines for the scene file.  A member takes a tier's place if it is no slower, one at a time and over arrays, has no larger
+# and lines for the scene file.  A member takes a tier's place if it is no slower, in independent calls and over arrays, has no larger
 # error, neither mean nor 99 % nor worst, and is better by one in ten in error or in both times.  Others are new where nothing
 # is more accurate and no slower in either mode.  id: the scene in names of functions.
 BEGIN { FS = ","; noise = 1.01; worth = 0.9 }

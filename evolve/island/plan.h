@@ -17,7 +17,7 @@ struct plan {
     size_t population; /* at least 2 */
     size_t migrants;   /* emigrants of one migration, less than population */
     struct prices prices;
-    struct prices times; /* of programs, as machines take time: over arrays and one at a time, half and half */
+    struct prices times; /* of programs, as machines take time: over arrays and in dependent calls, half and half */
     double parsimony;    /* what an operation (in the cost model) costs, as a fraction of the error */
     size_t front_limit;  /* cost of the costliest trees that a front keeps, at least 1 */
     /* Of BREED_FRONT alone: */

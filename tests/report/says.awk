@@ -32,7 +32,9 @@ END {
         printf "Filled points and the line are footpoint's functions, from %s (%.1f ns in independent calls, mean error %.0e) to %s (%.1f ns, %.0e); open points are iterations and closed forms written by hand.\n", short(fast), ns[fast, "scalar"], mean[fast], short(exact), ns[exact, "scalar"], mean[exact]
     else
         print "Open points are iterations and closed forms written by hand; of footpoint there is no function for this scene."
-    printf "Newton's iteration%s takes %.1f ns in calls that wait for one another, %.1f ns in independent calls and %.1f ns over arrays; %s takes %.1f, %.1f and %.2f.\n", fair ? ", from the centre or from the taper, the quicker," : "", quicker("chain"), quicker("scalar"), quicker("batch"), short(exact), ns[exact, "chain"], ns[exact, "scalar"], ns[exact, "batch"]
+    printf "Newton's iteration%s takes %.1f ns in calls that wait for one another, %.1f ns in independent calls and %.1f ns over arrays", fair ? ", from the centre or from the taper, the quicker," : "", quicker("chain"), quicker("scalar"), quicker("batch")
+    if (exact) printf "; %s takes %.1f, %.1f and %.1f", short(exact), ns[exact, "chain"], ns[exact, "scalar"], ns[exact, "batch"]
+    print "."
     if (match_ && rival)
         printf "At an error of %.0e, the truncated iteration <code>%s</code> takes %.1f ns in independent calls and %.2f ns over arrays, %s %.1f and %.2f.\n", mean[rival], rival, ns[rival, "scalar"], ns[rival, "batch"], short(match_), ns[match_, "scalar"], ns[match_, "batch"]
     print "These are times of bare searches; what callers get besides stands in tables below the pictures.</p>"

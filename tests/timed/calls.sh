@@ -7,12 +7,12 @@
 isas=x86-64-v3
 grep -q avx512f /proc/cpuinfo && isas="$isas x86-64-v4"
 
-# quicker FILE METHOD RIVAL TIMES: of all methods that match, one at a time and over arrays (TIMES: "1.5 4", 0: either), the
-# rival's time over theirs
+# quicker FILE METHOD RIVAL TIMES: of all methods that match, in independent calls and over arrays (TIMES: "1.5 4", 0:
+# either), the rival's time over theirs
 quicker() {
     awk -F, -v method="$2" -v rival="$3" -v times="$4" '
         NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; split(times, least, " "); next }
-        { ns[$c["method"], $c["mode"]] = $c["ns"]; if ($c["method"] ~ method) name[++n] = $c["method"] " " $c["mode"] }
+        { ns[$c["method"], $c["mode"]] = $c["ns"]; if ($c["method"] ~ method && $c["mode"] != "chain") name[++n] = $c["method"] " " $c["mode"] }
         END {
             for (i = 1; i <= n; i++) {
                 split(name[i], row, " ")
