@@ -164,8 +164,8 @@ static void print_question(const struct scene *scene, enum bench_question questi
                "method", "mul", "div", "add", "sqrt");
     else
         printf("\n%s, %s\n  %-40s", scene->name, name[question], "method");
-    printf(" %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "chain ns", "calls", "arrays", "faster", "calls", "arrays", "mean",
-           "99 %", "worst");
+    printf(" %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "chain", "calls", "arrays", "x chain", "x calls", "x arrays",
+           "mean", "99 %", "worst");
 }
 
 static void print_front_of(const struct scene *scene, const struct bench_run *run, enum bench_question question)
@@ -193,11 +193,11 @@ void bench_print_front(const struct scene *scene, const struct bench_table *tabl
 {
     if (is_first()) {
         print_head(table);
-        puts(
-            "*: ours; ns: of one search, in dependent calls (chain), in independent calls and over arrays; faster: the "
-            "time of Newton, converged\nor fair, the quicker, asked the same, over this one's; error: the larger of "
-            "those of xi and eta; of closest points and along a\ndirection that of the distance, over the square root "
-            "of the segment's area; of derivatives that of those of xi and eta, over the\ngreatest");
+        puts("*: ours; nanoseconds of one search in dependent calls (chain), in independent calls and over arrays; x: "
+             "the "
+             "time of Newton, converged\nor fair, the quicker, asked the same, over this one's; error: the larger of "
+             "those of xi and eta; of closest points and along a\ndirection that of the distance, over the square root "
+             "of the segment's area; of derivatives that of those of xi and eta, over the\ngreatest");
     }
     for (int q = 0; q < BENCH_QUESTIONS; q++)
         print_front_of(scene, run, (enum bench_question)q);
