@@ -1,18 +1,16 @@
-/* What is found out about a program; see evidence.h.  The finding is done by poles.c, rounding_bound.c and evaluate.c. */
+/* What is found out about a program; see evidence.h.  The finding is done by poles.c, rounding_bound.c and sampled_errors.c. */
 #include "evidence.h"
 
 #include "../genome/text.h"
 #include "../program/dialects.h"
 #include "../program/evaluate.h"
-#include "../program/evaluate_float.h"
 #include "enclosure.h"
 #include "rounding_bound.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NAME = 60, POINTS = 8, POINT_BITS = 6, TRIES_A_SAMPLE = 20 };
-enum { BOXES_FOR_EMPTY = 200, POINTS_BOUNDED = 200 };
+enum { MOST_NAME = 60, POINTS = 8, POINT_BITS = 6, BOXES_FOR_EMPTY = 200 };
 
 /* Limits of work, in operations on coefficients (about a nanosecond), where so many boxes or more are allowed, and in Arb's
  * operations. */
@@ -20,6 +18,8 @@ enum { BOXES_FOR_EMPTY = 200, POINTS_BOUNDED = 200 };
 #define BOXES_FOR_MOST 2000.0
 #define DRAW 16.0 /* a random coordinate */
 #define MOST_BALLS 4e6
+#define USEFUL 100.0  /* a bound above so many times the worst sample is of no use */
+#define HARMLESS 1e-3 /* of a divisor's least value: a smaller error changes nothing */
 
 /* ---- finding out ---- */
 
@@ -42,11 +42,11 @@ static long boxes_for(struct search *s, size_t searches)
 }
 
 /* Bounds the error of an operation by a part of the work left. */
-static double find_error(struct search *s, int op, size_t searches)
+static double find_error(struct search *s, int op, struct bound_goal goal, size_t searches)
 {
     const double part = s->work / (double)searches;
     double left = part;
-    const double bound = bound_error(s->region, op, s->boxes, &left);
+    const double bound = bound_error(s->region, op, goal, s->boxes, &left);
     s->work -= part - left;
     return bound;
 }
@@ -106,30 +106,23 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
     free(pole.witness);
 }
 
-/* The errors of divisors, by a part of the work; then by the rest, where there is no pole, of the outputs. */
-static void bound_errors(struct search *s, struct evidence *e, const struct program *p, bool outputs)
+/* The errors of divisors, by a part of the work. */
+static void bound_denominators(struct search *s, struct evidence *e)
 {
-    struct region *r = s->region;
-    for (size_t i = 0; i < e->denominators && s->work > 0; i++)
-        e->denominator[i].error = find_error(s, region_op(r, e->denominator[i].op), 2 * (e->denominators + p->outputs));
-    for (size_t i = 0; outputs && evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
-        e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
+    for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
+        struct denominator *d = &e->denominator[i];
+        const struct bound_goal goal = {d->least, HARMLESS * d->least};
+        d->error = find_error(s, region_op(s->region, d->op), goal, 2 * (e->denominators + e->outputs));
+    }
 }
 
-static void bound_on_hull(struct region *r, struct evidence *e, const struct program *p,
-                          const struct evidence_options *o)
+/* The errors of outputs, by the rest of the work, as far as bounds may be near the worst samples. */
+static void bound_outputs(struct search *s, struct evidence *e, const struct program *p)
 {
-    struct hull *h = hull_new(r, p, o->samples, o->seed);
-    double *error = new_array(p->ops, sizeof *error);
-    bound_errors_on_hull(h, error);
-    e->hull = h->points;
-    e->parts = h->parts;
-    for (size_t i = 0; i < p->outputs; i++)
-        e->error[i].hull = fmin(error[p->output[i]], e->error[i].bound);
-    for (size_t i = 0; i < e->denominators; i++)
-        e->denominator[i].hull = fmin(error[e->denominator[i].op], e->denominator[i].error);
-    free(error);
-    hull_free(h);
+    for (size_t i = 0; i < p->outputs && s->work > 0; i++) {
+        const struct bound_goal goal = {e->error[i].sampled >= 0 ? USEFUL * e->error[i].sampled : INFINITY, 0};
+        e->error[i].bound = find_error(s, region_op(s->region, p->output[i]), goal, p->outputs - i);
+    }
 }
 
 /* As the text has it; of a long expression, the statement that divides by it. */
@@ -160,63 +153,11 @@ static void find_denominators(struct evidence *e, const struct genome_file *f, c
             APPEND(e->protected_name, e->protecteds, protected_room) = name;
         else
             APPEND(e->denominator, e->denominators, room) =
-                (struct denominator){.op = b, .name = name, .error = INFINITY, .hull = INFINITY};
+                (struct denominator){.op = b, .name = name, .error = INFINITY};
     }
     printer_free(r);
     free(seen[0]);
     free(seen[1]);
-}
-
-/* Values of a program as it computes. */
-struct computed {
-    const struct program *program;      /* not owned */
-    const struct segment_kind *segment; /* not owned; of floats that are scaled, or NULL */
-    double *value;                      /* owned: by operation; of floats, those of the outputs */
-    float *input, *single;              /* owned: by input, twice, and operation; NULL of doubles */
-};
-
-static struct computed computed_new(const struct genome_file *f, const struct program *p, const struct arithmetic *a)
-{
-    struct computed c = {.program = p, .value = new_array(p->ops, sizeof *c.value)};
-    if (!a || a == &arithmetic_double) {
-        point_constants(p, c.value);
-        return c;
-    }
-    c.segment = a == &arithmetic_single_scaled ? f->segment : NULL;
-    c.input = new_array(2 * p->inputs, sizeof *c.input);
-    c.single = new_array(p->ops, sizeof *c.single);
-    single_constants(p, c.single);
-    return c;
-}
-
-static void computed_free(struct computed *c)
-{
-    free(c->value);
-    free(c->input);
-    free(c->single);
-}
-
-/* Floats are given floats. */
-static void round_inputs(const struct computed *c, double *input)
-{
-    for (size_t i = 0; c->single && i < c->program->inputs; i++)
-        input[i] = (float)input[i];
-}
-
-static void compute(struct computed *c, const double *input, uint64_t *contract)
-{
-    const struct program *p = c->program;
-    if (!c->single) {
-        point_double(p, input, contract, c->value);
-        return;
-    }
-    for (size_t i = 0; i < p->inputs; i++)
-        c->input[i] = (float)input[i];
-    if (c->segment)
-        single_inputs(c->segment, c->input, c->input + p->inputs);
-    single_values(p, c->input + (c->segment ? p->inputs : 0), c->single);
-    for (size_t i = 0; i < p->outputs; i++)
-        c->value[p->output[i]] = c->single[p->output[i]];
 }
 
 /* Whether a bound speaks of the coordinates that the program is given: those less the first node's are what the region says
@@ -238,61 +179,13 @@ static void choose_thresholds(struct evidence *e, const struct arithmetic *a)
     }
 }
 
-/* Worst |computed - exact| of each output at random points, of doubles with and without contraction.  A bound above the
- * outputs themselves is none. */
-static void sample_errors(struct evidence *e, struct computed *c, struct region *r, const struct evidence_options *o)
+static void take_samples(struct evidence *e, const struct sampled_errors *s)
 {
-    const struct program *p = c->program;
-    const long most =
-        o->samples < (long)(MOST_BALLS / (double)p->ops) ? o->samples : (long)(MOST_BALLS / (double)p->ops);
-    long tries = most * TRIES_A_SAMPLE;
-    uint64_t seed = o->seed;
-    double *input = new_array(p->inputs, sizeof *input), *at = new_array(r->known->variables, sizeof *at);
-    double *largest = new_array(p->outputs, sizeof *largest);
-    double *bounds = new_array(p->outputs, sizeof *bounds);
-    struct point_bound *bound = point_bound_new(r, p);
-    arb_ptr exact = _arb_vec_init((slong)p->outputs);
-    arb_t error;
-    arb_init(error);
-    while (e->samples < most && region_draw(r, &seed, 0, true, &tries, at)) {
-        region_inputs(r, at, input);
-        round_inputs(c, input);
-        if (!point_exact(p, input, exact))
-            continue;
-        e->samples++;
-        if (e->samples <= POINTS_BOUNDED && can_bound(r->known)) {
-            point_bound_at(bound, at, bounds);
-            for (size_t i = 0; i < p->outputs; i++)
-                e->error[i].points = fmax(e->error[i].points, bounds[i]);
-        }
-        for (int contract = 0; contract < 2; contract++) {
-            compute(c, input, contract ? &seed : NULL);
-            for (size_t i = 0; i < p->outputs; i++) {
-                const double computed = c->value[p->output[i]];
-                arb_set_d(error, computed);
-                arb_sub(error, error, exact + i, 64);
-                const double far = isfinite(computed) ? fabs(arf_get_d(arb_midref(error), ARF_RND_NEAR)) : INFINITY;
-                e->error[i].sampled = fmax(e->error[i].sampled, far);
-                largest[i] = fmax(largest[i], fabs(computed));
-            }
-            for (size_t i = 0; i < e->denominators; i++) {
-                struct denominator *d = &e->denominator[i];
-                d->most = fmax(d->most, fabs(c->single ? (double)c->single[d->op] : c->value[d->op]));
-            }
-        }
-    }
-    for (size_t i = 0; i < p->outputs; i++)
-        if (largest[i] > 0) {
-            e->error[i].bound = e->error[i].bound <= largest[i] ? e->error[i].bound : INFINITY;
-            e->error[i].hull = e->error[i].hull <= largest[i] ? e->error[i].hull : INFINITY;
-        }
-    point_bound_free(bound);
-    free(bounds);
-    arb_clear(error);
-    _arb_vec_clear(exact, (slong)p->outputs);
-    free(input);
-    free(at);
-    free(largest);
+    e->samples = s->points;
+    for (size_t i = 0; i < e->outputs && s->points > 0; i++)
+        e->error[i].sampled = s->worst[i];
+    for (size_t i = 0; i < e->denominators; i++)
+        e->denominator[i].most = s->most[e->denominator[i].op];
 }
 
 struct evidence *evidence_new(const struct genome_file *f, const struct genome *genome, const struct program *p,
@@ -312,16 +205,14 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     for (size_t i = 0; i < e->denominators; i++)
         find_pole(&s, &e->denominator[i], e->denominators + p->outputs - i);
     for (size_t i = 0; i < p->outputs; i++)
-        e->error[i] = (struct output_error){INFINITY, INFINITY, -1, -1};
+        e->error[i] = (struct output_error){INFINITY, -1};
     if (can_bound(r->known))
-        bound_errors(&s, e, p, !options->poles);
-    if (can_bound(r->known) && !options->poles)
-        bound_on_hull(r, e, p, options);
-    struct computed c = computed_new(f, p, options->arithmetic);
-    if (e->region)
-        sample_errors(e, &c, r, options);
+        bound_denominators(&s, e);
+    if (e->region && options->sampled)
+        take_samples(e, options->sampled);
+    if (can_bound(r->known) && !options->poles && evidence_pole_free(e))
+        bound_outputs(&s, e, p);
     choose_thresholds(e, &r->known->arithmetic);
-    computed_free(&c);
     region_free(r);
     return e;
 }
@@ -348,6 +239,11 @@ bool evidence_pole_free(const struct evidence *e)
         if (e->denominator[i].verdict != POLE_FREE)
             return false;
     return true;
+}
+
+bool output_error_is_bounded(const struct output_error *e)
+{
+    return e->bound < INFINITY && (e->sampled < 0 || e->bound <= USEFUL * e->sampled);
 }
 
 bool denominator_is_safe(const struct denominator *d)
@@ -394,7 +290,7 @@ int evidence_print_points(const struct genome_file *f, const struct program *p, 
     long tries = (long)(MOST_BALLS / (double)r->known->program->ops);
     uint64_t seed = 1;
     int rows = 0;
-    for (int i = 0; i < 4 * POINTS && rows < POINTS && region_draw(r, &seed, POINT_BITS, false, &tries, at); i++) {
+    for (int i = 0; i < 4 * POINTS && rows < POINTS && region_draw(r, &seed, POINT_BITS, &tries, at); i++) {
         region_inputs(r, at, input);
         rows += print_point(p, inputs, input, exact, out);
     }

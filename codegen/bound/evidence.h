@@ -3,6 +3,7 @@
 #define FOOTPOINT_EVIDENCE_H
 
 #include "poles.h"
+#include "sampled_errors.h"
 
 /** One denominator of a program (OP_DIV's b; protected quotients have no poles). */
 struct denominator {
@@ -14,7 +15,6 @@ struct denominator {
     double *witness;  /* owned: POLE_EXISTS: inputs where |D| is 0 or on both sides of which D has opposite signs
                        * (the enclosure of a zero, its centre); else NULL */
     double error;     /* above |computed - exact| over the region; +infinity: unknown */
-    double hull;      /* the same, on the hull of the values at random points (hull.h); +infinity: unknown */
     bool apart;       /* no computed value is 0 or of another sign: intervals of computed values show it */
     double most;      /* the largest |D| computed at random points */
     double threshold; /* |D| <= threshold is indistinguishable from 0; 0 if unknown, or too large beside `most` */
@@ -22,12 +22,13 @@ struct denominator {
 
 /** Rounding error of one output. */
 struct output_error {
-    double bound;  /* proved over the region, with or without contraction to FMA; +infinity: no bound was found, or none
-                     * looked for: of floats that are scaled, where the region does not begin at the origin */
-    double hull;   /* the same, proved on the hull of the values at random points (hull.h); +infinity: none */
-    double points; /* the same, proved at the first 200 of the points below; -1: at none */
-    double sampled; /* worst seen against MPFR at random points of the region; -1: not sampled */
+    double bound; /* proved over the region, with or without contraction to FMA; +infinity: no bound was found, or none
+                      * looked for: of floats that are scaled, where the region does not begin at the origin */
+    double sampled; /* the worst at points of the region (sampled_errors.h); -1: not sampled */
 };
+
+/** Returns true if a bound is near enough to the worst sample to be worth telling. */
+bool output_error_is_bounded(const struct output_error *e);
 
 struct evidence {
     bool region;                     /* the file gives the range of every input that the program reads */
@@ -38,15 +39,13 @@ struct evidence {
     size_t protecteds;
     struct output_error *error; /* owned: by output */
     size_t outputs;
-    long samples; /* points that `sampled` is from */
-    long hull;    /* points that the hull is of; 0: there is none */
-    size_t parts; /* that it has */
+    long samples; /* random points that `sampled` is from */
 };
 
 struct evidence_options {
-    const struct arithmetic *arithmetic; /* in which the program computes; NULL: double */
-    long samples;                        /* random points for `sampled` (default 10000) */
-    long boxes;                          /* work limit of branch and bound, in boxes (same limit, same bytes) */
+    const struct arithmetic *arithmetic;  /* in which the program computes; NULL: double */
+    const struct sampled_errors *sampled; /* not owned: of the program; NULL: none are known */
+    long boxes;                           /* work limit of branch and bound, in boxes (same limit, same bytes) */
     unsigned long seed;
     bool poles; /* denominators alone: no bound is looked for of the outputs' errors */
 };

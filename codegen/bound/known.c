@@ -233,42 +233,9 @@ static void find_twins(struct known *x)
     points_free(points);
 }
 
-/* ---- values held near one input ---- */
-
-/* By operation: the input that it depends on, -1 if none, -2 if several. */
-static int *single_inputs(const struct program *p, size_t ops)
-{
-    int *input = new_array(ops, sizeof *input);
-    for (size_t i = 0; i < ops; i++) {
-        const struct op *o = &p->op[i];
-        const int a = o->a >= 0 ? input[o->a] : -1, b = o->b >= 0 ? input[o->b] : -1;
-        input[i] = o->kind == OP_INPUT ? (int)i : a == -1 || a == b ? b : b == -1 ? a : -2;
-    }
-    return input;
-}
-
 static int value_of(const struct known *x, int op)
 {
     return op >= 0 && x->twin[op] >= 0 ? x->twin[op] : op;
-}
-
-/* The local coordinates on the way: v of a require W - |v - m|, m of one input alone, and its multiples; not where these
- * are computed of one another. */
-static void find_pinned(struct known *x)
-{
-    const struct program *p = x->program;
-    int *input = single_inputs(p, x->first);
-    for (size_t k = 0; x->place && k < p->outputs; k++) {
-        const struct op *less = &p->op[p->output[k]], *size = less->b >= 0 ? &p->op[less->b] : less;
-        const struct op *from = size->kind == OP_ABS ? &p->op[size->a] : size;
-        if (less->kind != OP_SUB || size->kind != OP_ABS || from->kind != OP_SUB || input[from->b] < 0)
-            continue;
-        const int v = value_of(x, from->a);
-        for (int i = 0; i < (int)p->ops; i++)
-            if (value_of(x, i) == v && value_of(x, p->op[i].a) != v && value_of(x, p->op[i].b) != v)
-                x->pinned[i] = true;
-    }
-    free(input);
 }
 
 int known_op(const struct known *x, int op)
@@ -319,10 +286,6 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
     }
     if (all->outputs > 0 || x->place)
         find_twins(x);
-    x->pinned = new_array(all->ops, sizeof *x->pinned);
-    find_pinned(x);
-    if (f->region && x->place)
-        x->steps = step_limits_new(f, all, x->first, all->output + f->region->requires, x->twin, x->pinned);
     free(matters);
     return x;
 }
@@ -357,8 +320,6 @@ void known_free(struct known *x)
     free(x->variable);
     free(x->value);
     free(x->joint);
-    free(x->pinned);
-    step_limits_free(&x->steps);
     free(x->twin);
     free(x->ratio);
     free(x->length);

@@ -6,7 +6,6 @@
 
 #include "../program/program.h"
 #include "interval.h"
-#include "steps.h"
 
 /** What the program computes in. */
 struct arithmetic {
@@ -39,13 +38,11 @@ struct known {
     struct program *place;        /* owned: from inputs to those of the file; NULL: the same */
     int *placed;                  /* owned: by input of the file, its operation */
     size_t places;
-    struct interval *value;   /* owned: by operation, what is proved of it on the region */
-    bool *joint;              /* owned: by operation, a value with a name or a divisor: a link of error bounds */
-    bool *pinned;             /* owned: by operation, a require holds it near a number of one input alone */
-    struct step_limits steps; /* how those change with one another */
-    int *twin;                /* owned: by operation, an earlier one that it is a multiple of, or -1 */
-    struct interval *ratio;   /* owned: by operation, to its twin */
-    size_t *length;           /* owned: by operation, how many it is made of (at most; of requires alone) */
+    struct interval *value; /* owned: by operation, what is proved of it on the region */
+    bool *joint;            /* owned: by operation, a value with a name or a divisor: a link of error bounds */
+    int *twin;              /* owned: by operation, an earlier one that it is a multiple of, or -1 */
+    struct interval *ratio; /* owned: by operation, to its twin */
+    size_t *length;         /* owned: by operation, how many it is made of (at most; of requires alone) */
 };
 
 /** Of the values of program p, made from a genome of file f.  `shapes`: the region is that of the file's region block, if it

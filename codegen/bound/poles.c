@@ -198,7 +198,7 @@ static bool zero_at_random_point(struct search *s)
     uint64_t seed = 1;
     long tries = RANDOM_TRIES;
     bool found = false;
-    for (int i = 0; i < RANDOM_POINTS && !found && region_draw(s->region, &seed, 6, false, &tries, s->at); i++)
+    for (int i = 0; i < RANDOM_POINTS && !found && region_draw(s->region, &seed, 6, &tries, s->at); i++)
         found = visit(s, s->at);
     s->draws = RANDOM_TRIES - tries;
     return found;

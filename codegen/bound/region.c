@@ -29,7 +29,6 @@ struct region *region_new(const struct genome_file *f, const struct program *p, 
             r->doubles[i] = (struct interval){double_nearest(&x->lo[i]), double_nearest(&x->hi[i])};
     }
     r->required = forms_new(x, NULL, 0);
-    r->step = last_values(x->steps.program);
     r->place = last_values(x->place);
     return r;
 }
@@ -45,7 +44,6 @@ void region_free(struct region *r)
         return;
     forms_free(r->required);
     free(r->doubles);
-    free(r->step);
     free(r->place);
     known_free(r->known);
     free(r);
@@ -134,20 +132,6 @@ void region_inputs(const struct region *r, const double *at, double *input)
     free(own);
 }
 
-bool region_limits_steps(const struct region *r, const double *at)
-{
-    const struct program *p = r->known->steps.program;
-    bool hold = true;
-    if (!p)
-        return true;
-    double *own = own_inputs(r, at);
-    point_double(p, own, NULL, r->step);
-    for (size_t i = 0; i < p->outputs; i++)
-        hold = hold && r->step[p->output[i]] > 0;
-    free(own);
-    return hold;
-}
-
 /* Uniform in 0..1. */
 static double draw_fraction(uint64_t *seed)
 {
@@ -155,8 +139,9 @@ static double draw_fraction(uint64_t *seed)
 }
 
 /* Uniform in the range, and random to the last bit also where that is near 0. */
-static double draw_coordinate(struct interval range, uint64_t *seed, int bits)
+double region_draw_coordinate(const struct region *r, size_t variable, uint64_t *seed, int bits)
 {
+    struct interval range = r->doubles[r->known->input[variable]];
     if (!interval_finite(range))
         range = (struct interval){-1, 1};
     const double half = 0.5 * range.hi - 0.5 * range.lo;
@@ -169,17 +154,16 @@ static double draw_coordinate(struct interval range, uint64_t *seed, int bits)
     return fmin(fmax(x, range.lo), range.hi);
 }
 
-bool region_draw(struct region *r, uint64_t *seed, int bits, bool steps, long *tries, double *at)
+bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *at)
 {
     struct interval *box = new_array(r->known->variables, sizeof *box);
     bool found = false;
     while (!found && (*tries)-- > 0) {
         for (size_t k = 0; k < r->known->variables; k++) {
-            at[k] = draw_coordinate(r->doubles[r->known->input[k]], seed, bits);
+            at[k] = region_draw_coordinate(r, k, seed, bits);
             box[k] = interval_point(at[k]);
         }
-        found = (!steps || region_limits_steps(r, at)) &&
-                (r->known->program->outputs == 0 || forms_hold_at(r->required, box));
+        found = r->known->program->outputs == 0 || forms_hold_at(r->required, box);
     }
     free(box);
     return found;

@@ -10,7 +10,7 @@ struct region {
     struct known *known;      /* owned: ranges, requires and program */
     struct interval *doubles; /* owned: by input, between the doubles nearest to its ends */
     struct forms *required;   /* owned: enclosures of the requires */
-    double *step, *place;     /* owned: by operation of known->steps.program and known->place, its last value */
+    double *place;            /* owned: by operation of known->place, its last value */
 };
 
 /** The region of the inputs of program p, made from a genome of file f; without `shapes` a region block is passed over. */
@@ -37,12 +37,12 @@ bool region_holds(struct region *r, const struct interval *box);
  *  outside.  What a region block computes is rounded. */
 void region_inputs(const struct region *r, const double *at, double *input);
 
-/** Whether steps at a point, by variable, are within their limits, as far as rounded values tell. */
-bool region_limits_steps(const struct region *r, const double *at);
+/** Returns a random coordinate of a variable's range, [-1,1] without one; `bits` as below. */
+double region_draw_coordinate(const struct region *r, size_t variable, uint64_t *seed, int bits);
 
 /** A random point of the region, by variable; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
  *  short, whole multiples of a power of 2, so many bits below that of their range.  False when *tries, which are
- *  counted down, are used up: the region is hard to hit.  `steps`: where these are within their limits. */
-bool region_draw(struct region *r, uint64_t *seed, int bits, bool steps, long *tries, double *at);
+ *  counted down, are used up: the region is hard to hit. */
+bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *at);
 
 #endif

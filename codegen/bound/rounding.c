@@ -20,17 +20,16 @@
 static bool is_joint(const struct rounding *e, int i)
 {
     const struct known *x = e->forms->known;
-    return (e->hull ? hull_is_joint(e->hull, i) : x->joint[i] || x->pinned[i]) && !rounding_is_given(x, i);
+    return x->joint[i] && !rounding_is_given(x, i);
 }
 
-struct rounding *rounding_new(struct forms *w, const struct hull *hull, const int *target, size_t targets)
+struct rounding *rounding_new(struct forms *w, const int *target, size_t targets)
 {
     struct rounding *e = new_array(1, sizeof *e);
     const struct program *p = w->known->program;
     bool *marked = new_array(p->ops, sizeof *marked);
     size_t joints = 0;
-    *e = (struct rounding){
-        .arithmetic = w->known->arithmetic, .forms = w, .hull = hull, .targets = targets, .links = true};
+    *e = (struct rounding){.arithmetic = w->known->arithmetic, .forms = w, .targets = targets};
     e->target = new_array(targets, sizeof *e->target);
     e->asked = new_array(p->ops, sizeof *e->asked);
     e->needed = new_array(w->needs, sizeof *e->needed);
@@ -41,8 +40,6 @@ struct rounding *rounding_new(struct forms *w, const struct hull *hull, const in
     e->linked = new_array(p->ops, sizeof *e->linked);
     e->nonnegative = new_array(p->ops, sizeof *e->nonnegative);
     e->by = new_array(p->ops, sizeof *e->by);
-    if (hull)
-        rounding_begin_on_hull(e);
     for (size_t i = 0; i < targets; i++) {
         e->target[i] = target[i];
         e->asked[target[i]] = marked[target[i]] = true;
@@ -83,9 +80,6 @@ void rounding_free(struct rounding *e)
     free(e->linked);
     free(e->nonnegative);
     free(e->by);
-    free(e->rest);
-    free(e->reach);
-    free(e->source);
     free(e->place);
     free(e);
 }
@@ -137,48 +131,6 @@ static void find_slopes(const struct rounding *e, int i, struct interval slope[2
     }
 }
 
-/* 1/b' - 1/b, at most. */
-static double reciprocal_drift(const struct rounding *e, int b)
-{
-    const double least = rounding_least(e, b), rest = below(least - e->error[b]), share = e->relative[b];
-    const double square = rest > 0 ? below(least * rest) : 0,
-                 drift = square > 0 ? above(e->error[b] / square) : INFINITY;
-    const double relative = share < 0.5 && least > 0 ? above(above(share / least) / below(1 - share)) : INFINITY;
-    return e->error[b] == 0 ? 0 : lesser(drift, relative);
-}
-
-/* How far the derivative of operation i by operand k, which lies in `slope`, may be from that at the exact values. */
-static double slope_drift(const struct rounding *e, int i, int k, struct interval slope)
-{
-    const struct op *op = &e->forms->known->program->op[i];
-    const double most = above(slope.hi - slope.lo);
-    switch (op->kind) {
-    case OP_MUL:
-        return lesser(most, e->error[k ? op->a : op->b]);
-    case OP_DIV:
-    case OP_PDIV: {
-        const double drift = reciprocal_drift(e, op->b), divisor = rounding_least(e, op->b);
-        const double value = interval_most(e->forms->range[i]), error = e->error[i], share = e->relative[i];
-        if (k == 0)
-            return lesser(most, drift);
-        /* (q + error) (1/b + drift) - q/b, and with shares of q and b */
-        const double changed = above(above(share + e->relative[op->b]) / below(1 - lesser(e->relative[op->b], 0.5)));
-        return lesser(
-            lesser(most,
-                   above(rounding_product(above(value + error), drift) + (error > 0 ? above(error / divisor) : 0))),
-            e->relative[op->b] < 0.5 && divisor > 0 ? above(rounding_product(value, changed) / divisor) : INFINITY);
-    }
-    case OP_SQRT:
-        return lesser(most, 0.5 * reciprocal_drift(e, i));
-    case OP_ADD:
-    case OP_SUB:
-    case OP_NEG:
-        return 0;
-    default:
-        return rounding_is_decided(e, i) ? 0 : most;
-    }
-}
-
 /* Slope times operand over result, where that is a number: a power of a product. */
 static double find_power(const struct op *op, int k)
 {
@@ -199,12 +151,6 @@ static void reconcile(struct interval *slope, struct interval *weight, struct in
 {
     *weight = interval_meet(*weight, interval_multiply(*slope, value));
     *slope = interval_meet(*slope, interval_divide(*weight, value));
-}
-
-/* Of sizes: what is 0 stays so. */
-static double sum(double a, double b)
-{
-    return a == 0 ? b : b == 0 ? a : above(a + b);
 }
 
 /* A sum with 0 is exact, and of a product contracted what the product's rounding was. */
@@ -239,30 +185,12 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
                                    interval_point(power));
     reconcile(&part, &weight, rounding_inflated(e, operand));
     part = affine_charge(e->forms, i, k, e->error, part);
-    const double turned = rounding_product(interval_most(by->slope), slope_drift(e, i, k, slope));
-    to->pushed = sum(to->pushed, sum(rounding_product(by->pushed, interval_most(slope)), turned));
     to->slope = interval_add(to->slope, part);
     to->weight = interval_add(to->weight, weight);
     const bool negates = op->kind == OP_NEG;
     to->slope_span =
         interval_add(to->slope_span, negates ? interval_negative(by->slope_span) : span_of_use(e, i, part));
     to->weight_span = interval_add(to->weight_span, negates ? by->weight_span : span_of_use(e, i, weight));
-}
-
-/* Where a way backwards ends: at all joints whose errors were found backwards to be less than forwards; at local coordinates
- * alone, so that what a step of Newton's is made of cancels as far as it does; or nowhere, as on a hull. */
-enum way { BY_JOINTS, BY_PINNED, BY_NONE };
-
-static bool is_link(const struct rounding *e, int i, enum way way)
-{
-    return way == BY_JOINTS ? e->linked[i] : way == BY_PINNED && e->forms->known->pinned[i];
-}
-
-/* What is said of the result's derivative by operation i, as far as the errors move that. */
-static struct interval step_slope(const struct rounding *e, int result, int i)
-{
-    const double most = step_limits_most(&e->forms->known->steps, result, i), moved = above(most + e->by[i].drift);
-    return most < INFINITY ? (struct interval){-moved, moved} : interval_whole();
 }
 
 /* The part of a link.  Where its last operation is a product, that may be rounded in some of its uses and not in others, when
@@ -296,38 +224,30 @@ static double part_error(struct rounding *e, int i, bool link)
  * derivative of the result by that at some point between exact and computed values.  A product may be contracted in some of
  * its uses and rounded in the others, so that its error is charged for the worst of these; so through a sign.
  * Joints, as far as the way goes by them, count by their errors in this box. */
-static double backward_error(struct rounding *e, int result, enum way way)
+static double backward_error(struct rounding *e, int result, bool by_joints)
 {
     static const struct sensitivity none;
-    double error = 0, rest = 0;
+    double error = 0;
     const struct interval value = rounding_inflated(e, result);
-    e->by[result] = (struct sensitivity){{1, 1}, value, {1, 1}, value, 0, 0, 0};
-    e->sources = 0;
+    e->by[result] = (struct sensitivity){{1, 1}, value, {1, 1}, value};
     affine_result(e->forms, result);
     size_t n = e->place[result];
     for (n++; n-- > 0;) {
         const int i = e->needed[n];
         struct sensitivity *by = &e->by[i];
         const bool given = rounding_is_given(e->forms->known, i);
-        const bool used = !interval_is_zero(by->slope_span) || by->pushed > 0;
-        by->drift = by->pushed;
+        const bool used = !interval_is_zero(by->slope_span);
         if (used && i != result && e->error[i] == INFINITY) /* it may overflow */
             error = INFINITY;
-        if (e->hull && i != result && used)
-            rounding_limit_by_hull(e, result, i);
         if (given && used && e->error[i] > 0)
             error += e->error[i] * interval_most(interval_meet(by->slope, affine_slope(e->forms, i)));
-        if (e->hull && used)
-            rest += rounding_rest(e, i);
         if (!used || given || error == INFINITY) {
             *by = none;
             affine_discharge(e->forms, i);
             continue;
         }
         by->slope = interval_meet(by->slope, affine_slope(e->forms, i));
-        const bool link = i != result && is_link(e, i, way);
-        if (link && way == BY_PINNED)
-            by->slope = interval_meet(by->slope, step_slope(e, result, i));
+        const bool link = by_joints && i != result && e->linked[i];
         reconcile(&by->slope, &by->weight, rounding_inflated(e, i));
         const double own = part_error(e, i, link);
         error += own;
@@ -344,21 +264,14 @@ static double backward_error(struct rounding *e, int result, enum way way)
         *by = none;
         affine_discharge(e->forms, i);
     }
-    error = rounding_checked(e, error * (1 + 0x1p-30), 0); /* its terms are many */
-    rest = error < INFINITY ? rounding_checked(e, rest * (1 + 0x1p-30), 0) : INFINITY;
-    return e->hull ? lesser(error, rounding_end_on_hull(e, result, rest)) : error;
+    return rounding_checked(e, error * (1 + 0x1p-30), 0); /* its terms are many */
 }
 
 /* A joint's error, found backwards from those before it. */
 static void bound_joint(struct rounding *e, int i)
 {
-    const double most = interval_most(e->forms->range[i]), least = rounding_least(e, i);
-    const bool pinned = !e->hull && (e->forms->known->pinned[i] || e->asked[i]);
-    double by_joints = backward_error(e, i, e->hull ? BY_NONE : BY_JOINTS);
-    if (e->hull)
-        by_joints = lesser(by_joints, rounding_checked(e, e->relative[i] * most, 0));
-    const double by_pinned = pinned ? backward_error(e, i, BY_PINNED) : INFINITY;
-    const double error = rounding_checked(e, lesser(by_joints, by_pinned), most);
+    const double most = interval_most(e->forms->range[i]), least = interval_least(e->forms->range[i]);
+    const double error = rounding_checked(e, backward_error(e, i, true), most);
     if (!(error < e->error[i]))
         return;
     e->error[i] = error;
@@ -372,8 +285,6 @@ static void find_errors(struct rounding *e)
         const int i = e->needed[n];
         rounding_propagate(e, (size_t)i);
         e->linked[i] = false;
-        if (e->hull && !rounding_is_limited(e, i))
-            continue;
         if (e->error[i] > 0 && (e->asked[i] || (e->links && is_joint(e, i))))
             bound_joint(e, i);
     }
@@ -386,12 +297,6 @@ void rounding_errors(struct rounding *e, double *error)
         const int op = e->target[i];
         error[i] = e->error[op];
         if (error[i] > 0 && error[i] < INFINITY)
-            error[i] = lesser(error[i], backward_error(e, op, BY_NONE));
+            error[i] = lesser(error[i], backward_error(e, op, false));
     }
-}
-
-void rounding_errors_on_part(struct rounding *e, const struct hull_part *part)
-{
-    rounding_enter(e, part);
-    find_errors(e);
 }

@@ -1,25 +1,19 @@
-/* Rounding errors of a program, bounded over a box; and what bounds forwards, backwards and on a hull are made of. */
+/* Rounding errors of a program, bounded over a box, forwards and backwards. */
 #ifndef FOOTPOINT_ROUNDING_H
 #define FOOTPOINT_ROUNDING_H
 
 #include "forms.h"
-#include "hull.h"
 
 /** What an error added to a value does to the result: the result's derivative, and that times the value. */
 struct sensitivity {
     struct interval slope, weight;
     struct interval slope_span, weight_span; /* of some of its uses, those in which a product is rounded */
-    double drift;                            /* how far the derivative is from that at the exact values, at most */
-    double pushed;                           /* of that, what does not come by way of joints on a hull */
-    double more;                             /* on a hull: by how much errors raise weights */
 };
 
 struct rounding {
     struct arithmetic arithmetic;
-    struct forms *forms;          /* not owned: the enclosures of the exact values */
-    const struct hull *hull;      /* not owned: where the values lie; NULL: anywhere in the region */
-    const struct hull_part *part; /* not owned: and in which part */
-    int *target;                  /* owned: operations whose errors are asked for */
+    struct forms *forms; /* not owned: the enclosures of the exact values */
+    int *target;         /* owned: operations whose errors are asked for */
     size_t targets;
     bool *asked; /* owned: by operation, it is one of these */
     int *needed; /* owned: operations that it depends on, ascending */
@@ -32,26 +26,15 @@ struct rounding {
     bool *linked;           /* owned: by operation, a joint whose error, found backwards, is less than forwards */
     bool *nonnegative;      /* owned: by operation, the computed value is >= 0 for certain */
     struct sensitivity *by; /* owned: by operation; 0 between searches */
-    /* on a hull */
-    double *rest;  /* owned: by operation, of a joint: its error less units times the weights that it is made of */
-    double *reach; /* owned: by operation of the program and joint, what an error added to it does to that, at most */
-    bool limited;  /* errors do not change what operations so far choose */
-    /* owned: by joint, on a way backwards, what errors do to the derivatives that it hands on, not by way of others; as far as
-     * that way came */
-    double *source;
-    size_t first_source, sources;
 };
 
-/** For the errors of operations of the program, which the forms are of; `hull` where these are the outputs of its program, or
- *  NULL. */
-struct rounding *rounding_new(struct forms *w, const struct hull *hull, const int *target, size_t targets);
+/** For the errors of operations of the program that the forms enclose. */
+struct rounding *rounding_new(struct forms *w, const int *target, size_t targets);
 void rounding_free(struct rounding *e);
 
 /** Above |computed - exact| over the box that the forms were evaluated on last, whichever products are contracted to
  *  FMA, by target. */
 void rounding_errors(struct rounding *e, double *error);
-/** The same on a part of the hull, of all operations that the targets are made of: e->error.  Needs e->links. */
-void rounding_errors_on_part(struct rounding *e, const struct hull_part *part);
 
 /* ---- what they are made of ---- */
 
@@ -65,14 +48,6 @@ static inline bool rounding_is_given(const struct known *x, int op)
 static inline double rounding_product(double a, double b)
 {
     return a == 0 || b == 0 ? 0 : above(a * b);
-}
-
-/* The magnitude of a value is at least that. */
-static inline double rounding_least(const struct rounding *e, int i)
-{
-    const double least = interval_least(e->forms->range[i]);
-    const int own = e->hull ? e->hull->own[i] : -1;
-    return own >= 0 && e->hull->divides[own] ? greater(least, e->part->limit[own].least) : least;
 }
 
 static inline double rounding_of_last(const struct rounding *e, double most)
@@ -103,28 +78,5 @@ struct interval rounding_function_slope(const struct op *op, struct interval a);
 /** A bound of the error of a value up to `most`, padded for the roundings of the bound itself; NaN, anything below 0, and what
  *  may overflow, is none. */
 double rounding_checked(const struct rounding *e, double error, double most);
-
-/* ---- on a hull: rounding_hull.c ---- */
-
-/** Room for what it takes. */
-void rounding_begin_on_hull(struct rounding *e);
-/** From now on within the limits of a part. */
-void rounding_enter(struct rounding *e, const struct hull_part *part);
-
-/** How far errors move the result's derivative by operation i, on a way backwards from joint `result`, and within which limits
- *  that leaves it. */
-void rounding_limit_by_hull(struct rounding *e, int result, int i);
-
-/** What operation i, or an input's error, adds to the error of the result beyond units times its weight. */
-double rounding_rest(struct rounding *e, int i);
-
-/** After a way backwards from a joint, of that rest or, where it is infinite, without a bound: its error by the sum of the
- *  weights, as far as the part limits that. */
-double rounding_end_on_hull(struct rounding *e, int joint, double rest);
-
-/** The part limits derivatives of operation i: errors do not change what it and those before it choose.  Asked in their order. */
-bool rounding_is_limited(struct rounding *e, int i);
-/** Errors do not change what operation i chooses. */
-bool rounding_is_decided(const struct rounding *e, int i);
 
 #endif

@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MIDDLES = 8, TRIED = 5 };
-#define CLOSE 1.02 /* a bound so near to the errors at points is good enough */
+enum { MIDDLES = 8, TRIED = 5, FIRST_JUDGED = 32 };
+#define CLOSE 1.02     /* a bound so near to the errors at points is good enough */
+#define LEAST_PACE 0.1 /* factors of 2 that a doubling of the boxes must gain */
 
 struct search {
     struct region *region;
@@ -99,26 +100,45 @@ static double joints(const struct rounding *e)
     return n;
 }
 
-double bound_error(struct region *r, int op, long boxes, double *work)
+/* Returns true if it is no use to go on, judged each time that the boxes have doubled: at this pace the bound does not come
+ * down to what is useful in the doublings left; or it is useful and hardly comes down any more. */
+static bool is_hopeless(double before, double bound, double useful, double doublings)
+{
+    if (before == INFINITY)
+        return false;
+    const double pace = log2(before / bound);
+    return bound > useful ? pace * doublings < log2(bound / useful) : pace < LEAST_PACE;
+}
+
+double bound_error(struct region *r, int op, struct bound_goal goal, long boxes, double *work)
 {
     struct forms *w = forms_new(r->known, &op, 1);
-    struct search s = {.region = r, .rounding = rounding_new(w, NULL, &op, 1)};
+    struct search s = {.region = r, .rounding = rounding_new(w, &op, 1)};
     const size_t n = r->known->variables;
     /* evaluations for the variables that are tried, and a way backwards from each joint */
     const double box_work = (double)w->needs * 14 * ((double)n + 16) * (1 + joints(s.rounding) / 40.0);
-    double bound = 0;
+    double bound = 0, before = INFINITY;
+    long next = FIRST_JUDGED;
     s.boxes.variables = n;
     s.box = new_array(n, sizeof *s.box);
     s.part = new_array(n, sizeof *s.part);
     s.share = new_array(n, sizeof *s.share);
     region_box(r, s.part);
     offer(&s, s.part);
-    for (long left = boxes; s.boxes.n > 0; left--, *work -= box_work) {
+    for (long halved = 0; s.boxes.n > 0; halved++, *work -= box_work) {
         bound = boxes_pop(&s.boxes, s.box);
-        if (left % MIDDLES == 0)
+        if (halved % MIDDLES == 0)
             visit_middle(&s);
-        if (left <= 0 || *work <= 0 || bound <= CLOSE * s.reached || !forms_evaluate(w, s.box))
+        if (halved >= boxes || *work <= 0 || bound <= fmax(goal.enough, CLOSE * s.reached) || s.reached > goal.useful ||
+            !forms_evaluate(w, s.box))
             break;
+        if (halved == next) {
+            const double most = fmin((double)boxes, (double)halved + *work / box_work);
+            if (is_hopeless(before, bound, goal.useful, log2(most / (double)halved)))
+                break;
+            before = bound;
+            next *= 2;
+        }
         const size_t k = choose_variable(&s);
         if (k == n)
             break;
@@ -145,75 +165,6 @@ static int *outputs_of(const struct region *r, const struct program *p)
     return op;
 }
 
-struct part_bound {
-    const struct hull *hull;   /* not owned */
-    struct forms *forms;       /* owned */
-    struct rounding *rounding; /* owned */
-    struct interval *value;    /* owned: what is known of the region's values */
-    struct interval *box;      /* owned */
-};
-
-struct part_bound *part_bound_new(const struct hull *h)
-{
-    struct part_bound *b = new_array(1, sizeof *b);
-    const struct known *x = h->region->known;
-    int *op = outputs_of(h->region, h->program);
-    b->hull = h;
-    b->forms = forms_new(x, op, h->program->outputs);
-    b->forms->affine = false;
-    b->rounding = rounding_new(b->forms, h, op, h->program->outputs);
-    b->value = new_array(x->program->ops, sizeof *b->value);
-    b->box = new_array(x->variables, sizeof *b->box);
-    free(op);
-    return b;
-}
-
-void part_bound_at(struct part_bound *b, const struct hull_part *part, double *error)
-{
-    const struct hull *h = b->hull;
-    struct known *x = h->region->known;
-    const size_t size = x->program->ops * sizeof *x->value;
-    memcpy(b->value, x->value, size);
-    for (size_t i = 0; i < h->program->ops; i++) {
-        const int all = region_op(h->region, (int)i);
-        const struct interval value = interval_meet(x->value[all], part->limit[i].value);
-        if (value.lo <= value.hi) /* or the limit, of rounded values, is off */
-            x->value[all] = value;
-    }
-    region_box(h->region, b->box);
-    const bool good = b->rounding->links && forms_evaluate(b->forms, b->box);
-    if (good)
-        rounding_errors_on_part(b->rounding, part);
-    for (size_t i = 0; i < h->program->ops; i++)
-        error[i] = good ? b->rounding->error[region_op(h->region, (int)i)] : INFINITY;
-    memcpy(x->value, b->value, size);
-}
-
-void part_bound_free(struct part_bound *b)
-{
-    rounding_free(b->rounding);
-    forms_free(b->forms);
-    free(b->value);
-    free(b->box);
-    free(b);
-}
-
-void bound_errors_on_hull(const struct hull *h, double *error)
-{
-    const size_t n = h->program->ops;
-    struct part_bound *b = part_bound_new(h);
-    double *part = new_array(n, sizeof *part);
-    for (size_t i = 0; i < n; i++)
-        error[i] = h->parts > 0 ? 0 : INFINITY;
-    for (size_t k = 0; k < h->parts; k++) {
-        part_bound_at(b, &h->part[k], part);
-        for (size_t i = 0; i < n; i++)
-            error[i] = greater(error[i], part[i]);
-    }
-    free(part);
-    part_bound_free(b);
-}
-
 struct point_bound {
     struct forms *forms;       /* owned */
     struct rounding *rounding; /* owned */
@@ -226,7 +177,7 @@ struct point_bound *point_bound_new(const struct region *r, const struct program
     int *op = outputs_of(r, p);
     b->forms = forms_new(r->known, op, p->outputs);
     b->forms->affine = false; /* nothing varies that could cancel */
-    b->rounding = rounding_new(b->forms, NULL, op, p->outputs);
+    b->rounding = rounding_new(b->forms, op, p->outputs);
     b->box = new_array(r->known->variables, sizeof *b->box);
     free(op);
     return b;

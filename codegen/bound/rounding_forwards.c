@@ -84,7 +84,7 @@ static double product_error(const struct rounding *e, size_t i, double most)
 /* a'/b' - a/b = (da - (a/b) db) / b'. */
 static double quotient_error(const struct rounding *e, const struct op *op, double most)
 {
-    const double divisor = rounding_least(e, op->b) * (1 - lesser(e->relative[op->b], 1)) * (1 - 0x1p-50);
+    const double divisor = interval_least(e->forms->range[op->b]) * (1 - lesser(e->relative[op->b], 1)) * (1 - 0x1p-50);
     if (!(divisor > 0))
         return INFINITY;
     const double eb = e->error[op->b], error = (e->error[op->a] + (eb > 0 ? most * eb : 0)) / divisor;
@@ -155,7 +155,7 @@ static double relative_error_of(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
     const double ra = op->a >= 0 ? e->relative[op->a] : 0, rb = op->b >= 0 ? e->relative[op->b] : 0;
-    const double tiny = e->arithmetic.least / rounding_least(e, (int)i);
+    const double tiny = e->arithmetic.least / interval_least(e->forms->range[i]);
     double error = INFINITY;
     if (op->kind == OP_NEG || op->kind == OP_ABS)
         return ra;
@@ -205,7 +205,7 @@ double rounding_checked(const struct rounding *e, double error, double most)
 void rounding_propagate(struct rounding *e, size_t i)
 {
     const struct interval range = e->forms->range[i];
-    const double most = interval_most(range), least = rounding_least(e, (int)i);
+    const double most = interval_most(range), least = interval_least(e->forms->range[i]);
     e->nonnegative[i] = is_nonnegative(e, i);
     if (rounding_is_given(e->forms->known, (int)i)) {
         e->relative[i] = e->arithmetic.given;

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES = 10000, SAMPLES_FOR_EFFORT = 20, BOXES_FOR_EFFORT = 20 };
+enum { POINTS = 1000000, POINTS_FOR_EFFORT = 500, BOXES_FOR_EFFORT = 20 };
 
 bool function_is_guarded(const struct function *f)
 {
@@ -167,13 +167,13 @@ static void hash_genome(const struct genome_file *f, size_t k, char sha256[65])
     free(text);
 }
 
-/* Compiling takes about as long as the evidence: two steps a genome. */
+/* All genomes are compiled, then evidence is found of all: two steps a genome. */
 static void tell(const struct steps *s, const struct genome_file *f, size_t k, bool compiled)
 {
     char what[200];
     snprintf(what, sizeof what, "%.80s, %zu of %zu, %s", f->genome[k].name, k + 1, f->genomes,
              compiled ? "proofs and bounds" : "search for the cheapest form");
-    steps_show(s, 2 * k + compiled, what);
+    steps_show(s, k + (compiled ? f->genomes : 0), what);
 }
 
 static void tell_done(struct steps *s, const struct genome_file *f, size_t k)
@@ -185,20 +185,8 @@ static void tell_done(struct steps *s, const struct genome_file *f, size_t k)
     steps_log(s, what);
 }
 
-static bool build(struct unit *u, size_t k, const struct unit_options *o, struct steps *s, struct diag *d)
+static void warn_of_cancelled(const struct genome_file *f, const struct function *function, struct steps *s)
 {
-    const struct genome_file *f = u->file;
-    struct function *function = &u->function[k];
-    struct compiled *c = &function->code;
-    function->genome = &f->genome[k];
-    function->name = new_name(f, o, function->genome->name);
-    tell(s, f, k, false);
-    if (!compile_genome(f, function->genome, &o->compile, c, d))
-        return false;
-    tell(s, f, k, true);
-    function->program = c->program;
-    if (!prove_equal(f, function->genome, function->program, &function->proof, d))
-        return false;
     char *cancelled = function_cancelled(function);
     if (cancelled) {
         console_line(s->terminal, "");
@@ -206,16 +194,54 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
                 function->genome->line, function->genome->name, cancelled);
     }
     free(cancelled);
-    if (!o->evidence)
-        return true;
-    if (o->precision == PRECISION_FLOAT && !check_float(f, function, d))
+}
+
+/* The cheapest program of a genome, proved equal to it. */
+static bool compile(struct unit *u, size_t k, const struct unit_options *o, struct steps *s, struct diag *d)
+{
+    const struct genome_file *f = u->file;
+    struct function *function = &u->function[k];
+    function->genome = &f->genome[k];
+    function->name = new_name(f, o, function->genome->name);
+    tell(s, f, k, false);
+    if (!compile_genome(f, function->genome, &o->compile, &function->code, d))
         return false;
+    function->program = function->code.program;
+    if (!prove_equal(f, function->genome, function->program, &function->proof, d))
+        return false;
+    warn_of_cancelled(f, function, s);
     function->scaled = o->samples && single_is_relative(f->segment, function->program);
-    const long samples = SAMPLES_FOR_EFFORT * (1 + o->compile.effort);
-    const struct evidence_options options = {.arithmetic = o->precision == PRECISION_DOUBLE ? &arithmetic_double
-                                                           : function->scaled               ? &arithmetic_single_scaled
-                                                                                            : &arithmetic_single,
-                                             .samples = samples < SAMPLES ? samples : SAMPLES,
+    return !o->evidence || o->precision != PRECISION_FLOAT || check_float(f, function, d);
+}
+
+static const struct arithmetic *arithmetic_of(const struct function *function, const struct unit_options *o)
+{
+    return o->precision == PRECISION_DOUBLE ? &arithmetic_double
+           : function->scaled               ? &arithmetic_single_scaled
+                                            : &arithmetic_single;
+}
+
+/* The errors of all functions at the same points.  Caller frees. */
+static struct sampled_errors *sample(const struct unit *u, const struct unit_options *o)
+{
+    const struct genome_file *f = u->file;
+    const long points = POINTS_FOR_EFFORT * (1 + o->compile.effort);
+    struct sampled *of = new_array(f->genomes, sizeof *of);
+    for (size_t k = 0; k < f->genomes; k++)
+        of[k] = (struct sampled){u->function[k].program, *arithmetic_of(&u->function[k], o)};
+    struct sampled_errors *found =
+        sampled_errors_new(f, of, f->genomes, points < POINTS ? points : POINTS, o->compile.seed);
+    free(of);
+    return found;
+}
+
+static bool find_evidence(struct unit *u, size_t k, const struct sampled_errors *sampled, const struct unit_options *o,
+                          struct diag *d)
+{
+    const struct genome_file *f = u->file;
+    struct function *function = &u->function[k];
+    const struct evidence_options options = {.arithmetic = arithmetic_of(function, o),
+                                             .sampled = sampled,
                                              .boxes = BOXES_FOR_EFFORT * (1 + o->compile.effort),
                                              .seed = o->compile.seed};
     function->evidence = evidence_new(f, function->genome, function->program, &options);
@@ -230,6 +256,23 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     return o->allow_poles || check_poles(f, function, d);
 }
 
+static bool find_all_evidence(struct unit *u, const struct unit_options *o, struct steps *s, struct diag *d)
+{
+    const struct genome_file *f = u->file;
+    bool good = true;
+    tell(s, f, 0, true);
+    struct sampled_errors *sampled = sample(u, o);
+    for (size_t k = 0; good && k < f->genomes; k++) {
+        tell(s, f, k, true);
+        if ((good = find_evidence(u, k, &sampled[k], o, d)))
+            tell_done(s, f, k);
+    }
+    for (size_t k = 0; k < f->genomes; k++)
+        sampled_errors_free(&sampled[k]);
+    free(sampled);
+    return good;
+}
+
 struct unit *unit_new(const struct genome_file *f, const char sha256[65], const struct unit_options *o, struct diag *d)
 {
     struct unit *u = new_array(1, sizeof *u);
@@ -240,8 +283,8 @@ struct unit *unit_new(const struct genome_file *f, const char sha256[65], const 
     good = good && check_names(f, o, d);
     struct steps steps = steps_start(!o->quiet && !o->compile.explain, 2 * f->genomes);
     for (size_t k = 0; good && k < f->genomes; k++)
-        if ((good = build(u, k, o, &steps, d)) && o->evidence)
-            tell_done(&steps, f, k);
+        good = compile(u, k, o, &steps, d);
+    good = good && (!o->evidence || find_all_evidence(u, o, &steps, d));
     steps_end(&steps);
     if (good)
         return u;

@@ -24,7 +24,6 @@
  *     exchange u2 c11                      of a frame: exchanging xi and eta turns the one number into the other
  *     least c11                            of a frame: an expression whose least value on samples bounds the region
  *     require - xC xD, - 5 abs u2          expressions that are > 0 on the region; any number
- *     require - 0.1 abs - u3 xi step 0.02  and how u3 changes with values before it; see below
  *     genome fast                          a function to be made
  *     note training_xi genes 5 mean 1e-3   its own provenance
  *     xi = + * 0.05 c1x yA                 an output: one expression; any number
@@ -48,7 +47,7 @@
  *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let { "," item } } "end"
  *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one exchange at most
  *     least      = "least" expression
- *     require    = "require" expression [ "step" NUMBER ]      the latter where there is a region block
+ *     require    = "require" expression
  *     genome     = "genome" NAME newline { note | output { "," output } } "end"
  *     output     = NAME "=" expression
  *                | NAME "=" expression { expression }          of a face; a vector stands for its components
@@ -88,10 +87,8 @@
  * A region block has names of its own: inputs with ranges, and lets, one for each of the file's inputs (of a segment
  * one for each of its vectors, or an input), which says where it is.  The region is where the inputs are as these lie in their
  * ranges, as far as the requires of block and file are > 0; those of the file may use the block's values, where it has no
- * such name itself.  A require W - |v - m|, v a value and m one of the block, may end in a step K: v is a local coordinate on
- * the way, or the result, and for each w of such requires that v is made of |dv/dw| < K on the region, where w varies by
- * itself and the others of them do not.  What the block's other lets are equal to, but for a factor, is enclosed by them as well: other
- * forms of the values on the way make bounds closer.
+ * such name itself.  What the block's other lets are equal to, but for a factor, is enclosed by them as well: other forms of
+ * the values on the way make bounds closer.
  *
  * Version 1 has no vectors and no lists, "vector", "face", "derivative", "least", "region", "dot" and "cross" are names like others, `input` lines name the inputs of a
  * segment, too, and what a function is made of are lets of the file:
@@ -138,8 +135,7 @@ struct genome_expr {
     char *name; /* owned */
     int *gene;  /* owned, length genes */
     size_t length;
-    int line;    /* where it stands in the file; 0 when made by a program */
-    size_t step; /* of a require: 1 + the constant behind "step"; 0: there is none */
+    int line; /* where it stands in the file; 0 when made by a program */
 };
 
 /** A provenance line. */

@@ -158,10 +158,6 @@ static void print_requires(const struct genome_file *f, FILE *stream)
         char *text = genome_expr_text(f, line.text ? "," : "require", &f->require[i]);
         growing_add(&line, text);
         free(text);
-        if (f->require[i].step > 0) {
-            growing_add(&line, " step ");
-            growing_add(&line, f->constant[f->require[i].step - 1].text);
-        }
         if (f->format == 1 || i + 1 == f->requires)
             print_lines(&line, stream);
     }

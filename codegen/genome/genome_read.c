@@ -255,40 +255,16 @@ static bool read_range(struct reader *r)
     return end_of_item(r);
 }
 
-/* "step K" behind a require W - |v - m|, wherever the line breaks. */
-static bool read_step(struct reader *r, struct genome_expr *e)
-{
-    const struct words end = r->w;
-    int number;
-    if (r->file->format == 1 || !next_word(r, false) || !word_is(&r->w, "step")) {
-        r->w = end;
-        return true;
-    }
-    if (!r->file->region || e->length < 6 || e->gene[0] != GENE_SUB || e->gene[1] >= 0 || e->gene[2] != GENE_ABS ||
-        e->gene[3] != GENE_SUB)
-        return reader_fail(r, "'%s' of what is not the distance of a value from one of the region");
-    const struct words step = r->w;
-    if (!next_word(r, false) || !looks_like_number(r)) {
-        r->w = step;
-        return reader_fail(r, "'step' needs a decimal number");
-    }
-    if (!read_number(r, &number))
-        return false;
-    e->step = (size_t)-number;
-    return true;
-}
-
 static bool read_require(struct reader *r)
 {
     r->in_require = true;
-    const bool good = read_expression(r, "require", true) && expand_number(r, "require");
+    const bool good = read_expression(r, "require", false) && expand_number(r, "require");
     r->in_require = false;
     if (!good)
         return false;
     genome_add_require(r->file, r->gene, r->genes);
-    struct genome_expr *e = &r->file->require[r->file->requires - 1];
-    e->line = r->node[0].line;
-    return read_step(r, e) && end_of_expression(r);
+    r->file->require[r->file->requires - 1].line = r->node[0].line;
+    return true;
 }
 
 /* Of a frame; a statement, so that it goes wherever the lets go. */

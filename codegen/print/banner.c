@@ -143,12 +143,12 @@ static void print_legend(const struct unit *u, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT, measured = u->options.samples != NULL;
     fputs(" *\n"
-          " * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the "
-          "hull of\n"
-          " * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and "
-          "eta "
-          "on\n"
-          " * samples that were not used to find it.\n",
+          " * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the "
+          "latter\n"
+          " * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times "
+          "that\n"
+          " * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find "
+          "it.\n",
           out);
     if (single && !measured)
         fputs(" * heldout... are those of the same code in double.\n", out);

@@ -95,8 +95,6 @@ static void add_rounding(struct banner_line *l, const struct unit *u, const stru
         banner_add(l, "(as computed, too)");
     if (denominator_is_safe(d))
         return;
-    if (d->hull < d->least)
-        banner_add(l, "(rounding error <= %s on the hull);", rounded(d->hull, 1, number));
     if (threshold > 0)
         banner_add(l, "status if |%s| <= %s, the rounding error", name, rounded(threshold, 1, number));
     else if (u->file->segment || d->sign == 0)
@@ -119,7 +117,7 @@ static void print_denominator(const struct unit *u, const struct program *p, con
     else {
         const char *name = d->name[strcspn(d->name, " (")] ? "..." : d->name;
         banner_add(&l, "proved free of zeros, |%s| >= %s%s", name, rounded(d->least, -1, number),
-                   denominator_is_safe(d) || d->hull < d->least ? "" : ";");
+                   denominator_is_safe(d) ? "" : ";");
         add_rounding(&l, u, d, name);
     }
     banner_end(&l);
@@ -155,29 +153,18 @@ static void print_poles(const struct unit *u, const struct program *p, const str
     }
 }
 
-/* A bound on the hull is worth a word where it is well below that over the region. */
-static bool has_hull(const struct output_error *e)
-{
-    return e->hull < 0.5 * e->bound;
-}
-
 /* `end` follows the last word. */
 static void add_error(struct banner_line *l, const struct output_error *e, const char *name, size_t length, double most,
                       const char *end)
 {
     char number[NUMBER];
-    const bool bounded = e->bound < INFINITY && e->bound <= most, points = e->points >= 0 && e->points <= most;
-    const bool hull = has_hull(e) && e->hull <= most;
+    const bool bounded = output_error_is_bounded(e) && e->bound <= most;
     banner_add(l, "%.*s", (int)length, name);
     if (bounded)
         banner_add(l, "<= %s proved%s", rounded(e->bound, 1, number), e->sampled >= 0 ? "," : end);
-    if (hull)
-        banner_add(l, "<= %s on the hull,", rounded(e->hull, 1, number));
-    if (points)
-        banner_add(l, "%s at points,", rounded(e->points, 1, number));
     if (e->sampled >= 0)
         banner_add(l, "%s sampled%s", rounded(e->sampled, 1, number), end);
-    else if (!bounded && !hull)
+    else if (!bounded)
         banner_add(l, "no bound found%s", end);
 }
 
@@ -192,8 +179,6 @@ static void add_errors(struct banner_line *l, const struct genome_file *f, const
         const size_t length = strcspn(name, "[");
         for (i++; i < e->outputs && strncmp(out[i].name, name, length + 1) == 0 && name[length]; i++) {
             worst.bound = fmax(worst.bound, e->error[i].bound);
-            worst.hull = fmax(worst.hull, e->error[i].hull);
-            worst.points = fmax(worst.points, e->error[i].points);
             worst.sampled = fmax(worst.sampled, e->error[i].sampled);
         }
         if (strncmp(name, "require[", length + 1) != 0)
@@ -210,14 +195,7 @@ void banner_evidence(const struct unit *u, const struct function *function, FILE
         banner_add(&l, "no bound, as no ranges are given");
     else
         add_errors(&l, u->file, function);
-    bool hull = false;
-    for (size_t i = 0; i < e->outputs; i++)
-        hull = hull || has_hull(&e->error[i]);
-    if (hull && e->parts > 1)
-        banner_add(&l, "(%ld points, hull of %ld in %zu parts)", e->samples, e->hull, e->parts);
-    else if (hull)
-        banner_add(&l, "(%ld points, hull of %ld)", e->samples, e->hull);
-    else if (e->samples > 0)
+    if (e->samples > 0)
         banner_add(&l, "(%ld points)", e->samples);
     banner_end(&l);
 }

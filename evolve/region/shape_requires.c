@@ -13,26 +13,15 @@
 enum { PIECE = 4096, MOST_MARKS = 32 };
 
 #define LEAST_NEARNESS 1e-6 /* of the largest: nearer than that bounds are no closer */
-#define LEAST_STEP 1e-3     /* nothing is gained from smaller derivatives */
-#define SHIFT 0x1p-14       /* of local coordinates, to either side, for derivatives */
-
-/* A value of the block that others may be near to. */
-struct mark {
-    size_t symbol;
-    bool coordinate; /* xi or eta */
-};
 
 /* A value on the way, or an output. */
 struct value {
     const int *gene; /* not owned */
     size_t length;
-    int own;                        /* the gene of a let */
-    const struct genome_expr *made; /* not owned: what it is made of */
+    int own; /* the gene of a let */
     double lo, hi;
     double factor[MOST_MARKS], far[MOST_MARKS]; /* largest distance from factor times a mark */
-    size_t near;     /* the mark that it is nearest to, as far as that tells more than its size */
-    bool coordinate; /* a local coordinate on the way, or the result */
-    double step;     /* largest derivative by coordinates that it is made of */
+    size_t near; /* the mark that it is nearest to, as far as that tells more than its size */
 };
 
 struct survey {
@@ -40,7 +29,7 @@ struct survey {
     struct shape *shape;      /* owned */
     struct value *value;      /* owned */
     size_t values, value_room;
-    struct mark mark[MOST_MARKS];
+    size_t mark[MOST_MARKS]; /* symbols of the block that others may be near to */
     size_t marks;
     double least[SHAPE_NUMBERS], most[SHAPE_NUMBERS];
 };
@@ -50,12 +39,8 @@ struct survey {
 /* `own` is 0 of outputs. */
 static void add_value(struct survey *s, const struct genome_expr *made, int own)
 {
-    APPEND(s->value, s->values, s->value_room) = (struct value){.gene = made->gene,
-                                                                .length = own ? 1 : made->length,
-                                                                .own = own,
-                                                                .made = made,
-                                                                .lo = INFINITY,
-                                                                .hi = -INFINITY};
+    APPEND(s->value, s->values, s->value_room) = (struct value){
+        .gene = made->gene, .length = own ? 1 : made->length, .own = own, .lo = INFINITY, .hi = -INFINITY};
 }
 
 static void find_values(struct survey *s)
@@ -81,9 +66,8 @@ static void find_marks(struct survey *s)
     const struct genome_file *r = s->file->region;
     for (size_t i = 0; i < r->inputs + r->lets && s->marks < MOST_MARKS; i++) {
         const char *name = genome_symbol_name(r, i);
-        const bool coordinate = strcmp(name, "xi") == 0 || strcmp(name, "eta") == 0;
-        if (coordinate || strncmp(name, "foot_", 5) == 0)
-            s->mark[s->marks++] = (struct mark){i, coordinate};
+        if (strcmp(name, "xi") == 0 || strcmp(name, "eta") == 0 || strncmp(name, "foot_", 5) == 0)
+            s->mark[s->marks++] = i;
     }
 }
 
@@ -130,7 +114,7 @@ static void take_in(struct survey *s, struct value *v, const double *x, const st
         v->hi = x[i] > v->hi ? x[i] : v->hi;
     }
     for (size_t k = 0; k < s->marks; k++) {
-        const double *mark = columns_at(block, s->mark[k].symbol);
+        const double *mark = columns_at(block, s->mark[k]);
         if (first)
             v->factor[k] = find_factor(x, mark, block->n);
         double far = v->far[k];
@@ -175,16 +159,13 @@ static void measure_piece(struct survey *s, const struct sample *sample, size_t 
     free(x);
 }
 
-static void for_pieces(struct survey *s, const struct sample_set *set, size_t sets,
-                       void (*measure)(struct survey *s, const struct sample *sample, size_t n, bool first))
+static void measure(struct survey *s, const struct sample_set *set, size_t sets)
 {
     bool begun = false;
     for (size_t k = 0; k < sets; k++)
         for (size_t first = 0; first < set[k].n; first += PIECE, begun = true)
-            measure(s, &set[k].s[first], set[k].n - first < PIECE ? set[k].n - first : PIECE, !begun);
+            measure_piece(s, &set[k].s[first], set[k].n - first < PIECE ? set[k].n - first : PIECE, !begun);
 }
-
-/* ---- steps ---- */
 
 static void find_nearest(struct survey *s)
 {
@@ -195,93 +176,7 @@ static void find_nearest(struct survey *s)
             v->near = v->far[k] < v->far[v->near] ? k : v->near;
         if (!(v->far[v->near] < 0.5 * fmax(-v->lo, v->hi)))
             v->near = s->marks;
-        v->coordinate =
-            v->near < s->marks && s->mark[v->near].coordinate && v->made->length > 1; /* not another's name */
     }
-}
-
-static bool uses(const struct genome_expr *e, const bool *symbol)
-{
-    for (size_t i = 0; i < e->length; i++)
-        if (e->gene[i] >= GENE_SYMBOL && symbol[e->gene[i] - GENE_SYMBOL])
-            return true;
-    return false;
-}
-
-/* By symbol: it is one, or made of it but by way of no other coordinate. */
-static bool *made_of(const struct survey *s, size_t symbol, const bool *coordinate)
-{
-    const struct genome_file *f = s->file;
-    bool *made = new_array(f->inputs + f->lets, sizeof *made);
-    made[symbol] = true;
-    for (size_t j = symbol + 1; j < f->inputs + f->lets; j++)
-        made[j] = !coordinate[j] && uses(&f->let[j - f->inputs], made);
-    return made;
-}
-
-/* An expression of other values in the table. */
-static void compute(const struct survey *s, const struct genome_expr *e, const struct columns *table, double *x)
-{
-    table_values(table, s->file->constant, e->gene, e->length, x);
-}
-
-/* A symbol's column, and what is made of it, as if its values were others. */
-static void shift(const struct survey *s, size_t symbol, double by, const bool *made, const struct columns *from,
-                  struct columns *to)
-{
-    const struct genome_file *f = s->file;
-    for (size_t i = 0; i < from->n; i++)
-        columns_at(to, symbol)[i] = columns_at(from, symbol)[i] + by;
-    for (size_t j = symbol + 1; j < from->count - 2; j++)
-        if (made[j])
-            compute(s, &f->let[j - f->inputs], to, columns_at(to, j));
-}
-
-static void measure_steps_by(struct survey *s, size_t symbol, const bool *coordinate, const struct columns *table,
-                             struct columns moved[2])
-{
-    const struct genome_file *f = s->file;
-    bool *made = made_of(s, symbol, coordinate);
-    double *x[2] = {new_array(table->n, sizeof **x), new_array(table->n, sizeof **x)};
-    for (int k = 0; k < 2; k++)
-        shift(s, symbol, k ? SHIFT : -SHIFT, made, table, &moved[k]);
-    for (size_t i = 0; i < s->values; i++) {
-        struct value *v = &s->value[i];
-        if (!v->coordinate || !uses(v->made, made))
-            continue;
-        for (int k = 0; k < 2; k++)
-            compute(s, v->made, &moved[k], x[k]);
-        for (size_t j = 0; j < table->n; j++) {
-            const double step = fabs(x[1][j] - x[0][j]) / (2 * SHIFT);
-            v->step = !(step <= v->step) ? step : v->step;
-        }
-    }
-    for (size_t j = symbol; j < f->inputs + f->lets; j++)
-        for (int k = 0; k < 2 && made[j]; k++)
-            memcpy(columns_at(&moved[k], j), columns_at(table, j), table->n * sizeof(double));
-    free(x[0]);
-    free(x[1]);
-    free(made);
-}
-
-static void measure_steps(struct survey *s, const struct sample *sample, size_t n, bool first)
-{
-    (void)first;
-    const struct genome_file *f = s->file;
-    struct columns block, table = place(s, sample, n, &block);
-    struct columns moved[2] = {columns_thin(&table, 1), columns_thin(&table, 1)};
-    bool *coordinate = new_array(f->inputs + f->lets, sizeof *coordinate);
-    for (size_t i = 0; i < s->values; i++)
-        if (s->value[i].coordinate && s->value[i].own)
-            coordinate[s->value[i].own - GENE_SYMBOL] = true;
-    for (size_t j = 0; j < f->inputs + f->lets; j++)
-        if (coordinate[j])
-            measure_steps_by(s, j, coordinate, &table, moved);
-    for (int k = 0; k < 2; k++)
-        columns_free(&moved[k]);
-    columns_free(&table);
-    columns_free(&block);
-    free(coordinate);
 }
 
 /* ---- what is written ---- */
@@ -317,26 +212,15 @@ static void require_near(struct genome_file *f, const struct value *v, double fa
     free(gene);
 }
 
-/* What is nothing but the step's own start has none. */
-static void add_step(struct genome_file *f, const struct value *v)
-{
-    char text[32];
-    if (!v->coordinate || v->step == 0 || !isfinite(v->step))
-        return;
-    snprintf(text, sizeof text, "%.2g", 2 * fmax(v->step, LEAST_STEP));
-    f->require[f->requires - 1].step = 1 + genome_add_constant(f, text);
-}
-
 static void require_value(const struct survey *s, const struct value *v)
 {
     const double most = fmax(-v->lo, v->hi);
     if (!(most > 0 && isfinite(most)))
         return;
-    if (v->near < s->marks) {
-        require_near(s->file, v, v->factor[v->near], s->mark[v->near].symbol,
+    if (v->near < s->marks)
+        require_near(s->file, v, v->factor[v->near], s->mark[v->near],
                      2 * fmax(v->far[v->near], LEAST_NEARNESS * most));
-        add_step(s->file, v);
-    } else
+    else
         require_magnitude(s->file, v->gene, v->length, 2 * most);
     if (v->lo > 0 || v->hi < 0)
         require_sign(s->file, v->gene, v->length, 0.5 * (v->lo > 0 ? v->lo : v->hi));
@@ -352,9 +236,8 @@ bool shape_requires_add(struct genome_file *f, const struct sample_set *set, siz
     find_values(&s);
     for (size_t k = 0; k < SHAPE_NUMBERS; k++)
         s.most[k] = -(s.least[k] = INFINITY);
-    for_pieces(&s, set, sets, measure_piece);
+    measure(&s, set, sets);
     find_nearest(&s);
-    for_pieces(&s, set, sets, measure_steps);
     add_ranges(&s);
     for (size_t i = 0; i < s.values; i++)
         require_value(&s, &s.value[i]);

@@ -31,7 +31,7 @@ struct subject {
 
 static struct subject examine(const char *ranges, const char *code)
 {
-    static const struct evidence_options options = {.samples = 0, .boxes = BOXES, .seed = 1, .poles = true};
+    static const struct evidence_options options = {.boxes = BOXES, .seed = 1, .poles = true};
     char text[ROOM];
     struct diag d = {0};
     struct subject s = {0};
@@ -70,7 +70,7 @@ static void check_points(const struct subject *s)
     uint64_t seed = 7;
     long tries = 20 * POINTS;
     point_constants(p, value);
-    for (int i = 0; i < POINTS && region_draw(r, &seed, i % 2 ? 3 : 0, false, &tries, at); i++) {
+    for (int i = 0; i < POINTS && region_draw(r, &seed, i % 2 ? 3 : 0, &tries, at); i++) {
         region_inputs(r, at, input);
         point_double(p, input, NULL, value);
         for (size_t k = 0; k < e->denominators; k++) {
@@ -359,7 +359,7 @@ static void computed_values_in_float_are_enclosed(void **state)
     assert_non_null(p);
     for (int single = 0; single < 2; single++) {
         const struct evidence_options o = {
-            .arithmetic = single ? &arithmetic_single : &arithmetic_double, .boxes = 100, .samples = 10, .seed = 1};
+            .arithmetic = single ? &arithmetic_single : &arithmetic_double, .boxes = 100, .seed = 1};
         struct evidence *e = evidence_new(f, &f->genome[0], p, &o);
         assert_int_equal(e->denominator[0].apart, !single);
         evidence_free(e);

@@ -25,9 +25,9 @@ static long double nearest(const fmpq_t x)
 }
 
 /* Values by operation, the constants' filled in. */
-static struct lanes *lanes_new(const struct program *p)
+static struct beside *beside_new(const struct program *p)
 {
-    struct lanes *v = new_array(p->ops, sizeof *v);
+    struct beside *v = new_array(p->ops, sizeof *v);
     double *constant = new_array(p->ops, sizeof *constant);
     point_constants(p, constant);
     for (size_t i = 0; i < p->ops; i++)
@@ -50,8 +50,7 @@ struct subject subject_new(const char *text, struct program *p)
     for (int l = 0; l < SIDE_BY_SIDE; l++)
         s.point[l] = new_array(sides, sizeof *s.point[l]);
     s.own = new_array(x->inputs, sizeof *s.own);
-    s.required = lanes_new(x->program);
-    s.step = x->steps.program ? lanes_new(x->steps.program) : NULL;
+    s.required = beside_new(x->program);
     s.box = new_array(sides, sizeof *s.box);
     s.exact = _arb_vec_init((slong)p->outputs);
     point_constants(p, s.value);
@@ -82,7 +81,6 @@ void subject_free(struct subject *s)
         free(s->point[l]);
     free(s->own);
     free(s->required);
-    free(s->step);
     free(s->box);
     region_free(s->region);
     program_free(s->program);
@@ -116,7 +114,7 @@ static void move(const struct subject *s, double keep, uint64_t *seed, double *a
 }
 
 /* All operations of a program, at points side by side. */
-static void values(const struct program *p, const struct lanes *input, struct lanes *v)
+static void values(const struct program *p, const struct beside *input, struct beside *v)
 {
 #define EACH(value)                                                                                                    \
     for (int l = 0; l < SIDE_BY_SIDE; l++)                                                                             \
@@ -128,7 +126,7 @@ static void values(const struct program *p, const struct lanes *input, struct la
         double *restrict x = v[i].at;
         switch (op->kind) {
         case OP_CONSTANT:
-            break; /* by lanes_new */
+            break; /* by beside_new */
         case OP_INPUT:
             EACH(input[op->input].at[l]);
         case OP_NEG:
@@ -147,7 +145,7 @@ static void values(const struct program *p, const struct lanes *input, struct la
 }
 
 /* Of the points, those at which all outputs are > 0, a bit each. */
-static unsigned positive(const struct program *p, const struct lanes *input, struct lanes *v)
+static unsigned positive(const struct program *p, const struct beside *input, struct beside *v)
 {
     unsigned all = (1U << SIDE_BY_SIDE) - 1;
     values(p, input, v);
@@ -165,8 +163,7 @@ static unsigned in_region_about(struct subject *s)
         for (int l = 0; l < SIDE_BY_SIDE; l++)
             s->own[i].at[l] =
                 x->variable[i] < x->variables ? s->point[l][x->variable[i]] : fmax(s->region->doubles[i].lo, -DBL_MAX);
-    const unsigned inside = positive(x->program, s->own, s->required);
-    return inside && s->step ? inside & positive(x->steps.program, s->own, s->step) : inside;
+    return positive(x->program, s->own, s->required);
 }
 
 static void place(struct subject *s, const double *at)
@@ -179,7 +176,7 @@ static bool in_region(struct subject *s)
 {
     for (size_t k = 0; k < s->region->known->variables; k++)
         s->box[k] = interval_point(s->at[k]);
-    return region_holds(s->region, s->box) && (!s->hull || hull_holds(s->hull, s->at));
+    return region_holds(s->region, s->box);
 }
 
 /* Values in long double, whose errors are a two-thousandth: near enough to tell which points are worth an exact look. */
@@ -327,7 +324,7 @@ void worst_errors(struct subject *s, double *worst)
     double *about = new_array(outputs, sizeof *about);
     for (size_t i = 0; i < outputs; i++)
         worst[i] = 0;
-    if (!region_draw(s->region, &seed, 0, false, &draws, from))
+    if (!region_draw(s->region, &seed, 0, &draws, from))
         fail_msg("no point of the region was found");
     while (n < sample_count() && walk(s, from, &seed, &tries))
         n += look(s, &seed, about, worst);

@@ -3,7 +3,6 @@
 #ifndef FOOTPOINT_ROUNDING_SUBJECT_H
 #define FOOTPOINT_ROUNDING_SUBJECT_H
 
-#include "../../codegen/bound/hull.h"
 #include "../../codegen/bound/region.h"
 #include "../../codegen/genome/random.h"
 
@@ -12,7 +11,7 @@
 enum { SIDE_BY_SIDE = 8 };
 
 /* A value at several points. */
-struct lanes {
+struct beside {
     double at[SIDE_BY_SIDE];
 };
 
@@ -20,16 +19,15 @@ struct subject {
     struct genome_file *file;
     struct program *program;
     struct region *region;
-    struct hull *hull;                   /* not owned: errors count at its points alone; NULL: at all of the region */
-    double *input, *at, *value;          /* owned */
-    long double *near;                   /* owned: by operation */
-    double *point[SIDE_BY_SIDE];         /* owned: candidates, by variable of the region */
-    unsigned inside;                     /* those in the region that were not looked at yet, a bit each */
-    struct lanes *own, *required, *step; /* owned: by input and operation of the region's programs */
-    struct interval *box;                /* owned */
-    arb_ptr exact;                       /* owned: by output */
-    float *single;                       /* owned: by operation, of a program in float; else NULL */
-    float *coordinate;                   /* owned: by input, twice: as given, as it is computed with */
+    double *input, *at, *value;    /* owned */
+    long double *near;             /* owned: by operation */
+    double *point[SIDE_BY_SIDE];   /* owned: candidates, by variable of the region */
+    unsigned inside;               /* those in the region that were not looked at yet, a bit each */
+    struct beside *own, *required; /* owned: by input and operation of the region's programs */
+    struct interval *box;          /* owned */
+    arb_ptr exact;                 /* owned: by output */
+    float *single;                 /* owned: by operation, of a program in float; else NULL */
+    float *coordinate;             /* owned: by input, twice: as given, as it is computed with */
 };
 
 /** Points looked at in a subject: few, or a million with FOOTPOINT_LONG. */
