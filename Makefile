@@ -83,7 +83,7 @@ CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(THREA
 # What the programs are made of, by room: archives, of which the linker takes what a program needs.  Files whose name ends
 # in _main hold main().
 sources      = $(filter-out %_main.c,$(foreach room,$(1),$(wildcard $(room)/*.c)))
-codegen_lib := $(call sources,codegen codegen/*)
+codegen_lib := $(call sources,codegen codegen/* codegen/*/*)
 evolve_lib  := $(call sources,evolve/*)
 evolve_mpi  := $(call sources,evolve/mpi evolve/run) evolve/evolve_main.c tests/paper/pga_main.c
 ccx_lib     := $(call sources,runtime/calculix)
@@ -457,7 +457,7 @@ MANDIR     ?= $(PREFIX)/share/man
 # Programs look for it in ../share/footpoint from where they are.
 DATADIR    := $(BINDIR)/../share/footpoint
 
-VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
+VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base/base.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h runtime/footpoint_face.h runtime/footpoint_patch.h
 HEADERS := $(GENERATED) $(DERIVATIVES) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve)

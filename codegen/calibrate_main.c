@@ -5,8 +5,8 @@
  * times.  A cost is the median over the rounds of a loop's time over that of the additions in the same round: what else
  * the machine does falls on both.
  */
-#include "genome/options.h"
-#include "genome/outfile.h"
+#include "base/options.h"
+#include "base/outfile.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 /* footpoint-codegen: genomes in, code or a table of operation counts out. */
+#include "base/outfile.h"
 #include "codegen_options.h"
-#include "genome/outfile.h"
-#include "header/header.h"
-#include "header/header_place.h"
 #include "print/formulas.h"
 #include "print/fortran.h"
+#include "print/header/header.h"
+#include "print/header/header_place.h"
 
 #include <stdlib.h>
 #include <string.h>

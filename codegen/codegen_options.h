@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_CODEGEN_OPTIONS_H
 #define FOOTPOINT_CODEGEN_OPTIONS_H
 
+#include "base/options.h"
 #include "compile/compiled_file.h"
-#include "genome/options.h"
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* footpoint-evolve: expressions for the foot point, bred on islands over MPI (the paper's pd-LinearGP).  A scene gives
  * samples and tiers, frames give the values that expressions are made of, the start file gives the champions to beat.
  * Each output of each tier has a ring of islands. */
-#include "../codegen/genome/console.h"
+#include "../codegen/base/console.h"
 #include "common/stop.h"
 #include "input/scene_print.h"
 #include "mpi/shared_file.h"

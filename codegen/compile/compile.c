@@ -1,7 +1,7 @@
 /* The pipeline of passes for one genome; see compile.h. */
 #include "compile.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 #include "../graph/from_genome.h"
 #include "../passes/expand.h"
 #include "../program/dialects.h"

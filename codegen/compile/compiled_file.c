@@ -1,8 +1,8 @@
 /* From genomes to proved functions; see compiled_file.h. */
 #include "compiled_file.h"
 
-#include "../genome/console.h"
-#include "../genome/text.h"
+#include "../base/console.h"
+#include "../base/text.h"
 #include "../program/degree.h"
 #include "../program/evaluate_float.h"
 

@@ -2,9 +2,9 @@
 #ifndef FOOTPOINT_COMPILED_FILE_H
 #define FOOTPOINT_COMPILED_FILE_H
 
-#include "../bound/evidence.h"
-#include "../bound/float_errors.h"
+#include "../program/float_errors.h"
 #include "../prove/prove.h"
+#include "../rounding/evidence.h"
 #include "compile.h"
 
 enum precision { PRECISION_DOUBLE, PRECISION_FLOAT };

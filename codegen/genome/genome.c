@@ -2,8 +2,8 @@
  * genome_print.c. */
 #include "genome.h"
 
+#include "../base/text.h"
 #include "names.h"
-#include "text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -237,6 +237,24 @@ void genome_add_expr(struct genome_expr **e, size_t *n, size_t *room, const char
     x->gene = new_array(length, sizeof *x->gene);
     memcpy(x->gene, gene, length * sizeof *gene);
     x->length = length;
+}
+
+static const char *gene_text(const struct genome_file *f, int gene)
+{
+    if (gene < 0)
+        return f->constant[-1 - gene].text;
+    if (gene >= GENE_LOCAL)
+        return genome_symbol_name(f->region, (size_t)(gene - GENE_LOCAL));
+    return gene < GENE_OPERATORS ? gene_name(gene) : genome_symbol_name(f, (size_t)(gene - GENE_SYMBOL));
+}
+
+char *genome_expr_text(const struct genome_file *f, const char *head, const struct genome_expr *e)
+{
+    struct memory *m = memory_open();
+    fputs(head, m->stream);
+    for (size_t i = 0; i < e->length; i++)
+        fprintf(m->stream, " %s", gene_text(f, e->gene[i]));
+    return memory_close(m);
 }
 
 size_t genome_statement_of(const struct genome_file *f, size_t symbol)

@@ -98,7 +98,7 @@
 #ifndef FOOTPOINT_GENOME_H
 #define FOOTPOINT_GENOME_H
 
-#include "base.h"
+#include "../base/base.h"
 #include "genes.h"
 #include "segment_kind.h"
 

@@ -1,7 +1,7 @@
 /* Derivatives of values, in genome text: each let that a value is made of and that depends on a symbol gets a let more, its
  * derivative by the rules of calculus; see genome_reader.h.  Zeros are left out; all else the graph simplifies. */
+#include "../base/text.h"
 #include "genome_reader.h"
-#include "text.h"
 
 #include <stdlib.h>
 #include <string.h>

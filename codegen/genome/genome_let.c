@@ -1,7 +1,7 @@
 /* Lets of genome text; see genome_reader.h.  A let of a function gets a copy of the function's lets, with the arguments in
  * the place of the parameters. */
+#include "../base/text.h"
 #include "genome_reader.h"
-#include "text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,24 +13,6 @@ struct targets {
 };
 
 /* ---- values ---- */
-
-bool add_number(struct reader *r, const char *name, int line, int *gene)
-{
-    struct genome_function *x = r->function;
-    struct genome_file *f = r->file;
-    r->total += r->genes;
-    if (f->format > 1 && r->total > GENOME_MOST)
-        return diag_at(r->d, f->path, r->w.word_line, r->w.word_column, "the file expands to more than %d genes",
-                       GENOME_MOST);
-    if (x)
-        genome_add_expr(&x->let, &x->lets, &x->let_room, name, r->gene, r->genes);
-    else
-        genome_add_expr(&f->let, &f->lets, &f->let_room, name, r->gene, r->genes);
-    struct genome_expr *let = x ? &x->let[x->lets - 1] : &f->let[f->lets - 1];
-    let->line = line;
-    *gene = x ? x->first_let + (int)x->lets - 1 : GENE_SYMBOL + (int)(f->inputs + f->lets - 1);
-    return true;
-}
 
 static void component_name(const char *vector, int component, char name[NAME_ROOM])
 {

@@ -2,31 +2,13 @@
  * stand in a program more than once; the rest from the data structure. */
 #include "genome.h"
 #include "names.h"
-#include "text.h"
+#include "../base/text.h"
 #include "words.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { PRINT_WIDTH = 118 };
-
-static const char *gene_text(const struct genome_file *f, int gene)
-{
-    if (gene < 0)
-        return f->constant[-1 - gene].text;
-    if (gene >= GENE_LOCAL)
-        return genome_symbol_name(f->region, (size_t)(gene - GENE_LOCAL));
-    return gene < GENE_OPERATORS ? gene_name(gene) : genome_symbol_name(f, (size_t)(gene - GENE_SYMBOL));
-}
-
-char *genome_expr_text(const struct genome_file *f, const char *head, const struct genome_expr *e)
-{
-    struct memory *m = memory_open();
-    fputs(head, m->stream);
-    for (size_t i = 0; i < e->length; i++)
-        fprintf(m->stream, " %s", gene_text(f, e->gene[i]));
-    return memory_close(m);
-}
 
 /* Words go on one line up to the width, then on indented ones. */
 static void print_line(const char *text, FILE *stream)

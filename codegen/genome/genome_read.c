@@ -2,7 +2,7 @@
  * file, line and column. */
 #include "genome_reader.h"
 
-#include "text.h"
+#include "../base/text.h"
 
 #include <ctype.h>
 #include <stdlib.h>

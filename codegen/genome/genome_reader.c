@@ -1,6 +1,6 @@
 /* Words, names and numbers of genome text; see genome_reader.h. */
 #include "genome_reader.h"
-#include "text.h"
+#include "../base/text.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -186,4 +186,22 @@ void add_statement(struct reader *r, const char *keyword, const char *name, cons
         r->file, (struct genome_statement){new_text(name, strlen(name)), text, r->need, r->needs, line, r->joined});
     r->need = NULL;
     r->needs = r->need_room = 0;
+}
+
+bool add_number(struct reader *r, const char *name, int line, int *gene)
+{
+    struct genome_function *x = r->function;
+    struct genome_file *f = r->file;
+    r->total += r->genes;
+    if (f->format > 1 && r->total > GENOME_MOST)
+        return diag_at(r->d, f->path, r->w.word_line, r->w.word_column, "the file expands to more than %d genes",
+                       GENOME_MOST);
+    if (x)
+        genome_add_expr(&x->let, &x->lets, &x->let_room, name, r->gene, r->genes);
+    else
+        genome_add_expr(&f->let, &f->lets, &f->let_room, name, r->gene, r->genes);
+    struct genome_expr *let = x ? &x->let[x->lets - 1] : &f->let[f->lets - 1];
+    let->line = line;
+    *gene = x ? x->first_let + (int)x->lets - 1 : GENE_SYMBOL + (int)(f->inputs + f->lets - 1);
+    return true;
 }

@@ -2,7 +2,7 @@
 #define _GNU_SOURCE /* tdestroy */
 #include "names.h"
 
-#include "base.h"
+#include "../base/base.h"
 
 #include <search.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Rational constants and their text; see constant_text.h. */
 #include "constant_text.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 
 #include <stdlib.h>
 #include <string.h>

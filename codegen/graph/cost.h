@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_COST_H
 #define FOOTPOINT_COST_H
 
-#include "../genome/base.h"
+#include "../base/base.h"
 
 /** Cost of one operation each.  `throughput`, in units of a vector addition: mul 1, add 1, div 8, sqrt 12, compare 1.
  *  `paper`: mul 1, div 1, the rest nearly nothing. */

@@ -2,7 +2,7 @@
  * then looks the result up by its value at the random points. */
 #include "dag.h"
 
-#include "../genome/random.h"
+#include "../base/random.h"
 #include "unary.h"
 
 #include <flint/nmod_vec.h>
@@ -374,11 +374,6 @@ struct value dag_number(struct dag *g, struct value v)
     return dag_constant(rational_mul(v.coef, c));
 }
 
-bool node_is_root(enum node_kind kind)
-{
-    return kind >= NODE_UNARY && !unary_of[kind - NODE_UNARY].negative;
-}
-
 bool node_chooses(const struct node *n)
 {
     return n->kind == NODE_PDIV || n->kind == NODE_MIN || n->kind == NODE_MAX;
@@ -486,16 +481,4 @@ int dag_degree(const struct dag *g)
     free(low);
     free(high);
     return degree;
-}
-
-int *dag_uses(const struct dag *g)
-{
-    int *uses = new_array(g->nodes, sizeof *uses);
-    for (size_t i = 0; i < g->outputs; i++)
-        uses[g->output[i].node]++;
-    for (size_t n = g->nodes; n-- > 0;)
-        if (uses[n])
-            for (size_t i = 0; i < g->node[n].edges; i++)
-                uses[g->node[n].edge[i].node]++;
-    return uses;
 }

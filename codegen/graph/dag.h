@@ -8,7 +8,7 @@
 #define FOOTPOINT_DAG_H
 
 #include "../genome/genome.h"
-#include "../genome/index_table.h"
+#include "../base/index_table.h"
 #include "rational.h"
 
 enum node_kind {
@@ -43,7 +43,10 @@ struct node {
 };
 
 /** True for a function that is not defined below 0. */
-bool node_is_root(enum node_kind kind);
+static inline bool node_is_root(enum node_kind kind)
+{
+    return kind >= NODE_UNARY && !unary_of[kind - NODE_UNARY].negative;
+}
 
 /** True for a minimum, a maximum or a protected quotient: what a compiler may make a jump of. */
 bool node_chooses(const struct node *n);

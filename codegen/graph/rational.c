@@ -1,8 +1,8 @@
 /* The table of rationals and the memory of what was computed with them; see rational.h. */
 #include "rational.h"
 
-#include "../genome/index_table.h"
-#include "../genome/random.h"
+#include "../base/index_table.h"
+#include "../base/random.h"
 
 #include <flint/nmod_vec.h>
 #include <stdint.h>

@@ -3,8 +3,8 @@
 #ifndef FOOTPOINT_CHOICES_H
 #define FOOTPOINT_CHOICES_H
 
-#include "../genome/base.h"
-#include "../genome/random.h"
+#include "../base/base.h"
+#include "../base/random.h"
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* The banner; see banner.h.  No date, host or path: same genome, same options, same bytes. */
 #include "banner.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 #include "banner_evidence.h"
 #include "banner_line.h"
 

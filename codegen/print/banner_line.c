@@ -1,7 +1,7 @@
 /* Lines of a banner; see banner_line.h. */
 #include "banner_line.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 
 #include <ctype.h>
 #include <stdarg.h>

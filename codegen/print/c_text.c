@@ -1,7 +1,7 @@
 /* C text of the program that was proved; see c_text.h. */
 #include "c_text.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 #include "../program/dialects.h"
 #include "templates.h"
 

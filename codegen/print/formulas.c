@@ -2,7 +2,7 @@
  * parentheses, functions, and constants as quotients of integers, which none of them rounds but Python. */
 #include "formulas.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 #include "../program/dialect.h"
 #include "banner.h"
 

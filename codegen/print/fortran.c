@@ -2,7 +2,7 @@
  * to right Fortran does, too, and the rest stands in parentheses, which a Fortran compiler must honour. */
 #include "fortran.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 #include "../program/dialect.h"
 #include "banner.h"
 

@@ -1,7 +1,7 @@
 /* Prints templates; see templates.h.  The Makefile makes templates.inc of them. */
 #include "templates.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 
 #include <ctype.h>
 #include <stdlib.h>

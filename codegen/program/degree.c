@@ -1,7 +1,7 @@
 /* Degrees in lengths, from the operands' to the results'; see degree.h.  Halves occur below square roots. */
 #include "degree.h"
 
-#include "../genome/base.h"
+#include "../base/base.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * chains of any length need neither recursion nor copies. */
 #include "dialect.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 #include "../graph/constant_text.h"
 
 #include <stdlib.h>

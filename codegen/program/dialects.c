@@ -1,7 +1,7 @@
 /* C as dialects: in double, in float, and in float of coordinates relative to the segment. */
 #include "dialects.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_EVALUATE_H
 #define FOOTPOINT_EVALUATE_H
 
-#include "../genome/random.h"
+#include "../base/random.h"
 #include "program.h"
 
 #include <arb.h>

@@ -12,8 +12,8 @@
 #define _GNU_SOURCE /* tdestroy */
 #include "prove_points.h"
 
-#include "../genome/index_table.h"
-#include "../genome/random.h"
+#include "../base/index_table.h"
+#include "../base/random.h"
 #include "../graph/unary.h"
 #include "random_oracle.h"
 

@@ -1,7 +1,7 @@
 /* Products of powers of polynomials; see rational_function.h. */
 #include "rational_function.h"
 
-#include "../genome/base.h"
+#include "../base/base.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Trees of operations, and how wide their text is; see operation_tree.h. */
 #include "operation_tree.h"
 
-#include "../genome/text.h"
+#include "../base/text.h"
 #include "../graph/constant_text.h"
 #include "../program/dialects.h"
 

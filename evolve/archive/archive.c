@@ -2,7 +2,7 @@
  * bred from it has its constants rounded. */
 #include "archive.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"

@@ -2,7 +2,7 @@
  * that all values of the frame can be there at once; of both outputs of a program together. */
 #include "archive.h"
 
-#include "../../codegen/genome/outfile.h"
+#include "../../codegen/base/outfile.h"
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"

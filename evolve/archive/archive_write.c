@@ -2,7 +2,7 @@
  * over with the expression it belongs to, so that a run that finds nothing better writes the same bytes again. */
 #include "archive.h"
 
-#include "../../codegen/genome/outfile.h"
+#include "../../codegen/base/outfile.h"
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"

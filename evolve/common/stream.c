@@ -3,7 +3,7 @@
  * collide. */
 #include "stream.h"
 
-#include "../../codegen/genome/random.h"
+#include "../../codegen/base/random.h"
 
 struct state {
     uint64_t counter, stride; /* stride odd */

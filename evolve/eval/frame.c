@@ -2,7 +2,7 @@
  * one column after the other, as programs are. */
 #include "frame.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../common/decimal.h"
 #include "lines_run.h"
 

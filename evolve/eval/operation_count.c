@@ -4,7 +4,7 @@
 #include "operation_count.h"
 
 #include "../../codegen/genome/gene_value.h"
-#include "../../codegen/genome/index_table.h"
+#include "../../codegen/base/index_table.h"
 #include "../common/decimal.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "line_program.h"
 
 #include "../../codegen/genome/gene_value.h"
-#include "../../codegen/genome/random.h"
+#include "../../codegen/base/random.h"
 #include "../common/decimal.h"
 
 #include <math.h>

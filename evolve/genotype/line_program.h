@@ -13,7 +13,7 @@
 #ifndef FOOTPOINT_LINE_PROGRAM_H
 #define FOOTPOINT_LINE_PROGRAM_H
 
-#include "../../codegen/genome/index_table.h"
+#include "../../codegen/base/index_table.h"
 #include "genotype.h"
 
 enum {

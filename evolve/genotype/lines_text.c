@@ -1,7 +1,7 @@
 /* Programs and genome files; see lines_text.h. */
 #include "lines_text.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../common/decimal.h"
 
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_INP_H
 #define FOOTPOINT_INP_H
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 
 #include <sys/stat.h>
 

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_MESH_H
 #define FOOTPOINT_MESH_H
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "../../codegen/genome/segment_kind.h"
 
 /** Corner nodes (and mid-side nodes, and the middle, in Abaqus order) of one element face, counter-clockwise seen from

@@ -4,7 +4,7 @@
 
 #include "scene.h"
 
-#include "../../codegen/genome/outfile.h"
+#include "../../codegen/base/outfile.h"
 
 /** Whether n files of a command line are apart from each other, as files_apart says, and those written from the scene's
  *  file, the scene of its kind, its mesh with what that includes, and its frames (all but the mesh under root), too. */

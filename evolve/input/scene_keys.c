@@ -1,7 +1,7 @@
 /* Keys of a scene; see scene_keys.h. */
 #include "scene_keys.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 
 #include <errno.h>
 #include <gsl/gsl_math.h>

@@ -1,7 +1,7 @@
 /* Where a scene's samples come from: a lattice, random shapes, or a mesh; see scene_parts.h. */
 #include "scene_parts.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "mesh.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The functions of a header that a scene asks for; see scene_parts.h. */
 #include "scene_parts.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -7,7 +7,7 @@
  * from changed programs with an empty front; when that stagnates in turn, the best of all times join it. */
 #include "breed.h"
 
-#include "../../codegen/genome/random.h"
+#include "../../codegen/base/random.h"
 
 #include <math.h>
 #include <stdlib.h>

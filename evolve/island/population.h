@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_POPULATION_H
 #define FOOTPOINT_POPULATION_H
 
-#include "../../codegen/genome/index_table.h"
+#include "../../codegen/base/index_table.h"
 #include "../eval/frame_cost.h"
 #include "../genotype/front.h"
 #include "goal.h"

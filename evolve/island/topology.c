@@ -4,7 +4,7 @@
 
 #include "../common/stream.h"
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 
 #include <stdlib.h>
 

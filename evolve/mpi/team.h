@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_TEAM_H
 #define FOOTPOINT_TEAM_H
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 
 #include <mpi.h>
 

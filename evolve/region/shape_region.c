@@ -10,7 +10,7 @@
  * in the plane, U = u1 e1 + u2 e2: n.e1 = u2, n.e2 = -u1. */
 #include "shape_region.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../common/vec3.h"
 
 #include <gsl/gsl_linalg.h>

@@ -11,7 +11,7 @@
 #ifndef FOOTPOINT_CHECKPOINT_H
 #define FOOTPOINT_CHECKPOINT_H
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 
 enum { CHECKPOINT_FORMAT = 2, CHECKPOINT_SEAL = 65 /* bytes: digits and a line feed */ };
 

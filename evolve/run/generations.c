@@ -5,7 +5,7 @@
  * counted.  So all ranks save, and end, at the same generation, and what the islands find does not depend on time. */
 #include "generations.h"
 
-#include "../../codegen/genome/console.h"
+#include "../../codegen/base/console.h"
 #include "../mpi/poll.h"
 #include "rank0.h"
 

@@ -1,7 +1,7 @@
 /* Progress lines; see progress.h. */
 #include "progress.h"
 
-#include "../../codegen/genome/console.h"
+#include "../../codegen/base/console.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Rank 0's side of a run; see rank0.h. */
 #include "rank0.h"
 
-#include "../../codegen/genome/console.h"
+#include "../../codegen/base/console.h"
 #include "../eval/frame.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Checkpoints of a run; see resume.h. */
 #include "resume.h"
 
-#include "../../codegen/genome/outfile.h"
+#include "../../codegen/base/outfile.h"
 #include "../mpi/shared_file.h"
 
 #include <inttypes.h>

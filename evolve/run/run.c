@@ -2,7 +2,7 @@
  * training samples; islands are shared out, and what they find is independent of who computes them. */
 #include "run.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../eval/frame.h"
 #include "../eval/frame_cost.h"
 #include "../fit/compose.h"

@@ -1,7 +1,7 @@
 /* The files of a run: where they are, and whether they suit each other; see run_files.h. */
 #include "run_files.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../common/data_root.h"
 #include "../input/scene_files.h"
 

@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_RUN_LOG_H
 #define FOOTPOINT_RUN_LOG_H
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 
 #include <sha256.h>
 #include <stdint.h>

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_RUN_OPTIONS_H
 #define FOOTPOINT_RUN_OPTIONS_H
 
-#include "../../codegen/genome/options.h"
+#include "../../codegen/base/options.h"
 #include "../../codegen/genome/segment_kind.h"
 #include "../island/island.h"
 #include "../island/topology.h"

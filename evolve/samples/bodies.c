@@ -2,7 +2,7 @@
  * iteration from the point above or below. */
 #include "bodies.h"
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "../../runtime/geometry/footpoint-node-normals.h"
 #include "../common/stream.h"
 #include "../common/vec3.h"

@@ -1,7 +1,7 @@
 /* Growing sets of samples; see sample.h. */
 #include "sample.h"
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /* Questions with their answers; see bench_cases.h. */
 #include "bench_cases.h"
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/surface/surface.h"
 #include "../rivals/rivals_derivatives.h"

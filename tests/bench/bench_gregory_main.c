@@ -3,7 +3,7 @@
  *
  * ns: of one search after another, median over rounds in which the methods take turns; from nodes and node normals, and
  * on patches made ready before.  Errors: |xi - xi_ref| and |eta - eta_ref| together. */
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "../../evolve/samples/bodies.h"
 #include "../../evolve/samples/body_samples.h"
 #include "../../evolve/samples/lattice_normals.h"

@@ -3,8 +3,8 @@
  * Errors are taken against certain answers.  Mode "chain" is calls that wait for one another, "scalar" independent calls,
  * "batch" a loop over columns of coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
  * the best that the machine has is taken. */
-#include "../../codegen/genome/console.h"
-#include "../../codegen/genome/options.h"
+#include "../../codegen/base/console.h"
+#include "../../codegen/base/options.h"
 #include "../../evolve/common/data_root.h"
 #include "../../evolve/samples/samples.h"
 #include "../rivals/contact_table.h"

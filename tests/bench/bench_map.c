@@ -1,7 +1,7 @@
 /* Maps of errors; see bench_map.h. */
 #include "bench_map.h"
 
-#include "../../codegen/genome/outfile.h"
+#include "../../codegen/base/outfile.h"
 
 #include <math.h>
 #include <stdlib.h>

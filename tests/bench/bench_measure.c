@@ -4,7 +4,7 @@
  * does falls on all of them alike.  How far the ratio to Newton, of the same round, scatters is the noise. */
 #include "bench_measure.h"
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "bench_tune.h"
 
 #include <gsl/gsl_sort_double.h>

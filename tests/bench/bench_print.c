@@ -1,7 +1,7 @@
 /* See bench_print.h. */
 #include "bench_print.h"
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Rivals fitted to a scene; see bench_tune.h. */
 #include "bench_tune.h"
 
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "bench_cases.h"
 
 #include <gsl/gsl_multilarge.h>

@@ -1,7 +1,7 @@
 # `make dist` packs what is committed, to the same bytes wherever it runs; the files for packagers agree with the release.
 . tests/cli/expect.inc
 unset MAKEFLAGS MAKELEVEL MFLAGS
-version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
+version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base/base.h)
 
 # ---- the archive ----
 if git rev-parse -q --verify HEAD > /dev/null 2>&1; then

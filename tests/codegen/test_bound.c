@@ -1,12 +1,12 @@
 /* Enclosures and error bounds against exact values: intervals, random programs, known programs.  With
  * FOOTPOINT_LONG set, at a million points each. */
-#include "../../codegen/bound/enclosure.h"
-#include "../../codegen/bound/evidence.h"
-#include "../../codegen/bound/rounding.h"
-#include "../../codegen/bound/rounding_bound.h"
-#include "../../codegen/bound/sampled_errors.h"
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/program/evaluate.h"
+#include "../../codegen/region/enclosure.h"
+#include "../../codegen/rounding/evidence.h"
+#include "../../codegen/rounding/rounding.h"
+#include "../../codegen/rounding/rounding_bound.h"
+#include "../../codegen/rounding/sampled_errors.h"
 #include "../support/genome_text.h"
 #include "../support/rounding_subject.h"
 

@@ -1,6 +1,6 @@
 /* Codegen: what simplification may do and what not, operation counts, and that the proof refuses wrong code. */
+#include "../../codegen/base/random.h"
 #include "../../codegen/compile/compile.h"
-#include "../../codegen/genome/random.h"
 #include "../../codegen/program/evaluate.h"
 #include "../../codegen/prove/prove.h"
 

@@ -1,5 +1,5 @@
 /* Derivatives in genome text are those of calculus, and faces read back as they are printed. */
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../../codegen/graph/from_genome.h"
 
 #include <setjmp.h>

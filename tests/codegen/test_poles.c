@@ -1,7 +1,7 @@
 /* Zeros of denominators: cases whose answer is known, and random ones whose answer is known by construction. */
-#include "../../codegen/bound/evidence.h"
-#include "../../codegen/bound/region.h"
 #include "../../codegen/program/evaluate.h"
+#include "../../codegen/region/region.h"
+#include "../../codegen/rounding/evidence.h"
 
 #include <float.h>
 #include <math.h>

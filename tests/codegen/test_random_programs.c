@@ -2,8 +2,8 @@
  * maxima inside one another, constants close to 1.  What is compiled is proved equal.
  *     test_random_programs [COUNT [FIRST]]    so many programs, from that number on; 20000 when FOOTPOINT_LONG is set
  */
+#include "../../codegen/base/text.h"
 #include "../../codegen/compile/compile.h"
-#include "../../codegen/genome/text.h"
 #include "../../codegen/prove/prove.h"
 
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* The certain closest point on a patch against dense sampling and Newton's iteration from every sample, on patches far
  * worse than a scene's; then the samples made with it. */
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/samples/body_samples.h"
 #include "../../evolve/samples/lattice_normals.h"

@@ -1,5 +1,5 @@
 /* Regions of the committed genomes hold the scenes' own segments, those that were not used to find them. */
-#include "../../codegen/bound/region.h"
+#include "../../codegen/region/region.h"
 #include "../../evolve/region/shape_region.h"
 #include "../../evolve/samples/samples.h"
 

@@ -2,7 +2,7 @@
  * with FOOTPOINT_LONG on all of them, else of some scenes on the random ones, and must show the figures of its banner; it
  * must compute what its genome does; and the checked function must agree with the unchecked one however the corners are
  * numbered; of nodes on a line it must say so. */
-#include "../../codegen/genome/random.h"
+#include "../../codegen/base/random.h"
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/eval/lines_run.h"
 #include "../../evolve/samples/samples.h"

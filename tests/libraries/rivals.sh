@@ -46,7 +46,7 @@ trilinos='-isystem /usr/include/trilinos -DOMPI_SKIP_MPICXX'
 # shellcheck disable=SC2046,SC2086
 {
     library footpoint math.h c \
-        "-DLIBRARY_VERSION=\"$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)\"" "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm
+        "-DLIBRARY_VERSION=\"$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base/base.h)\"" "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm
     library dune dune/geometry/multilineargeometry.hh c++ "$(version libdune-geometry-dev)" $(package --cflags --libs dune-geometry)
     library vtk vtkQuad.h c++ $(find /usr/include -maxdepth 1 -name 'vtk-*' | sed 's/^/-isystem /') \
         $(find /usr/lib -name 'libvtkCommon[DC]*-[0-9.]*.so' | sed -n 's/.*lib\(vtkCommon\(DataModel\|Core\)-.*\)\.so$/-l\1/p')

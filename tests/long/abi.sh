@@ -4,7 +4,7 @@ unset MAKEFLAGS MAKELEVEL MFLAGS
 CC=${CC:-gcc}
 command -v abidiff > /dev/null || { echo 'ok 1 - # skip no abidiff'; exit 0; }
 tree=$work/tree
-mkdir -p "$tree/codegen/genome" && cp -r Makefile runtime generated "$tree" && cp codegen/genome/base.h "$tree/codegen/genome"
+mkdir -p "$tree/codegen/base" && cp -r Makefile runtime generated "$tree" && cp codegen/base/base.h "$tree/codegen/base"
 here() { make -s -C "$tree" CC="$CC" EXTRA_CFLAGS='-O0 -g' PREFIX="$work/before" "$@"; }
 expect 'the library of before' 0 '' '' here install-runtime
 

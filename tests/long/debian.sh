@@ -8,7 +8,7 @@ for tool in git dpkg-buildpackage dh lintian; do
     command -v $tool > /dev/null || skip "no $tool"
 done
 git rev-parse -q --verify HEAD > /dev/null 2>&1 || skip 'no git'
-version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
+version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base/base.h)
 git clone -q . "$work/clone" && make -s -C "$work/clone" dist &&
     mv "$work/clone/build/footpoint-$version.tar.gz" "$work/footpoint_$version.orig.tar.gz" && cd "$work" &&
     tar xf "footpoint_$version.orig.tar.gz" && cd "footpoint-$version" && cp -r runtime/package/debian debian &&

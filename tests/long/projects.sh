@@ -142,7 +142,7 @@ CMAKE
     [ -z "$fortran" ] || expect 'Fortran' 0 "$answer_f" '' "$work/built/use_fortran"
 
     # ---- the sources taken in, without a language but C: a folder, or the archive of `make dist` ----
-    version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
+    version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base/base.h)
     mkdir "$work/inside" "$work/footpoint-$version"
     cp -r runtime generated "$work/footpoint-$version"
     tar -C "$work" -czf "$work/inside/footpoint.tar.gz" "footpoint-$version"

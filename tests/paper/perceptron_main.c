@@ -1,6 +1,6 @@
 /* footpoint-perceptron: trains perceptrons on a scene's training samples and writes them as genomes, with their errors
  * on the held-out ones. */
-#include "../../codegen/genome/options.h"
+#include "../../codegen/base/options.h"
 #include "../../evolve/common/data_root.h"
 #include "../../evolve/eval/errors.h"
 #include "../../evolve/eval/frame.h"

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_PGA_OPTIONS_H
 #define FOOTPOINT_PGA_OPTIONS_H
 
-#include "../../codegen/genome/options.h"
+#include "../../codegen/base/options.h"
 #include "../../evolve/input/scene.h"
 #include "pga.h"
 

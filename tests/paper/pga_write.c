@@ -1,7 +1,7 @@
 /* Genome text of polynomials; see pga_write.h. */
 #include "pga_write.h"
 
-#include "../../codegen/genome/outfile.h"
+#include "../../codegen/base/outfile.h"
 #include "../../evolve/eval/errors.h"
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/region/sampled_region.h"

@@ -1,6 +1,6 @@
 /* The hand-written searches on Gregory patches do what they say: the same surface as the runtime's, the same foot point
  * as the reference. */
-#include "../../codegen/genome/base.h"
+#include "../../codegen/base/base.h"
 #include "../../evolve/samples/body_samples.h"
 #include "rivals_gregory.h"
 

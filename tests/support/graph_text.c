@@ -1,7 +1,7 @@
 /* Graphs as text, and their values; see graph_text.h. */
 #include "graph_text.h"
 
-#include "../../codegen/genome/text.h"
+#include "../../codegen/base/text.h"
 #include "../../codegen/graph/constant_text.h"
 #include "../../codegen/graph/from_genome.h"
 #include "../../codegen/program/dialects.h"

@@ -1,9 +1,9 @@
 /* See rounding_subject.h. */
 #include "rounding_subject.h"
 
-#include "../../codegen/bound/rounding.h"
 #include "../../codegen/program/evaluate.h"
 #include "../../codegen/program/evaluate_float.h"
+#include "../../codegen/rounding/rounding.h"
 #include "genome_text.h"
 
 #include <float.h>

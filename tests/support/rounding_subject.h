@@ -3,8 +3,8 @@
 #ifndef FOOTPOINT_ROUNDING_SUBJECT_H
 #define FOOTPOINT_ROUNDING_SUBJECT_H
 
-#include "../../codegen/bound/region.h"
-#include "../../codegen/genome/random.h"
+#include "../../codegen/base/random.h"
+#include "../../codegen/region/region.h"
 
 #include <arb.h>
 

@@ -2,7 +2,7 @@
 # Newton finds every foot point of the smooth bodies and nearly every one of the paper's.
 . tests/cli/expect.inc
 FAST='-ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only'
-parts="tests/support/error_stats.c $(ls codegen/genome/*.c runtime/geometry/*.c evolve/*/*.c | grep -vE '_main\.c$|/mpi/|/run/')"
+parts="tests/support/error_stats.c $(ls codegen/base/*.c codegen/genome/*.c runtime/geometry/*.c evolve/*/*.c | grep -vE '_main\.c$|/mpi/|/run/')"
 
 # shellcheck disable=SC2046,SC2086
 {

@@ -3,7 +3,7 @@
 # gcc is held to it; clang's figures are shown (it makes more of a clamp written as `?:`, of which gcc makes jumps).
 . tests/cli/expect.inc
 TRIES=4
-gcc -std=c11 -D_DEFAULT_SOURCE tests/rivals/as_written_main.c codegen/genome/*.c $(pkg-config --libs libmd) -lm -o "$work/as_written" &&
+gcc -std=c11 -D_DEFAULT_SOURCE tests/rivals/as_written_main.c codegen/base/*.c codegen/genome/*.c $(pkg-config --libs libmd) -lm -o "$work/as_written" &&
     "$work/as_written" evolve/genomes/*.gen > "$work/as_written.h"
 report $((! $?)) 'the genomes as they are written'
 

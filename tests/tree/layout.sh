@@ -4,21 +4,23 @@
 
 rooms() {
     sed 's/ *#.*//; /^$/d' << 'EOF'
-codegen/genome:
-codegen/graph:      codegen/genome
-codegen/passes:     codegen/graph codegen/genome
-codegen/program:    codegen/graph codegen/genome
-codegen/schedule:   codegen/program codegen/graph codegen/genome
-codegen/prove:      codegen/program codegen/graph codegen/genome
-codegen/bound:      codegen/prove codegen/program codegen/graph codegen/genome
-codegen/compile:    codegen/bound codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome
+codegen/base:
+codegen/genome:     codegen/base
+codegen/graph:      codegen/genome codegen/base
+codegen/passes:     codegen/graph codegen/genome codegen/base
+codegen/program:    codegen/graph codegen/genome codegen/base
+codegen/schedule:   codegen/program codegen/graph codegen/genome codegen/base
+codegen/prove:      codegen/program codegen/graph codegen/genome codegen/base
+codegen/region:     codegen/prove codegen/program codegen/graph codegen/genome codegen/base
+codegen/rounding:   codegen/region codegen/prove codegen/program codegen/graph codegen/genome codegen/base
+codegen/compile:    codegen/rounding codegen/region codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome codegen/base
 codegen/print/templates:
 codegen/print/templates/closest:
 codegen/print/templates/along:
 codegen/print/templates/place:
-codegen/print:      codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
-codegen/header:     codegen/print codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
-codegen:            codegen/*
+codegen/print:      codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base
+codegen/print/header: codegen/print codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base
+codegen:            codegen/* codegen/print/header
 generated:
 runtime:                                                        # public headers
 runtime/geometry:   runtime
@@ -28,20 +30,20 @@ runtime/batch:      runtime/search runtime/certain runtime/geometry runtime gene
 runtime/faces:      runtime/certain runtime/geometry runtime generated
 runtime/calculix:   runtime/certain runtime/geometry runtime generated
 runtime/replace:    runtime generated                           # C, Fortran and C++
-evolve/common:      codegen/genome
-evolve/input:       evolve/common codegen/genome
-evolve/surface:     evolve/common codegen/genome runtime/geometry
-evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome runtime/geometry
-evolve/genotype:    evolve/common codegen/genome
-evolve/tiles:       evolve/genotype evolve/common codegen/genome
-evolve/eval:        evolve/tiles evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
-evolve/region:      evolve/eval evolve/surface evolve/common codegen/genome
-evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
-evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
-evolve/mpi:         evolve/common codegen/genome
-evolve/archive:     evolve/island evolve/region evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
-evolve/run:         evolve/archive evolve/mpi evolve/island evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
-evolve:             evolve/* codegen/genome
+evolve/common:      codegen/genome codegen/base
+evolve/input:       evolve/common codegen/genome codegen/base
+evolve/surface:     evolve/common codegen/genome runtime/geometry codegen/base
+evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome runtime/geometry codegen/base
+evolve/genotype:    evolve/common codegen/genome codegen/base
+evolve/tiles:       evolve/genotype evolve/common codegen/genome codegen/base
+evolve/eval:        evolve/tiles evolve/genotype evolve/surface evolve/input evolve/common codegen/genome codegen/base
+evolve/region:      evolve/eval evolve/surface evolve/common codegen/genome codegen/base
+evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome codegen/base
+evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/common codegen/genome codegen/base
+evolve/mpi:         evolve/common codegen/genome codegen/base
+evolve/archive:     evolve/island evolve/region evolve/eval evolve/genotype evolve/input evolve/common codegen/genome codegen/base
+evolve/run:         evolve/archive evolve/mpi evolve/island evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome codegen/base
+evolve:             evolve/* codegen/genome codegen/base
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
 tests/hard:         tests/rivals tests/support runtime runtime/* generated
@@ -92,9 +94,13 @@ judge() {
             if (!(from in known)) print $1 ": no room of the table"
             else if (from != to && !((from, to) in may) && !((from, all) in may)) print $1 ": includes " $2
         }' "$work/rooms" "$work/includes")
-    # A circle: what is left when files are taken away that include none, or that none includes, of what is left.  A unit
-    # is x.c with x.h.
-    circles=$(awk '
+    circles=$(circles_of "$work/includes")
+}
+
+# circles_of FILE: what is left when units are taken away that use none, or that none uses, of what is left.  FILE has
+# lines "user used"; a unit is x.c with x.h.
+circles_of() {
+    awk '
         function unit(file) { sub(/\.[^.\/]*$/, "", file); return file }
         function peel(n, back,   u, count, leaf, i, j, k, other) {
             for (u in left) if (!n[u]) leaf[++count] = u
@@ -115,12 +121,31 @@ judge() {
         END {
             peel(down, users); peel(up, used)
             for (u in left) print u
-        }' "$work/includes" | sort)
+        }' "$1" | sort
+}
+
+# calls FOLDER...: "user used" for each symbol that one file takes from another, as compiled
+calls() {
+    find "$@" -name '*.c' | while read -r file; do
+        object=$OBJECTS/${file%.c}.o
+        [ -e "$object" ] && nm -g "$object" | sed "s|^|$file |"
+    done | awk '
+        $3 ~ /^[TDBRV]$/ { defines[$4] = $1 }
+        $2 == "U" { needs[++n] = $1 " " $3 }
+        END {
+            for (i = 1; i <= n; i++) {
+                split(needs[i], pair, " ")
+                if (pair[2] in defines && defines[pair[2]] != pair[1]) print pair[1], defines[pair[2]]
+            }
+        }' | sort -u
 }
 
 judge codegen evolve runtime generated tests
 check 'every room includes what it may' "$wrong"
 check 'no circle between files' "$circles"
+OBJECTS=${OBJ:-build/release}
+calls codegen runtime > "$work/calls"
+check 'none between files of which one calls the other' "$(circles_of "$work/calls")"
 check 'no circle between rooms' "$(rooms | awk -F: '
     { room[NR] = $1; list[NR] = $2; line[$1] = NR }
     END {

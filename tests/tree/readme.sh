@@ -131,42 +131,6 @@ done
 sed -n '/^\/\* footpoint_quad4_fast$/,/^ \*\/$/p' generated/README.md > "$work/banner"
 sed -n "/^\/\* footpoint_quad4_fast\$/,/^ \*\/\$/p" generated/footpoint_quad4.h | cmp -s - "$work/banner"
 report $((! $?)) "the banner shown"
-# outputs HEADER...: how many have a proved bound of their rounding error, how many one there or on a hull, and how many there are
-outputs() {
-    awk '/^ \*   [a-z]/ { on = /^ \*   rounding:/ } on { sub(/^ \*/, ""); gsub(/  */, " "); text = text " " $0 }
-        END {
-            n = split(text, part, / sampled/)
-            for (i = 1; i < n; i++) {
-                region += part[i] ~ / proved/
-                either += part[i] ~ / proved| on +the +hull/
-            }
-            print region, either, n - 1
-        }' "$@"
-}
-# ratios HEADER...: the nearer bound of an output over its worst sample: half and nine tenths of them are within
-ratios() {
-    awk '/^ \*   [a-z]/ { on = /^ \*   rounding:/ } on { sub(/^ \*/, ""); gsub(/  */, " "); text = text " " $0 }
-        END {
-            n = split(text, part, / sampled/)
-            for (i = 1; i < n; i++) {
-                words = split(part[i], word, " ")
-                least = 0
-                for (k = 1; k < words; k++)
-                    if (word[k] == "<=" && (!least || word[k + 1] + 0 < least))
-                        least = word[k + 1] + 0
-                if (least)
-                    print least / word[words]
-            }
-        }' "$@" | sort -g | awk '{ ratio[NR] = $1 } END { printf "%.2g %.2g\n", ratio[int((NR + 1) / 2)], ratio[int(0.9 * NR)] }' |
-        awk '{ print $1 + 0, $2 + 0 }'
-}
-row=$(tr '\n' ' ' < codegen/README.md | tr -s ' ' |
-    sed -n 's/.* half of them within about \([0-9]*\) times the worst sample, nine tenths within about \([0-9]*\)\..*/\1 \2/p')
-[ "$row" = "$(ratios $(ls generated/*.h | grep -v _derivatives))" ]; report $((! $?)) 'how near the bounds are to samples'
-row=$(tr '\n' ' ' < codegen/README.md | tr -s ' ' |
-    sed -n 's/.*Of the \([0-9]*\) outputs of the searches in `generated.` \([0-9]*\) have one, of the \([0-9]*\) of derivatives \([0-9]*\)\..* Of the searches \([0-9]*\) outputs have one here or over the region, of derivatives \([0-9]*\)[,;].*/\2 \5 \1 \4 \6 \3/p')
-[ "$row" = "$(outputs $(ls generated/*.h | grep -v _derivatives)) $(outputs generated/*_derivatives.h)" ]
-report $((! $?)) 'how many outputs have bounds'
 row=$(sed -n 's/^| `footpoint_locate` .* \([0-9.e-]*\), proved .*/\1/p' README.md)
 noted=$(sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/certain/check.h)
 [ "$row" = "$(printf '%.1e' "$noted" | sed 's/e-0/e-/')" ]; report $((! $?)) 'what footpoint_locate proves'

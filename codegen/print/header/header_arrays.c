@@ -1,0 +1,26 @@
+/* Searches over arrays; see header_arrays.h.  The loops are templates, which call the search that they are given: as
+ * FOOTPOINT_LOOP inlines them and it, they vectorise like loops of their own. */
+#include "header_arrays.h"
+
+#include "../../base/text.h"
+#include "../templates.h"
+#include "header_lines.h"
+
+#include <stdlib.h>
+
+/* Whether something belongs to the segment alone: where the search takes its corners in any order. */
+static bool prepares(const struct unit *u)
+{
+    return u->file->order == CORNERS_ANY;
+}
+
+void arrays_print_helpers(const struct unit *u, FILE *out)
+{
+    lines_print_templates(u, NULL, "ARRAYS", (const char *const[]){"arrays", "over", NULL}, out);
+}
+
+void arrays_print(const struct unit *u, const struct function *f, FILE *out)
+{
+    const char *const calls[] = {"arrays_calls", prepares(u) ? "over_calls" : NULL, NULL};
+    lines_print_templates(u, f, NULL, calls, out);
+}

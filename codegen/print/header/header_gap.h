@@ -1,0 +1,16 @@
+/* The gap out of values that the search has computed on its way to xi and eta. */
+#ifndef FOOTPOINT_HEADER_GAP_H
+#define FOOTPOINT_HEADER_GAP_H
+
+#include "../../compile/compiled_file.h"
+
+/** Whether a function has it: of a bilinear segment with corners in any order, or of a flat triangle, with coordinates as
+ *  they are. */
+bool gap_shares(const struct unit *u, const struct function *f);
+
+/** footpoint_detail_gap_NAME: from the vectors, xi and eta the gap, and an integer whose highest bit is set unless the
+ *  answer is good beyond doubt.  It repeats those statements of the search that it needs; a compiler that inlines both
+ *  computes them once. */
+void gap_print(const struct unit *u, const struct function *f, FILE *out);
+
+#endif

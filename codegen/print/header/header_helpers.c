@@ -1,0 +1,40 @@
+/* Helpers of checked searches; see header_helpers.h. */
+#include "header_helpers.h"
+
+#include "../../base/text.h"
+#include "../templates.h"
+#include "header_arrays.h"
+#include "header_closest.h"
+#include "header_lines.h"
+#include "header_sizes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The geometry of a kind. */
+static void print_kind(const struct unit *u, FILE *out)
+{
+    const enum precision precision = u->options.precision;
+    const struct segment_kind *k = u->file->segment;
+    if (!*k->normals)
+        templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
+    if (!k->bilinear && !*k->normals)
+        templates_print("FOOTPOINT_DETAIL_WEIGHTED", (const char *const[]){"weighted", NULL}, precision, NULL, out);
+    if (lines_straight(u))
+        templates_print("FOOTPOINT_DETAIL_HEIGHT", (const char *const[]){"height", NULL}, precision, NULL, out);
+    lines_print_templates(u, NULL, "SEARCH", (const char *const[]){k->name, k->bilinear ? NULL : "gap", NULL}, out);
+}
+
+void helpers_print(const struct unit *u, FILE *out)
+{
+    const enum precision precision = u->options.precision;
+    templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
+    print_kind(u, out);
+    templates_print("FOOTPOINT_DETAIL_AGAIN", (const char *const[]){"again", NULL}, precision, NULL, out);
+    arrays_print_helpers(u, out);
+    if (u->file->order != CORNERS_ANY)
+        templates_print("FOOTPOINT_DETAIL_CORNERS", (const char *const[]){"corners", NULL}, precision, NULL, out);
+    if (closest_exists(u))
+        closest_print_helpers(u, out);
+    sizes_print_least(u, out);
+}

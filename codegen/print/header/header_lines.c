@@ -1,0 +1,207 @@
+/* Lines of C; see header_lines.h. */
+#include "header_lines.h"
+
+#include "../../base/text.h"
+#include "../c_text.h"
+#include "header_sizes.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 118 };
+
+const char *lines_real(const struct unit *u)
+{
+    return u->options.precision == PRECISION_FLOAT ? "float" : "double";
+}
+
+void lines_print_head(const struct unit *u, const char *function, const char *last, FILE *out)
+{
+    const struct segment_kind *k = u->file->segment;
+    struct memory *m = memory_open();
+    for (size_t i = 0; i <= segment_vectors(k); i++) {
+        char name[4];
+        segment_vector_name(k, i, name);
+        fprintf(m->stream, "const %s %s[3],", lines_real(u), name);
+    }
+    c_print(last, u->options.precision, m->stream);
+    fputs(")", m->stream);
+    char *parameters = memory_close(m);
+    const int begin = fprintf(out, "%s(", function);
+    size_t column = (size_t)begin;
+    for (const char *p = parameters; *p;) {
+        const size_t n = p[strcspn(p, ",")] ? strcspn(p, ",") + 1 : strlen(p);
+        if (column + 1 + n > WIDTH) {
+            fprintf(out, "\n%*s", begin, "");
+            column = (size_t)begin;
+        } else if (p > parameters)
+            column += fputc(' ', out) == ' ';
+        fwrite(p, 1, n, out);
+        column += n;
+        p += n;
+    }
+    fputc('\n', out);
+    free(parameters);
+}
+
+char *lines_vectors(const struct unit *u)
+{
+    const struct segment_kind *k = u->file->segment;
+    struct memory *m = memory_open();
+    for (size_t i = 0; i <= segment_vectors(k); i++) {
+        char name[4];
+        segment_vector_name(k, i, name);
+        fprintf(m->stream, "%s%s", i ? ", " : "", name);
+    }
+    return memory_close(m);
+}
+
+static char *rows_text(const char *name, size_t count)
+{
+    struct memory *m = memory_open();
+    for (size_t k = 0; k < count; k++)
+        fprintf(m->stream, "%s%s[%zu]", k ? ", " : "", name, k);
+    return memory_close(m);
+}
+
+char *lines_rows(const struct unit *u, const char *name)
+{
+    return rows_text(name, segment_vectors(u->file->segment) + 1);
+}
+
+char *lines_columns(size_t vectors)
+{
+    struct memory *m = memory_open();
+    for (size_t k = 0; k < vectors; k++)
+        fprintf(m->stream, "%s{x[%zu][i], x[%zu][i], x[%zu][i]}",
+                k == 0  ? ""
+                : k % 3 ? ", "
+                        : ",\n            ",
+                3 * k, 3 * k + 1, 3 * k + 2);
+    return memory_close(m);
+}
+
+static char *parameters_text(const struct unit *u)
+{
+    struct memory *m = memory_open();
+    for (size_t i = 0; i <= segment_vectors(u->file->segment); i++) {
+        char name[4];
+        segment_vector_name(u->file->segment, i, name);
+        fprintf(m->stream, "%sconst %s %s[3]", i ? ", " : "", lines_real(u), name);
+    }
+    return memory_close(m);
+}
+
+bool lines_straight(const struct unit *u)
+{
+    const struct segment_kind *k = u->file->segment;
+    return k->bilinear || strcmp(k->name, "tri3") == 0;
+}
+
+/* "reach * reach" */
+static char *power_text(const char *base, int power)
+{
+    char *text = new_format("%s", base);
+    for (int i = 1; i < power; i++) {
+        char *longer = new_format("%s * %s", text, base);
+        free(text);
+        text = longer;
+    }
+    return text;
+}
+
+static struct placeholder *words_of(const struct unit *u, const struct function *f)
+{
+    const struct segment_kind *k = u->file->segment;
+    const size_t n = segment_vectors(k) + 1;
+    const char *const name = f ? f->name : "";
+    const bool straight = lines_straight(u);
+    static const char missed[] =
+        "no steps come upon a point beyond the edges; FOOTPOINT_ERR_NO_CONVERGENCE: it touches the\n"
+        " *           segment or goes through a collapsed edge, to rounding, so that thousands of parts do not tell";
+    const struct {
+        const char *word;
+        char *text;
+    } all[] = {{"KIND", new_format("%s", k->name)},
+               {"PREFIX", new_format("%s", u->options.prefix)},
+               {"SHAPE", new_format("%s", k->triangle ? "triangle" : "square")},
+               {"EDGES", new_format("%s", k->triangle ? "1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C"
+                                                      : "1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D")},
+               {"ACCURACY", new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding")},
+               {"MISSED", new_format("%s", straight ? "meets the surface nowhere" : missed)},
+               {"REACH_TO_GROWTH", power_text("reach", k->growth)},
+               {"VECTORS", new_format("%zu", n)},
+               {"SEGMENT_VECTORS", new_format("%zu", n - 1)},
+               {"NODES", new_format("%zu", strlen(k->nodes))},
+               {"CORNERS", new_format("%zu", k->corners)},
+               {"COORDINATES", new_format("%zu", 3 * n)},
+               {"NODE_PARAMETERS", parameters_text(u)},
+               {"NODE_NAMES", lines_vectors(u)},
+               {"COLUMNS", lines_columns(n)},
+               {"ROWS", rows_text("p", n)},
+               {"SEGMENT_ROWS", rows_text("c", n - 1)},
+               {"NAME", new_format("%s", name)},
+               {"SCALED_NODES", new_format("%zu", f ? lines_scaled_nodes(u, f) : 0)},
+               {"SCALABLE", new_format("%d", f && lines_scaled_nodes(u, f) > 0)},
+               {"BARE_SEARCH", new_format("footpoint_detail_%s", name)},
+               {"CHECKED_SEARCH", new_format("footpoint_detail_checked_%s", name)},
+               {"CLOSEST_SEARCH", new_format("footpoint_detail_closest_%s", name)}};
+    const size_t count = sizeof all / sizeof *all;
+    struct placeholder *words = new_array(count + 1, sizeof *words);
+    for (size_t i = 0; i < count; i++)
+        words[i] = (struct placeholder){all[i].word, all[i].text};
+    return words;
+}
+
+void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,
+                           FILE *out)
+{
+    char *whole = guard ? new_format("FOOTPOINT_%s_%s", u->file->segment->name, guard) : NULL;
+    struct placeholder *words = words_of(u, f);
+    templates_print(whole, names, u->options.precision, words, out);
+    for (struct placeholder *w = words; w->word; w++)
+        free((char *)(uintptr_t)w->text);
+    free(words);
+    free(whole);
+}
+
+size_t lines_scaled_nodes(const struct unit *u, const struct function *f)
+{
+    return sizes_scalable(f, u->file->segment) ? strlen(u->file->segment->nodes) : 0;
+}
+
+/* Corners into the assumed order, and (u,v) found there back to the caller's. */
+static void print_ordered_search(const struct unit *u, const struct function *f, const char *results,
+                                 const char *indent, FILE *out)
+{
+    const bool shorter = u->file->order == CORNERS_NEAREST_SHORTER;
+    fputs(indent, out);
+    c_print("const int k = footpoint_detail_nearest_corner(x, xS)", u->options.precision, out);
+    c_print(shorter ? ", mirror = footpoint_detail_mirrored(x, k);\n" : ";\n", u->options.precision, out);
+    fputs(indent, out);
+    c_print("REAL_BITS ", u->options.precision, out);
+    fprintf(out, "flaw = footpoint_detail_%s(\n%s    x[k], ", f->name, indent);
+    fputs(shorter ? "x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);\n"
+                  : "x[(k + 1) & 3], x[(k + 2) & 3], x[(k + 3) & 3], xS, zero, &u, &v);\n",
+          out);
+    fputs(indent, out);
+    c_print("footpoint_detail_turn_back(k, ", u->options.precision, out);
+    fprintf(out, "%s, %s);\n", shorter ? "mirror ? v : u, mirror ? u : v" : "u, v", results);
+}
+
+void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *results,
+                        const char *indent, FILE *out)
+{
+    if (u->file->order != CORNERS_ANY) {
+        print_ordered_search(u, f, results, indent, out);
+        return;
+    }
+    const bool fits = strlen(f->name) + strlen(vectors) + 70 <= WIDTH;
+    fputs(indent, out);
+    c_print("REAL_BITS ", u->options.precision, out);
+    fprintf(out, "flaw = footpoint_detail_%s(", f->name);
+    if (!fits)
+        fprintf(out, "\n%s    ", indent);
+    fprintf(out, "%s, zero, %s);\n", vectors, results);
+}

@@ -1,0 +1,46 @@
+/* Lines of C that the functions over a segment share. */
+#ifndef FOOTPOINT_HEADER_LINES_H
+#define FOOTPOINT_HEADER_LINES_H
+
+#include "../../compile/compiled_file.h"
+#include "../templates.h"
+
+/** "double" or "float". */
+const char *lines_real(const struct unit *u);
+
+/** "FUNCTION(const double xA[3], ..., const double xS[3], LAST)", broken where it gets long; `last` with REAL for the type,
+ *  no blanks behind commas. */
+void lines_print_head(const struct unit *u, const char *function, const char *last, FILE *out);
+
+/** "xA, xB, ..., xS"; caller frees. */
+char *lines_vectors(const struct unit *u);
+
+/** "NAME[0], NAME[1], ...", one of each vector; caller frees. */
+char *lines_rows(const struct unit *u, const char *name);
+
+/** "{x[0][i], x[1][i], x[2][i]}, ..." of so many vectors; caller frees. */
+char *lines_columns(size_t vectors);
+
+/** Whether its edges are straight: of bilinear segments and flat triangles. */
+bool lines_straight(const struct unit *u);
+
+/** Templates that are told of the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, NORMAL, ACCURACY and MISSED
+ *  for contracts; VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES,
+ *  COORDINATES, of all vectors; NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the
+ *  vectors of pair i, is made of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", and SEGMENT_ROWS, "c[0], ...",
+ *  without the slave node; and of a function, unless it is NULL: NAME, SCALED_NODES, how many vectors another unit of
+ *  length changes, and its searches BARE_SEARCH, CHECKED_SEARCH, CLOSEST_SEARCH.
+ *  @param[in] guard  of an include guard FOOTPOINT_<KIND>_<guard>; NULL: there is none
+ *  @param[in] names  templates, ended by NULL */
+void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,
+                           FILE *out);
+
+/** How many vectors another unit of length changes: none of a search that depends on it. */
+size_t lines_scaled_nodes(const struct unit *u, const struct function *f);
+
+/** The search: from the vectors, which are x, too, to the two results (pointers) and flaw, which it declares.  Corners go
+ *  into the order that the scene assumes, and u and v, declared where there is one, found there back to the caller's. */
+void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *results,
+                        const char *indent, FILE *out);
+
+#endif
