@@ -1,6 +1,8 @@
 /* Reads the command line; see codegen_options.h. */
 #include "codegen_options.h"
 
+#include "compile/explain.h"
+
 #include <ctype.h>
 #include <string.h>
 
@@ -67,7 +69,9 @@ static const struct option_row rows[] = {
     {"seed", 0, OPTION_SEED, AT(seed), "N",
      .refusal = "the seed is a number from 0 to 18446744073709551615, not %s (try --help)",
      .help = "seed of the search (default: 1)"},
-    {"explain", 0, OPTION_FLAG, AT(explain), .help = "each pass and its counts to standard error"},
+    {"explain", 0, OPTION_MAYBE, AT(explain),
+     .help = "each pass and its counts to standard error; --explain=PASS: and the graph after that pass in infix, e.g. "
+             "--explain=horner"},
     {.kind = OPTION_TITLE, .help = "messages"},
     {"quiet", 0, OPTION_FLAG, AT(unit.quiet),
      .help = "say nothing while working (otherwise on standard error: a line for each function written; on a terminal "
@@ -112,7 +116,10 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     o->precision_given = given[option_find(t, "precision")];
     compile->effort = (long)o->effort;
     compile->seed = (unsigned long)o->seed;
+    if (o->explain && *o->explain && !explain_knows(o->explain))
+        return options_refuse(t, d, "unknown pass: %s (--explain names them, with spaces for hyphens)", o->explain);
     compile->explain = o->explain ? stderr : NULL;
+    compile->explained = o->explain;
     o->unit.prefix = o->prefix;
     o->unit.face_prefix = given[option_find(t, "prefix")] ? o->prefix : NULL;
     o->unit.evidence = !o->count;

@@ -94,6 +94,9 @@ bool option_set(const struct option_table *t, const struct option_row *r, const 
     switch (r->kind) {
     case OPTION_FLAG:
         return *(bool *)member = true;
+    case OPTION_MAYBE:
+        *(const char **)member = text ? text : "";
+        return true;
     case OPTION_TEXT:
     case OPTION_OPERAND:
         *(const char **)member = text;
@@ -177,8 +180,10 @@ static void describe(const struct option_table *t, struct option options[MOST + 
         const struct option_row *r = &t->row[i];
         if (!r->name)
             continue;
-        options[n++] =
-            (struct option){r->name, r->kind == OPTION_FLAG ? no_argument : required_argument, NULL, FIRST + (int)i};
+        const int argument = r->kind == OPTION_FLAG    ? no_argument
+                             : r->kind == OPTION_MAYBE ? optional_argument
+                                                       : required_argument;
+        options[n++] = (struct option){r->name, argument, NULL, FIRST + (int)i};
         if (r->letter)
             k += (size_t)snprintf(letters + k, 2 * MOST - k, "%c:", r->letter);
     }

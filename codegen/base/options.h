@@ -9,6 +9,7 @@ enum option_kind {
     OPTION_TITLE,   /* none: its help is a line between others */
     OPTION_FLAG,    /* bool */
     OPTION_TEXT,    /* const char *, not owned */
+    OPTION_MAYBE,   /* the same, --option=TEXT; "" of --option alone */
     OPTION_WHOLE,   /* size_t, from low to high */
     OPTION_SEED,    /* uint64_t */
     OPTION_PART,    /* double, from 0 to high */

@@ -12,6 +12,7 @@
 #include "../schedule/distribute.h"
 #include "../schedule/scales.h"
 #include "../schedule/share_multiples.h"
+#include "explain.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -109,31 +110,6 @@ const struct dag *search_first(const struct search *s)
     return s->shape[0].dag;
 }
 
-/* One line: the operations of a graph before scales are chosen. */
-static void explain_graph(FILE *out, const char *pass, const struct dag *g)
-{
-    struct operations ops = {0};
-    int *uses = dag_uses(g);
-    for (size_t n = 1; n < g->nodes; n++) {
-        const struct node *node = &g->node[n];
-        if (!uses[n])
-            continue;
-        for (size_t i = 0; i < node->edges; i++) {
-            ops.mul += node->kind == NODE_PRODUCT ? node->edge[i].power : 0;
-            ops.mul += node->edge[i].node != 0 && node->edge[i].coef != ONE && node->edge[i].coef != MINUS_ONE;
-        }
-        ops.mul -= node->kind == NODE_PRODUCT;
-        ops.add += node->kind == NODE_SUM ? (long)node->edges - 1 : 0;
-        ops.div += node->kind == NODE_INVERSE || node->kind == NODE_PDIV;
-        ops.compare += node_chooses(node);
-        if (node->kind >= NODE_UNARY)
-            unary_count(&ops, node->kind - NODE_UNARY, 1);
-    }
-    fprintf(out, "  %-26s %5ld mul %4ld div %5ld add %4ld sqrt %4ld compare\n", pass, ops.mul, ops.div, ops.add,
-            ops.sqrt, ops.compare);
-    free(uses);
-}
-
 static void copy_candidate(struct candidate *to, const struct candidate *from)
 {
     to->shape = from->shape;
@@ -162,7 +138,7 @@ static void step(struct search *s, struct dag **g, struct dag *made, const char 
     dag_free(*g);
     *g = made;
     if (s->explaining)
-        explain_graph(s->options->explain, pass, made);
+        explain_graph(s->options->explain, s->file, pass, s->options->explained, made);
 }
 
 static bool divides(const struct dag *g)
@@ -196,7 +172,7 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
         step(s, &g, absorbed, "coefficients absorbed");
     count_dear(s, (double)share_pairs(g));
     if (s->explaining)
-        explain_graph(s->options->explain, "sharing", g);
+        explain_graph(s->options->explain, s->file, "sharing", s->options->explained, g);
     distribute_products(g, &s->options->cost);
     balance_order(g);
     return g;
@@ -530,7 +506,7 @@ static void explain(struct search *s)
     fprintf(out, "  %zu shapes, %.0f units of work; the cheapest is \"%s\" with %zu choices overruled\n", s->shapes,
             s->work / UNIT, s->shape[s->winner.shape].what, s->winner.policy.choices);
     s->explaining = true;
-    explain_graph(out, "simplified", s->shape[s->winner.shape].dag);
+    explain_graph(out, s->file, "simplified", s->options->explained, s->shape[s->winner.shape].dag);
     dag_free(run_passes(s, &s->winner, NULL));
     s->explaining = false;
     fprintf(out, "  %-26s %5ld mul %4ld div %5ld add %4ld sqrt %4ld compare; cost %g (%s)\n", "emitted",

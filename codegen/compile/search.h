@@ -11,8 +11,9 @@ enum { SEARCH_MOST_NODES = 100000 };
 struct compile_options {
     struct cost_model cost;
     unsigned long seed;
-    long effort;   /* work that the search may do, in units of about a millisecond; same effort, same bytes */
-    FILE *explain; /* one line per pass with its counts, or NULL */
+    long effort;           /* work that the search may do, in units of about a millisecond; same effort, same bytes */
+    FILE *explain;         /* one line per pass with its counts, or NULL */
+    const char *explained; /* not owned: after this pass the graph in infix, too; or NULL */
 };
 
 struct search;
