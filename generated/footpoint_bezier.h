@@ -18,9 +18,9 @@
  *     [-0.37,0.61], znC in [0.77,1.00], xnD in [-0.53,0.41], ynD in [-0.47,0.55], znD in [0.71,1.00], xS in
  *     [-1.27,1.87], yS in [-0.08,2.80], zS in [-0.56,0.61]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_BEZIER_H
 #define FOOTPOINT_BEZIER_H
@@ -423,9 +423,8 @@ footpoint_detail_bezier_over_n(footpoint_detail_search *search, const double *co
  *   operations:     49 mul, 1 div, 50 add, 0 sqrt, 4 compare; 38 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  04d8b817151946e4cccf21cde219136de6cff25f954ed3eefbf5b104c1780d1f
- *   poles:          t17 * t17 - t16 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 7.4e-14)
- *   rounding:       xi <= 3.1e-08 proved, <= 1.2e-13 on the hull, 5.4e-15 at points, 2.7e-15 sampled; eta <= 2.8e-08
- *     proved, <= 6.4e-14 on the hull, 7e-15 at points, 2.4e-15 sampled (10000 points, hull of 10000)
+ *   poles:          t17 * t17 - t16 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
+ *   rounding:       xi 1.3e-13 sampled; eta 3.4e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 68 islands 2
  *   training_both:  genes 107 mean 1.131e-02
  *   heldout:        xi 9.146e-03 5.680e-02 1.743e-01, eta 1.340e-02 8.400e-02 2.002e-01, samples 20000
@@ -528,10 +527,9 @@ static const double footpoint_bezier_facet_points[][31] = {
  *   operations:     74 mul, 2 div, 85 add, 0 sqrt, 5 compare; 60 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  224693a1f8176a5d583904803f516eb5d90d303cb8adb0462f899b4b858a6aea
- *   poles:          t35 * t33 - t34 * t34: proved free of zeros, |...| >= 0.045 (rounding error <= 7.3e-13)
- *   poles:          t47: proved free of zeros, |t47| >= 0.5 (rounding error <= 3.1e-10)
- *   rounding:       xi <= 1.3e-09 proved, <= 1.2e-13 on the hull, 1.1e-14 at points, 7e-15 sampled; eta <= 1.3e-09
- *     proved, <= 1.2e-13 on the hull, 1.7e-14 at points, 7.5e-15 sampled (10000 points, hull of 10000)
+ *   poles:          t35 * t33 - t34 * t34: proved free of zeros, |...| >= 0.045 (rounding error <= 2.2e-12)
+ *   poles:          t47: proved free of zeros, |t47| >= 0.5 (rounding error <= 7.8e-10)
+ *   rounding:       xi 6.8e-14 sampled; eta 6.2e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 68 islands 2
  *   training_both:  genes 158 mean 3.555e-03
  *   heldout:        xi 3.132e-03 1.928e-02 7.107e-02, eta 4.022e-03 2.724e-02 8.920e-02, samples 20000
@@ -642,11 +640,10 @@ static const double footpoint_bezier_normals_points[][31] = {
  *   operations:     246 mul, 2 div, 208 add, 0 sqrt, 8 compare; 154 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  0f8030968f5cc93fc25dac4a7d44278ec0b7571700b7fc444b43b169782b6a40
- *   poles:          t47 * t47 + t46 * t48: proved free of zeros, |...| >= 0.046 (rounding error <= 8.9e-13)
- *   poles:          t131 * t133 - t132 * t132: proved free of zeros, |...| >= 0.022 (rounding error <= 1.5e-12 on the
- *     hull); status if computed as 0 or not finite
- *   rounding:       xi <= 5.4e-13 on the hull, 1.5e-14 at points, 1.4e-14 sampled; eta <= 3.6e-13 on the hull,
- *     1.7e-14 at points, 3.4e-14 sampled (7352 points, hull of 10000)
+ *   poles:          t47 * t47 + t46 * t48: proved free of zeros, |...| >= 0.046 (rounding error <= 2.9e-12)
+ *   poles:          t131 * t133 - t132 * t132: proved free of zeros, |...| >= 0.022; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 6.9e-13 sampled; eta 2.8e-13 sampled (1000000 points)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 143 mean 1.291e-04
  *   heldout:        xi 9.484e-05 1.123e-03 2.486e-02, eta 1.688e-04 2.166e-03 2.655e-02, samples 20000
@@ -794,11 +791,9 @@ static const double footpoint_bezier_smooth_points[][31] = {
  *   operations:     315 mul, 2 div, 245 add, 0 sqrt, 9 compare; 182 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c88387952a13a4c581dfde5dcd161f26183f7345e94c1c8e7d0cb429272c588f
- *   poles:          t39 * t39 - t42 * t40: proved free of zeros, |...| >= 0.045 (rounding error <= 8.5e-13)
- *   poles:          t162: proved free of zeros, |t162| >= 0.0027 (rounding error <= 2.7e-12 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 3.9e-12 on the hull, 2.1e-14 at points, 4.5e-14 sampled; eta <= 9.8e-13 on the hull,
- *     4.9e-14 at points, 2.1e-14 sampled (6088 points, hull of 10000)
+ *   poles:          t39 * t39 - t42 * t40: proved free of zeros, |...| >= 0.045 (rounding error <= 2.6e-12)
+ *   poles:          t162: proved free of zeros, |t162| >= 0.0027; status if computed as 0 or not finite
+ *   rounding:       xi 1.1e-12 sampled; eta 5.7e-13 sampled (1000000 points)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 140 mean 2.147e-05
  *   heldout:        xi 1.927e-05 2.245e-04 2.363e-02, eta 2.555e-05 3.712e-04 3.806e-02, samples 20000
@@ -960,14 +955,11 @@ static const double footpoint_bezier_precise_points[][31] = {
  *   operations:     456 mul, 4 div, 343 add, 0 sqrt, 15 compare; 261 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  a042cc8ee2f660b8fbcf587a445cb0b35a2c45557fa7e0ec0caaa81936dbdc7b
- *   poles:          t41 * t43 - t42 * t42: proved free of zeros, |...| >= 0.045 (rounding error <= 9.3e-13)
- *   poles:          t65: proved free of zeros, |t65| >= 0.5 (rounding error <= 3.3e-10)
- *   poles:          t163: proved free of zeros, |t163| >= 0.0028 (rounding error <= 1.8e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t238: proved free of zeros, |t238| >= 0.0024 (rounding error <= 4.3e-12 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 7.9e-13 on the hull, 1.4e-13 at points, 1.8e-14 sampled; eta <= 1.3e-12 on the hull,
- *     3.3e-14 at points, 4.6e-14 sampled (4287 points, hull of 8213)
+ *   poles:          t41 * t43 - t42 * t42: proved free of zeros, |...| >= 0.045 (rounding error <= 2.5e-12)
+ *   poles:          t65: proved free of zeros, |t65| >= 0.5 (rounding error <= 7.9e-10)
+ *   poles:          t163: proved free of zeros, |t163| >= 0.0028; status if computed as 0 or not finite
+ *   poles:          t238: proved free of zeros, |t238| >= 0.0024; status if computed as 0 or not finite
+ *   rounding:       xi 7e-12 sampled; eta 2.7e-12 sampled (1000000 points)
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 143 mean 1.623e-07
  *   heldout:        xi 2.190e-07 1.606e-06 1.238e-03, eta 3.759e-07 2.872e-06 1.920e-03, samples 20000
@@ -1166,18 +1158,14 @@ static const double footpoint_bezier_exact_points[][31] = {
  *   operations:     681 mul, 6 div, 514 add, 0 sqrt, 20 compare; 378 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-120
  *   genome_sha256:  86d63be9a9c4cf168e42099505f7b2425ed260a2cb31791997da414df6675ff7
- *   poles:          t56: proved free of zeros, |t56| >= 0.023 (rounding error <= 2e-12)
- *   poles:          t86: proved free of zeros, |t86| >= 0.5 (rounding error <= 4e-10)
- *   poles:          t104 * t102 - t103 * t101: proved free of zeros, |...| >= 0.04 (rounding error <= 4.3e-13 on the
- *     hull); status if computed as 0 or not finite
- *   poles:          t205: proved free of zeros, |t205| >= 0.0024 (rounding error <= 7.2e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t280: proved free of zeros, |t280| >= 0.0023 (rounding error <= 1.5e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t355: proved free of zeros, |t355| >= 0.0023 (rounding error <= 1.1e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 2.9e-12 on the hull, 4.1e-14 at points, 1.7e-14 sampled; eta <= 3.4e-12 on the hull,
- *     4.3e-14 at points, 1.6e-14 sampled (2906 points, hull of 3845)
+ *   poles:          t56: proved free of zeros, |t56| >= 0.023 (rounding error <= 4.9e-12)
+ *   poles:          t86: proved free of zeros, |t86| >= 0.5 (rounding error <= 8.6e-10)
+ *   poles:          t104 * t102 - t103 * t101: proved free of zeros, |...| >= 0.04; status if computed as 0 or not
+ *     finite
+ *   poles:          t205: proved free of zeros, |t205| >= 0.0024; status if computed as 0 or not finite
+ *   poles:          t280: proved free of zeros, |t280| >= 0.0023; status if computed as 0 or not finite
+ *   poles:          t355: proved free of zeros, |t355| >= 0.0023; status if computed as 0 or not finite
+ *   rounding:       xi 7.4e-10 sampled; eta 1.5e-10 sampled (1000000 points)
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 491 mean 6.436e-10
  *   heldout:        xi 1.102e-09 1.900e-09 1.122e-05, eta 1.585e-09 3.770e-09 1.457e-05, samples 20000

@@ -18,9 +18,9 @@
  *     [-0.37,0.61], znC in [0.77,1.00], xnD in [-0.53,0.41], ynD in [-0.47,0.55], znD in [0.71,1.00], xS in
  *     [-1.27,1.87], yS in [-0.08,2.80], zS in [-0.56,0.61]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_GREGORY_H
 #define FOOTPOINT_GREGORY_H
@@ -467,9 +467,8 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *   operations:     50 mul, 1 div, 51 add, 0 sqrt, 4 compare; 38 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  b6ab9fede1a7798d81349729ac1f8bd5e5e88a2e8fd8be1b175ed739ca3785d4
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.049 (rounding error <= 7.4e-14)
- *   rounding:       xi <= 3.9e-07 proved, <= 4.8e-14 on the hull, 5.9e-15 at points, 3.5e-15 sampled; eta <= 3.8e-07
- *     proved, <= 4.6e-14 on the hull, 4.7e-15 at points, 2.3e-15 sampled (10000 points, hull of 10000)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
+ *   rounding:       xi 2.4e-14 sampled; eta 1.1e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 124 islands 2
  *   training_both:  genes 107 mean 1.131e-02
  *   heldout:        xi 9.048e-03 5.777e-02 1.581e-01, eta 1.349e-02 8.503e-02 1.899e-01, samples 20000
@@ -572,9 +571,8 @@ static const double footpoint_gregory_facet_points[][31] = {
  *   operations:     93 mul, 1 div, 101 add, 0 sqrt, 4 compare; 64 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  45627c643978a8a20617948119d7dd76245bfc23c071ad3285e77eddf43cb67b
- *   poles:          t40: proved free of zeros, |t40| >= 0.045 (rounding error <= 9.2e-13)
- *   rounding:       xi <= 1.6e-06 proved, <= 6.8e-14 on the hull, 1.8e-14 at points, 3.3e-15 sampled; eta <= 1.2e-06
- *     proved, <= 5.5e-14 on the hull, 2e-14 at points, 2.9e-15 sampled (10000 points, hull of 10000)
+ *   poles:          t40: proved free of zeros, |t40| >= 0.045 (rounding error <= 3.3e-12)
+ *   rounding:       xi 6.2e-14 sampled; eta 7.3e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 59 islands 2
  *   training_both:  genes 248 mean 3.058e-03
  *   heldout:        xi 2.677e-03 1.854e-02 7.049e-02, eta 3.500e-03 2.692e-02 9.703e-02, samples 20000
@@ -694,10 +692,9 @@ static const double footpoint_gregory_normals_points[][31] = {
  *   operations:     152 mul, 2 div, 148 add, 0 sqrt, 4 compare; 95 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  4082223cd7bc00895cf1b5852c120fb4f0d78e2f65851781a81196601e90b412
- *   poles:          t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 7.4e-14)
- *   poles:          t84: proved free of zeros, |t84| >= 0.036 (rounding error <= 7e-07)
- *   rounding:       xi <= 0.0015 proved, <= 8.5e-13 on the hull, 1.1e-14 at points, 1.3e-14 sampled; eta <= 0.0012
- *     proved, <= 1e-12 on the hull, 1.4e-14 at points, 1.2e-14 sampled (10000 points, hull of 10000)
+ *   poles:          t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
+ *   poles:          t84: proved free of zeros, |t84| >= 0.036 (rounding error <= 6.4e-06)
+ *   rounding:       xi 7e-13 sampled; eta 8.4e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 59 islands 2
  *   training_both:  genes 470 mean 1.258e-03
  *   heldout:        xi 1.024e-03 7.241e-03 3.798e-02, eta 1.568e-03 1.357e-02 5.205e-02, samples 20000
@@ -827,11 +824,9 @@ static const double footpoint_gregory_smooth_points[][31] = {
  *   operations:     365 mul, 2 div, 267 add, 0 sqrt, 9 compare; 183 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  75243babfc5d2ee850db85643fc80d8cb31a7619a795d81f0191b55dfc6dc1cd
- *   poles:          t39: proved free of zeros, |t39| >= 2.9e-05 (rounding error <= 2.4e-10)
- *   poles:          t164: proved free of zeros, |t164| >= 0.0029 (rounding error <= 2.6e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 2e-12 on the hull, 4.3e-14 at points, 7.4e-14 sampled; eta <= 5.7e-13 on the hull, 2e-14 at
- *     points, 1.2e-14 sampled (5471 points, hull of 10000 in 3 parts)
+ *   poles:          t39: proved free of zeros, |t39| >= 2.9e-05 (rounding error <= 6.7e-10)
+ *   poles:          t164: proved free of zeros, |t164| >= 0.0029; status if computed as 0 or not finite
+ *   rounding:       xi 4.7e-13 sampled; eta 8.7e-13 sampled (1000000 points)
  *   found_both:     seed 1 generations 20 islands 2
  *   training_both:  genes 134 mean 7.800e-04
  *   heldout:        xi 5.602e-04 4.970e-03 2.275e-02, eta 1.042e-03 1.214e-02 4.167e-02, samples 20000
@@ -1001,18 +996,17 @@ static const double footpoint_gregory_corrected_points[][31] = {
  *   operations:     630 mul, 9 div, 465 add, 0 sqrt, 12 compare; 356 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-148
  *   genome_sha256:  5fdb208e0b4ab90a1a538fc324382ef1f30f74a4159028a12fd49501bb4836ff
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 7.4e-14)
- *   poles:          divisor of t79: proved free of zeros, |...| >= 0.041 (rounding error <= 3.1e-08)
- *   poles:          t103: proved free of zeros, |t103| >= 0.0033 (rounding error <= 4e-13)
- *   poles:          t105: proved free of zeros, |t105| >= 0.0028 (rounding error <= 2.8e-13)
- *   poles:          t111: proved free of zeros, |t111| >= 0.046 (rounding error <= 1.2e-14)
- *   poles:          t117: proved free of zeros, |t117| >= 0.038 (rounding error <= 7.4e-15)
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
+ *   poles:          divisor of t79: proved free of zeros, |...| >= 0.041 (rounding error <= 7.8e-08)
+ *   poles:          t103: proved free of zeros, |t103| >= 0.0033 (rounding error <= 6e-13)
+ *   poles:          t105: proved free of zeros, |t105| >= 0.0028 (rounding error <= 4.3e-13)
+ *   poles:          t111: proved free of zeros, |t111| >= 0.046 (rounding error <= 1.4e-14)
+ *   poles:          t117: proved free of zeros, |t117| >= 0.038 (rounding error <= 8.6e-15)
  *   poles:          t251: proved free of zeros, |t251| >= 9.9e-13 (as computed, too)
  *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
- *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.025 (rounding error <= 1.8e-12 on the
- *     hull); status if computed as 0 or not finite
- *   rounding:       xi <= 1.7e-13 on the hull, 3.1e-14 at points, 3.5e-15 sampled; eta <= 2.6e-13 on the hull,
- *     1.3e-14 at points, 3.5e-15 sampled (3259 points, hull of 4565 in 2 parts)
+ *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.025; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 3.6e-13 sampled; eta 1.1e-12 sampled (1000000 points)
  *   found_both:     seed 1 generations 19 islands 2
  *   training_both:  genes 329 mean 6.693e-05
  *   heldout:        xi 5.465e-05 7.301e-04 9.345e-03, eta 8.745e-05 1.259e-03 1.194e-02, samples 20000
@@ -1244,7 +1238,7 @@ static const double footpoint_gregory_precise_points[][31] = {
     {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.8596224508552941, 1.110223024625157e-16, 1.0218981234518871e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.76703772616545585, 0.20763785055293471, 1.1395623887818395e-15, 8.5833971217428122e-16},
     {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63264436578747885, 1.110223024625157e-16, 7.1491156794493917e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, -0.049325882982860614, 1.110223024625157e-16, 2.2697194111488278e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, -0.049325882982860614, 1.110223024625157e-16, 2.2697194111488274e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.9042359207839783, 0.79799536018119877, 1.40864719093742e-15, 1.9678749956930463e-15},
 };
 #endif
@@ -1253,20 +1247,18 @@ static const double footpoint_gregory_precise_points[][31] = {
  *   operations:     772 mul, 11 div, 559 add, 0 sqrt, 14 compare; 423 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-139
  *   genome_sha256:  607267c8de043f5c4252e738adb33e02ae58321cc22b2489190839c2179254be
- *   poles:          t51 * t50 - t47 * t47: proved free of zeros, |...| >= 0.045 (rounding error <= 1.5e-12)
- *   poles:          t106: proved free of zeros, |t106| >= 0.0033 (rounding error <= 4.3e-13)
- *   poles:          t108: proved free of zeros, |t108| >= 0.046 (rounding error <= 1.2e-14)
- *   poles:          t113: proved free of zeros, |t113| >= 0.0028 (rounding error <= 3.1e-13)
- *   poles:          t115: proved free of zeros, |t115| >= 0.038 (rounding error <= 7.4e-15)
- *   poles:          t201: proved free of zeros, |t201| >= 0.5 (rounding error <= 6.1e-10)
- *   poles:          divisor of t207: proved free of zeros, |...| >= 0.51 (rounding error <= 1.4e-15)
+ *   poles:          t51 * t50 - t47 * t47: proved free of zeros, |...| >= 0.045 (rounding error <= 2.8e-12)
+ *   poles:          t106: proved free of zeros, |t106| >= 0.0033 (rounding error <= 6e-13)
+ *   poles:          t108: proved free of zeros, |t108| >= 0.046 (rounding error <= 1.4e-14)
+ *   poles:          t113: proved free of zeros, |t113| >= 0.0028 (rounding error <= 4.3e-13)
+ *   poles:          t115: proved free of zeros, |t115| >= 0.038 (rounding error <= 8.6e-15)
+ *   poles:          t201: proved free of zeros, |t201| >= 0.5 (rounding error <= 8.6e-10)
+ *   poles:          divisor of t207: proved free of zeros, |...| >= 0.51 (rounding error <= 1.7e-15)
  *   poles:          t217 * t214 - t219 * t215: proved free of zeros, |...| >= 0.04 (rounding error <= 0.00022)
  *   poles:          t270: proved free of zeros, |t270| >= 9.9e-13 (as computed, too)
  *   poles:          t272: proved free of zeros, |t272| >= 9.9e-13 (as computed, too)
- *   poles:          t397: proved free of zeros, |t397| >= 0.0023 (rounding error <= 3.1e-12 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 6.1e-13 on the hull, 3.2e-14 at points, 1.1e-13 sampled; eta <= 1.1e-12 on the hull,
- *     7.6e-15 at points, 4.1e-14 sampled (2663 points, hull of 3140 in 2 parts)
+ *   poles:          t397: proved free of zeros, |t397| >= 0.0023; status if computed as 0 or not finite
+ *   rounding:       xi 5.9e-09 sampled; eta 2.8e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 11 islands 2
  *   training_both:  genes 425 mean 4.422e-06
  *   heldout:        xi 4.048e-06 6.601e-05 1.113e-03, eta 6.358e-06 1.029e-04 4.217e-03, samples 20000
@@ -1524,7 +1516,7 @@ FOOTPOINT_LOOP void footpoint_gregory_exact_over_n(const double *const nodes[8],
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_exact_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.025266632431997213, 0.95249591143105594, 4.7596353327897263e-16, 1.4171586383275301e-15},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.64044331732758342, 1.110223024625157e-16, 4.9990136303186476e-16},
+    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.64044331732758342, 1.110223024625157e-16, 4.9990136303186466e-16},
     {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.26917846994948902, 0.13393970301852814, 1.4663278249877114e-15, 8.6542988632610838e-16},
     {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.8492411313763798, 1.110223024625157e-16, 1.1932998216603129e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.75752876400830016, 0.20567807263396298, 1.2710775535637876e-15, 9.2880904726291118e-16},
@@ -1538,28 +1530,22 @@ static const double footpoint_gregory_exact_points[][31] = {
  *   operations:     1295 mul, 16 div, 881 add, 0 sqrt, 31 compare; 669 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-112
  *   genome_sha256:  5f2a838f856a9ec32f461adc343b76e2593e83579fddb16838548a15bada74cd
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.3e-13 on the
- *     hull); status if computed as 0 or not finite
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049; status if computed as 0 or not
+ *     finite
  *   poles:          divisor of t59: proved free of zeros, |...| >= 0.51 (as computed, too)
- *   poles:          t67 * t68 - t66 * t69: proved free of zeros, |...| >= 0.041 (rounding error <= 3.1e-13 on the
- *     hull); status if computed as 0 or not finite
- *   poles:          t107: proved free of zeros, |t107| >= 0.0033 (rounding error <= 4.5e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t109: proved free of zeros, |t109| >= 0.046 (rounding error <= 1.4e-14 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t114: proved free of zeros, |t114| >= 0.0028 (rounding error <= 3e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t116: proved free of zeros, |t116| >= 0.038 (rounding error <= 8.4e-15 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t67 * t68 - t66 * t69: proved free of zeros, |...| >= 0.041; status if computed as 0 or not
+ *     finite
+ *   poles:          t107: proved free of zeros, |t107| >= 0.0033; status if computed as 0 or not finite
+ *   poles:          t109: proved free of zeros, |t109| >= 0.046; status if computed as 0 or not finite
+ *   poles:          t114: proved free of zeros, |t114| >= 0.0028; status if computed as 0 or not finite
+ *   poles:          t116: proved free of zeros, |t116| >= 0.038; status if computed as 0 or not finite
  *   poles:          t253: proved free of zeros, |t253| >= 9.9e-13 (as computed, too)
  *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
- *   poles:          t378: proved free of zeros, |t378| >= 0.0023 (rounding error <= 1.5e-12 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t378: proved free of zeros, |t378| >= 0.0023; status if computed as 0 or not finite
  *   poles:          t421: proved free of zeros, |t421| >= 9.9e-13 (as computed, too)
  *   poles:          t425: proved free of zeros, |t425| >= 9.9e-13 (as computed, too)
  *   poles:          of 4 more denominators, 3 are proved free of zeros, 2 of these as computed, too
- *   rounding:       xi <= 1.3e-12 on the hull, 3.2e-14 at points, 7.2e-14 sampled; eta <= 2.1e-12 on the hull,
- *     2.4e-14 at points, 3.8e-14 sampled (1648 points, hull of 1164)
+ *   rounding:       xi 4.7e-11 sampled; eta 2.3e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 11 islands 2
  *   training_both:  genes 269 mean 4.835e-09
  *   heldout:        xi 1.082e-08 2.032e-08 7.109e-05, eta 3.073e-08 3.348e-08 2.645e-04, samples 20000
@@ -1944,12 +1930,12 @@ FOOTPOINT_LOOP void footpoint_gregory_full_over_n(const double *const nodes[8], 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_full_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.02519745372585221, 0.95798305904147552, 5.3821574083597787e-16, 2.0196376541204779e-15},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.64516199512843675, 1.110223024625157e-16, 4.6108963581241179e-16},
+    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.64516199512843675, 1.110223024625157e-16, 4.6108963581241149e-16},
     {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.27082125522616013, 0.1331639270594934, 1.2410029307218029e-15, 7.3772540215777843e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.84961632268813081, 1.110223024625157e-16, 1.2681201792918019e-15},
+    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.84961632268813081, 1.110223024625157e-16, 1.2681201792917991e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.75943272209976609, 0.20682999908105329, 1.2382379865682878e-15, 8.1508553489839039e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63673777255909414, 1.110223024625157e-16, 7.0603938628394216e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, 0.13038983840859672, 1.110223024625157e-16, 1.129104357419915e-15},
+    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63673777255909414, 1.110223024625157e-16, 7.0603938628394206e-16},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, 0.13038983840859672, 1.110223024625157e-16, 1.1291043574199144e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91071719924590755, 0.81669575517537107, 1.0307750161782822e-15, 1.6802488500082959e-15},
 };
 #endif

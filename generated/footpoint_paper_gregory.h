@@ -21,9 +21,9 @@
  *     [-1.00,1.00], znC in [-0.17,1.00], xnD in [-1.00,1.00], ynD in [-1.00,1.00], znD in [-0.11,1.00], xS in
  *     [-0.40,0.50], yS in [-0.07,1.01], zS in [-0.30,0.30]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_PAPER_GREGORY_H
 #define FOOTPOINT_PAPER_GREGORY_H
@@ -470,9 +470,8 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *   operations:     69 mul, 1 div, 79 add, 0 sqrt, 4 compare; 52 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c63b17cef1da5faf0bdf3053ad45faa4046e82cadba950c566f4a680c6d7bf50
- *   poles:          t27 * t27 - t25 * t26: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.5e-15)
- *   rounding:       xi <= 0.0044 proved, <= 1.6e-12 on the hull, 1.1e-14 at points, 4.1e-14 sampled; eta <= 0.00019
- *     proved, <= 7.5e-13 on the hull, 2.4e-13 at points, 3.2e-14 sampled (10000 points, hull of 10000)
+ *   poles:          t27 * t27 - t25 * t26: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
+ *   rounding:       xi 5.7e-12 sampled; eta 2e-12 sampled (1000000 points)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 2.330e-02
  *   heldout:        xi 1.946e-02 1.259e-01 4.513e-01, eta 2.780e-02 1.996e-01 8.994e-01, samples 27582
@@ -584,11 +583,10 @@ static const double footpoint_paper_gregory_facet_points[][31] = {
  *   operations:     225 mul, 2 div, 187 add, 0 sqrt, 8 compare; 141 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  7da24519c16188dc1868c0c01e59f1d9112f6fac0e6c8957d3de0c709a865fa4
- *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.5e-15)
- *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013 (rounding error <= 8.6e-13 on
- *     the hull); status if computed as 0 or not finite
- *   rounding:       xi <= 1.3e-11 on the hull, 1.1e-13 at points, 8.4e-14 sampled; eta <= 9.1e-12 on the hull,
- *     3.7e-14 at points, 9.4e-14 sampled (7936 points, hull of 10000 in 2 parts)
+ *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
+ *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 1.6e-09 sampled; eta 2.1e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 1.446e-02
  *   heldout:        xi 1.238e-02 1.207e-01 6.445e-01, eta 1.599e-02 1.579e-01 7.815e-01, samples 27582
@@ -727,8 +725,8 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_over_n(const double *const no
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_gregory_smooth_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.52861661758439416, 0, 7.3953184131204181e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.29377805110941357, 0, 2.8896485169293217e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.36988811527089666, 9.8813129168249309e-324, 3.2207847656493203e-15},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.29377805110941357, 0, 2.8896485169293213e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.36988811527089666, 9.8813129168249309e-324, 3.2207847656493191e-15},
     {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.25046849734307547, 9.8813129168249309e-324, 1.1394495574981123e-15},
     {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72623840620747837, 1.110223024625157e-16, 7.1705791932124725e-16},
@@ -741,15 +739,13 @@ static const double footpoint_paper_gregory_smooth_points[][31] = {
  *   operations:     416 mul, 6 div, 324 add, 0 sqrt, 13 compare; 236 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e4eb9a27b3086668b8542ef15f842773f20f8bd7018651de62930cde1e50b020
- *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.5e-15)
+ *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
  *   poles:          t59: proved free of zeros, |t59| >= 1.8e-07 (rounding error <= 2e-14)
  *   poles:          t61: proved free of zeros, |t61| >= 0.011 (rounding error <= 6.3e-15)
  *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07 (as computed, too)
  *   poles:          t152: proved free of zeros, |t152| >= 0.24 (as computed, too)
- *   poles:          t214: proved free of zeros, |t214| >= 0.00027 (rounding error <= 1.1e-12 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 2.6e-12 on the hull, 8.2e-13 at points, 1.5e-13 sampled; eta <= 6.7e-12 on the hull,
- *     7.1e-14 at points, 4.8e-14 sampled (4613 points, hull of 9816 in 3 parts)
+ *   poles:          t214: proved free of zeros, |t214| >= 0.00027; status if computed as 0 or not finite
+ *   rounding:       xi 5.1e-11 sampled; eta 1.3e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 2.681e-03
  *   heldout:        xi 2.355e-03 2.516e-02 7.588e-01, eta 2.997e-03 3.467e-02 5.941e-01, samples 27582
@@ -943,19 +939,17 @@ static const double footpoint_paper_gregory_weighted_points[][31] = {
  *   operations:     737 mul, 10 div, 544 add, 0 sqrt, 13 compare; 386 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-144
  *   genome_sha256:  1574660cee74884d8b4bfbd9b88c701fd31b21473f4c143efc5d0a84404df4d4
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.0055 (rounding error <= 1.1e-13)
- *   poles:          divisor of t61: proved free of zeros, |...| >= 0.2 (rounding error <= 1.7e-15)
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.0055 (rounding error <= 4e-13)
+ *   poles:          divisor of t61: proved free of zeros, |...| >= 0.2 (rounding error <= 2.1e-15)
  *   poles:          t71 * t72 - t69 * t70: no zero where the region's requires hold, by no proved margin
- *   poles:          t109: proved free of zeros, |t109| >= 0.0068 (rounding error <= 1.5e-14)
- *   poles:          t111: proved free of zeros, |t111| >= 8.5e-05 (rounding error <= 3.5e-13)
- *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 4.3e-14)
- *   poles:          t118: proved free of zeros, |t118| >= 2.3e-05 (rounding error <= 1.2e-15)
+ *   poles:          t109: proved free of zeros, |t109| >= 0.0068 (rounding error <= 1.7e-14)
+ *   poles:          t111: proved free of zeros, |t111| >= 8.5e-05 (rounding error <= 5.6e-13)
+ *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 7.3e-14)
+ *   poles:          t118: proved free of zeros, |t118| >= 2.3e-05 (rounding error <= 1.3e-15)
  *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07 (as computed, too)
  *   poles:          t245: proved free of zeros, |t245| >= 0.24 (as computed, too)
- *   poles:          t366: proved free of zeros, |t366| >= 0.00023 (rounding error <= 1.1e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 8.9e-12 on the hull, 6.1e-13 at points, 3.1e-12 sampled; eta <= 4.2e-12 on the hull,
- *     1.1e-11 at points, 5.1e-13 sampled (2783 points, hull of 3224)
+ *   poles:          t366: proved free of zeros, |t366| >= 0.00023; status if computed as 0 or not finite
+ *   rounding:       xi 2.1e-10 sampled; eta 2.3e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 326 mean 1.325e-03
  *   heldout:        xi 1.224e-03 1.803e-02 7.965e-01, eta 1.668e-03 2.684e-02 6.988e-01, samples 27582
@@ -1204,10 +1198,10 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const n
 static const double footpoint_paper_gregory_precise_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.55557117640894815, 0, 1.7686868787072498e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.13510847024777228, 0, 8.9646684954209978e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.19741674904819029, 9.8813129168249309e-324, 7.2566567955391648e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31571747334748002, 9.8813129168249309e-324, 3.3620456142215756e-15},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.19741674904819029, 9.8813129168249309e-324, 7.2566567955391601e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31571747334748002, 9.8813129168249309e-324, 3.3620456142215752e-15},
     {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72550115267363502, 1.110223024625157e-16, 1.149952492629995e-15},
+    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72550115267363502, 1.110223024625157e-16, 1.1499524926299948e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.25824958793026681, -0.28465961561439485, 2.0750354104759371e-15, 7.80341872687383e-16},
 };
@@ -1217,22 +1211,19 @@ static const double footpoint_paper_gregory_precise_points[][31] = {
  *   operations:     972 mul, 12 div, 675 add, 0 sqrt, 23 compare; 523 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-129
  *   genome_sha256:  32117d6a40f80a63ca867efa6ccdf79b4a6a492ccec2f4ea075f50b8f397d2c4
- *   poles:          t40 * t42 - t41 * t41: proved free of zeros, |...| >= 0.0013 (rounding error <= 1.9e-13)
- *   poles:          t88: proved free of zeros, |t88| >= 8.5e-05 (rounding error <= 3.7e-13)
- *   poles:          t90: proved free of zeros, |t90| >= 0.0068 (rounding error <= 1.5e-14)
- *   poles:          t95: proved free of zeros, |t95| >= 2.9e-07 (rounding error <= 4.5e-14)
- *   poles:          t97: proved free of zeros, |t97| >= 2.3e-05 (rounding error <= 1.2e-15)
- *   poles:          t191: proved free of zeros, |t191| >= 0.5 (rounding error <= 4.3e-05)
+ *   poles:          t40 * t42 - t41 * t41: proved free of zeros, |...| >= 0.0013 (rounding error <= 3.5e-13)
+ *   poles:          t88: proved free of zeros, |t88| >= 8.5e-05 (rounding error <= 5.6e-13)
+ *   poles:          t90: proved free of zeros, |t90| >= 0.0068 (rounding error <= 1.7e-14)
+ *   poles:          t95: proved free of zeros, |t95| >= 2.9e-07 (rounding error <= 7.3e-14)
+ *   poles:          t97: proved free of zeros, |t97| >= 2.3e-05 (rounding error <= 1.3e-15)
+ *   poles:          t191: proved free of zeros, |t191| >= 0.5 (rounding error <= 0.00015)
  *   poles:          t238: proved free of zeros, |t238| >= 9.9e-07 (as computed, too)
- *   poles:          t240: proved free of zeros, |t240| >= 0.24 (as computed, too)
- *   poles:          t363: proved free of zeros, |t363| >= 0.00014 (rounding error <= 5.7e-11 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t240: proved free of zeros, |t240| >= 0.24 (rounding error <= 0.13)
+ *   poles:          t363: proved free of zeros, |t363| >= 0.00014; status if computed as 0 or not finite
  *   poles:          t406: proved free of zeros, |t406| >= 9.9e-07 (as computed, too)
  *   poles:          t410: proved free of zeros, |t410| >= 0.24 (as computed, too)
- *   poles:          t492: proved free of zeros, |t492| >= 0.00028 (rounding error <= 1.4e-10 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 1.3e-12 on the hull, 5.1e-14 at points, 6.2e-15 sampled; eta <= 1.2e-12 on the hull,
- *     1.6e-12 at points, 8.1e-15 sampled (2162 points, hull of 798)
+ *   poles:          t492: proved free of zeros, |t492| >= 0.00028; status if computed as 0 or not finite
+ *   rounding:       xi 7.5e-11 sampled; eta 6.5e-12 sampled (1000000 points)
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 137 mean 5.318e-04
  *   heldout:        xi 4.221e-04 4.746e-03 7.965e-01, eta 6.270e-04 6.819e-03 8.994e-01, samples 27582
@@ -1548,8 +1539,8 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_exact_over_n(const double *const nod
 static const double footpoint_paper_gregory_exact_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.5443254033210625, 0, 1.2713637842692173e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.17264922979220856, 0, 6.7188014595840265e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.3783404792057336, 9.8813129168249309e-324, 3.6400091553739571e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29274130097428097, 9.8813129168249309e-324, 2.294335711256026e-15},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.3783404792057336, 9.8813129168249309e-324, 3.6400091553739223e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29274130097428097, 9.8813129168249309e-324, 2.2943357112560229e-15},
     {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72355729709604899, 1.110223024625157e-16, 1.0232021332791204e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
@@ -1561,23 +1552,20 @@ static const double footpoint_paper_gregory_exact_points[][31] = {
  *   operations:     1405 mul, 14 div, 945 add, 0 sqrt, 31 compare; 706 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-110
  *   genome_sha256:  43fa4419db92ff6e2f5c9957186dcc96df21435fd4ce744594ac32779f13370e
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 7.6e-15)
- *   poles:          t69: proved free of zeros, |t69| >= 8.5e-05 (rounding error <= 3.8e-13)
- *   poles:          t71: proved free of zeros, |t71| >= 0.0068 (rounding error <= 1.5e-14)
- *   poles:          t76: proved free of zeros, |t76| >= 2.9e-07 (rounding error <= 4.7e-14)
- *   poles:          t78: proved free of zeros, |t78| >= 2.3e-05 (rounding error <= 1.2e-15)
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
+ *   poles:          t69: proved free of zeros, |t69| >= 8.5e-05 (rounding error <= 5.6e-13)
+ *   poles:          t71: proved free of zeros, |t71| >= 0.0068 (rounding error <= 1.7e-14)
+ *   poles:          t76: proved free of zeros, |t76| >= 2.9e-07 (rounding error <= 7.3e-14)
+ *   poles:          t78: proved free of zeros, |t78| >= 2.3e-05 (rounding error <= 1.3e-15)
  *   poles:          t215: proved free of zeros, |t215| >= 9.9e-07 (as computed, too)
- *   poles:          t217: proved free of zeros, |t217| >= 0.24 (rounding error <= 6.1e-05)
- *   poles:          t338: proved free of zeros, |t338| >= 0.00013 (rounding error <= 4.2e-12 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t217: proved free of zeros, |t217| >= 0.24 (rounding error <= 0.0002)
+ *   poles:          t338: proved free of zeros, |t338| >= 0.00013; status if computed as 0 or not finite
  *   poles:          t385: proved free of zeros, |t385| >= 9.9e-07 (as computed, too)
  *   poles:          t387: proved free of zeros, |t387| >= 0.24 (as computed, too)
- *   poles:          t508: proved free of zeros, |t508| >= 0.00084 (rounding error <= 4.7e-12 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t508: proved free of zeros, |t508| >= 0.00084; status if computed as 0 or not finite
  *   poles:          t555: proved free of zeros, |t555| >= 9.9e-07 (as computed, too)
  *   poles:          of 2 more denominators, 2 are proved free of zeros, 1 of these as computed, too
- *   rounding:       xi <= 1.6e-13 on the hull, 1.7e-13 at points, 7.5e-15 sampled; eta <= 1.3e-12 on the hull,
- *     6.6e-12 at points, 3.4e-14 sampled (1539 points, hull of 971)
+ *   rounding:       xi 8.8e-10 sampled; eta 4.7e-09 sampled (1000000 points)
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 74 mean 3.355e-04
  *   heldout:        xi 2.489e-04 1.369e-03 9.599e-01, eta 3.621e-04 1.913e-03 9.884e-01, samples 27582
@@ -1978,9 +1966,9 @@ static const double footpoint_paper_gregory_full_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54284238482622515, 0, 1.3188528606058464e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.26502701066899587, 9.8813129168249309e-324, 4.7079395443594511e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.26502701066899587, 9.8813129168249309e-324, 4.707939544359384e-15},
     {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72118099747424169, 1.110223024625157e-16, 1.02803077541328e-15},
+    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72118099747424169, 1.110223024625157e-16, 1.0280307754132794e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.25825618907648668, -0.28465749188811429, 1.9400088621950015e-15, 7.4076343071339088e-16},
 };

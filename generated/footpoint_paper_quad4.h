@@ -17,9 +17,9 @@
  *     in [-0.30,0.30], xD in [-1.00,1.00], yD in [0.00,1.00], zD = 0.00, xS in [-0.50,0.50], yS in [-0.97,1.96], zS
  *     in [-0.30,0.30]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_PAPER_QUAD4_H
 #define FOOTPOINT_PAPER_QUAD4_H
@@ -476,9 +476,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   operations:     29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  b0d2b917a0823c298a1a90f445e86a1b95cccf8d0c2a6f75f6f39303ac342119
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   rounding:       xi <= 1.2e-07 proved, <= 1.9e-10 on the hull, 6.6e-12 at points, 8.9e-12 sampled; eta <= 1.3e-07
- *     proved, <= 2.6e-10 on the hull, 9.9e-12 at points, 1.1e-11 sampled (10000 points, hull of 10000)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   rounding:       xi 4.9e-10 sampled; eta 5.1e-10 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.408e-02; eta genes 1 mean 3.603e-02
  *   heldout:        xi 2.094e-02 1.205e-01 2.546e+00, eta 3.106e-02 1.769e-01 1.956e+00, samples 439697
@@ -551,14 +550,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.14356186004417e-14, 1.8727047363154987e-14},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 6.6617060760128967e-16, 2.0883720938558185e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 4.8035262892077589e-15, 7.6438308868405151e-15},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.325275447767831e-15, 3.7044682782906894e-15},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.60586961621067836, -1.1536862232613274, 2.0526415812220393e-15, 1.4945346193095197e-15},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.67564617464374677, -2.3191911224433643, 3.3366634007276361e-15, 5.5260299458764406e-15},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -1.1764093061785144, -0.60126371357282349, 1.7975806065246329e-15, 9.4053779804903644e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, 0.056064917770301072, 1.2392066664143919, 1.7318928133976497e-15, 3.5859558280124448e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1435618600441707e-14, 1.872704736315499e-14},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 6.6617060760128967e-16, 2.0883720938558189e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 4.8035262892077597e-15, 7.6438308868405182e-15},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3252754477678312e-15, 3.704468278290691e-15},
+    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.60586961621067836, -1.1536862232613274, 2.0526415812220401e-15, 1.4945346193095205e-15},
+    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.67564617464374677, -2.3191911224433643, 3.3366634007276365e-15, 5.5260299458764422e-15},
+    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -1.1764093061785144, -0.60126371357282349, 1.7975806065246336e-15, 9.4053779804903664e-16},
+    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, 0.056064917770301072, 1.2392066664143919, 1.7318928133976499e-15, 3.5859558280124456e-15},
 };
 #endif
 
@@ -566,9 +565,8 @@ static const double footpoint_paper_quad4_gauss_points[][19] = {
  *   operations:     32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  a923c4288a48a75569cc3edb38c3c548038f26f1c91afeba9f35efff10d344f4
- *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   rounding:       xi <= 1.2e-07 proved, <= 2.3e-13 on the hull, 6.4e-15 at points, 7.7e-14 sampled; eta <= 1.5e-07
- *     proved, <= 2.9e-13 on the hull, 1.7e-14 at points, 3.1e-14 sampled (10000 points, hull of 10000)
+ *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
+ *   rounding:       xi 5.1e-12 sampled; eta 5.7e-12 sampled (1000000 points)
  *   found_both:     seed 1 generations 100 islands 2
  *   training_both:  genes 14 mean 2.058e-02
  *   heldout:        xi 1.679e-02 1.221e-01 6.373e-01, eta 2.031e-02 1.475e-01 7.901e-01, samples 439697
@@ -658,9 +656,8 @@ static const double footpoint_paper_quad4_fast_points[][19] = {
  *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  34d9211899b4a28aa8efad76340094ff912f9ef89f148fc43106ec7d90b8e26a
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   rounding:       xi <= 1.5e-12 on the hull, 1.1e-14 at points, 4.1e-14 sampled; eta <= 5.6e-13 on the hull,
- *     1.1e-14 at points, 3.1e-14 sampled (10000 points, hull of 10000)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   rounding:       xi 2.2e-10 sampled; eta 2e-11 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.630e-03; eta genes 1 mean 1.237e-02
  *   heldout:        xi 9.592e-03 9.288e-02 6.124e-01, eta 1.280e-02 1.332e-01 8.053e-01, samples 439697
@@ -740,13 +737,13 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 6.1243676611837938e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 6.1243676611837929e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.1078754980970791e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.1078754980970789e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.58817364292704677, -1, 2.0073481256296571e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.70096732204300038, -1, 3.9045189411122229e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95827313397948644, -0.81907000660545692, 2.1009877082016285e-15, 2.5691313357650643e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.22319818729362317, 0, 9.1022943375639777e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.22319818729362317, 0, 9.1022943375639638e-16, 9.8813129168249309e-324},
 };
 #endif
 
@@ -754,11 +751,10 @@ static const double footpoint_paper_quad4_taper_points[][19] = {
  *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  31486ca32b630fff7ad7c182d72516b13fa038c26f00922465c50d7467f703a4
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09; status if computed as 0 or not
  *     finite
- *   rounding:       xi <= 6.2e-09 on the hull, 9.8e-12 at points, 2.9e-11 sampled; eta <= 8.4e-09 on the hull,
- *     5.3e-12 at points, 2.5e-11 sampled (10000 points, hull of 10000 in 3 parts)
+ *   rounding:       xi 2e-07 sampled; eta 2.1e-07 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.637e-03; eta genes 1 mean 1.207e-02
  *   heldout:        xi 3.655e-03 5.702e-02 2.370e+00, eta 4.161e-03 7.139e-02 2.686e+00, samples 439697
@@ -838,14 +834,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const doubl
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 2.5342941418160382e-14, 2.1943266643743979e-14},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 7.5837965294227809e-16, 2.6581506604190515e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 9.4303594246259361e-14, 4.6027455465916681e-13},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.1131074903052435e-15, 4.0789028897178792e-15},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.60811804059363583, -1.2362671490412827, 7.4036225553993046e-15, 6.7607177666230659e-15},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.7102497824245867, -2.3729502249621484, 5.0075289040343811e-15, 6.0491270092851164e-15},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.83443985705897317, -0.91347951359606516, 1.055395533931163e-14, 1.4123849335460508e-14},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17067432389678411, 1.1939105552524514, 1.0900065751265411e-15, 3.7452602684827353e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 2.5342941418160629e-14, 2.1943266643744194e-14},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 7.5837965294227869e-16, 2.6581506604190542e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 9.4303594246259689e-14, 4.6027455465916823e-13},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.1131074903052445e-15, 4.07890288971788e-15},
+    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.60811804059363583, -1.2362671490412827, 7.4036225553993235e-15, 6.7607177666230824e-15},
+    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.7102497824245867, -2.3729502249621484, 5.0075289040343875e-15, 6.0491270092851219e-15},
+    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.83443985705897317, -0.91347951359606516, 1.0553955339311646e-14, 1.412384933546053e-14},
+    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17067432389678411, 1.1939105552524514, 1.0900065751265427e-15, 3.7452602684827369e-15},
 };
 #endif
 
@@ -854,10 +850,9 @@ static const double footpoint_paper_quad4_gauss2_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e7d80ee9d16b9818030571bcfc508e87f1f9e2fa877f2cc068b71cf6368ab0a7
  *   poles:          t17 * t18 - 0.8464976 * t16 * t16: proved free of zeros, |...| >= 0.0014 (rounding error <=
- *     7.4e-15)
- *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.5e-08)
- *   rounding:       xi <= 4.5e-12 on the hull, 3.5e-13 at points, 2.2e-13 sampled; eta <= 8.2e-12 on the hull, 3e-13
- *     at points, 2.5e-13 sampled (10000 points, hull of 10000 in 2 parts)
+ *     3e-14)
+ *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.1e-08)
+ *   rounding:       xi 1.2e-11 sampled; eta 3.6e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 146 mean 2.979e-03
  *   heldout:        xi 2.479e-03 4.082e-02 9.873e-01, eta 2.861e-03 4.698e-02 9.259e-01, samples 439697
@@ -955,10 +950,9 @@ static const double footpoint_paper_quad4_coarse_points[][19] = {
  *   operations:     68 mul, 2 div, 70 add, 0 sqrt, 5 compare; 56 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  09f7caf4f857f76cff4b78963935886c4cc936e0ce7d1c52eeab4e4529481121
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.2e-14)
  *   poles:          t43: proved free of zeros, |t43| >= 0.0001; status if computed as 0 or not finite
- *   rounding:       xi <= 3.4e-12 on the hull, 2.6e-13 at points, 2.2e-13 sampled; eta <= 2.7e-11 on the hull,
- *     2.3e-13 at points, 2.7e-13 sampled (10000 points, hull of 10000 in 4 parts)
+ *   rounding:       xi 9.1e-11 sampled; eta 2.5e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 194 mean 1.695e-03
  *   heldout:        xi 7.931e-04 1.227e-02 1.000e+00, eta 9.343e-04 1.205e-02 9.988e-01, samples 439697
@@ -1057,13 +1051,10 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
  *   operations:     68 mul, 3 div, 70 add, 0 sqrt, 5 compare; 58 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  0da79aec4cc6f51e3ffc649ee311df32be1e547bdffc773ee55e0a0c4070934b
- *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 7.5e-15)
- *   poles:          t30: proved free of zeros, |t30| >= 0.001 (rounding error <= 1.5e-10 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05 (rounding error <= 5.6e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 1.2e-11 on the hull, 5.2e-14 at points, 1.1e-13 sampled; eta <= 8.2e-12 on the hull,
- *     1.1e-12 at points, 9.3e-14 sampled (10000 points, hull of 10000 in 3 parts)
+ *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 3.1e-14)
+ *   poles:          t30: proved free of zeros, |t30| >= 0.001; status if computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05; status if computed as 0 or not finite
+ *   rounding:       xi 1.7e-11 sampled; eta 2.9e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 194 mean 6.185e-04
  *   heldout:        xi 4.831e-04 6.358e-03 3.677e-01, eta 6.606e-04 6.936e-03 3.811e-01, samples 439697
@@ -1163,13 +1154,10 @@ static const double footpoint_paper_quad4_medium_points[][19] = {
  *   operations:     82 mul, 3 div, 82 add, 0 sqrt, 9 compare; 73 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ecc23278b504650ecc8c9e9ae99ca9940d1d6a1252edcaad692cf96d4a33c33b
- *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t44: proved free of zeros, |t44| >= 0.002 (rounding error <= 2.3e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t55: proved free of zeros, |t55| >= 0.00035 (rounding error <= 5.2e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 6.2e-11 on the hull, 4e-14 at points, 2.6e-13 sampled; eta <= 2e-11 on the hull, 6.2e-14 at
- *     points, 4.1e-14 sampled (10000 points, hull of 10000 in 2 parts)
+ *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t44: proved free of zeros, |t44| >= 0.002; status if computed as 0 or not finite
+ *   poles:          t55: proved free of zeros, |t55| >= 0.00035; status if computed as 0 or not finite
+ *   rounding:       xi 1.8e-08 sampled; eta 1.5e-07 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 284 mean 2.180e-04
  *   heldout:        xi 2.248e-04 2.270e-03 1.032e-01, eta 3.368e-04 2.734e-03 2.795e-01, samples 439697
@@ -1262,7 +1250,7 @@ static const double footpoint_paper_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24297362068211167, 0, 7.4132763401758486e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25763206174359821, -1, 1.1824917344537425e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25763206174359821, -1, 1.1824917344537423e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61015333244515457, -1, 8.5359219568817004e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056252710503487, -1, 5.2086105909604097e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363516330032649, -0.81055208683867741, 1.9805059068776008e-15, 3.3727733101080735e-15},
@@ -1274,15 +1262,11 @@ static const double footpoint_paper_quad4_balanced_points[][19] = {
  *   operations:     85 mul, 4 div, 85 add, 0 sqrt, 9 compare; 80 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  87d57b3a78b1a0df39b16092c6e77b200996afcd23e724d0fc21b2c99662b78d
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t33: proved free of zeros, |t33| >= 0.0016 (rounding error <= 3.5e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00031 (rounding error <= 1.2e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t64: proved free of zeros, |t64| >= 0.00054 (rounding error <= 3.5e-10 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 1.2e-11 on the hull, 5.4e-14 at points, 1.9e-13 sampled; eta <= 3.7e-11 on the hull,
- *     1.3e-14 at points, 4.4e-13 sampled (10000 points, hull of 10000 in 4 parts)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t33: proved free of zeros, |t33| >= 0.0016; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t64: proved free of zeros, |t64| >= 0.00054; status if computed as 0 or not finite
+ *   rounding:       xi 1.9e-10 sampled; eta 1.7e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 317 mean 1.024e-04
  *   heldout:        xi 1.028e-04 5.092e-05 7.341e-01, eta 1.496e-04 5.910e-05 9.362e-01, samples 439697
@@ -1372,13 +1356,13 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_fine_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87238145994927407, 1.110223024625157e-16, 2.573259487918277e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87238145994927407, 1.110223024625157e-16, 2.5732594879182766e-15},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293562765930587, 0, 7.0622788680495164e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25444488954076161, -1, 1.0461935571536949e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61014964402836591, -1, 8.5137616397027156e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241521876684, -1, 5.1792809490031439e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95283630533958208, -0.81165610563185675, 2.0546654029445538e-15, 3.4584734002299527e-15},
+    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95283630533958208, -0.81165610563185675, 2.0546654029445534e-15, 3.4584734002299507e-15},
     {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17388019837964361, 0, 9.7834909947407075e-16, 9.8813129168249309e-324},
 };
 #endif
@@ -1387,17 +1371,12 @@ static const double footpoint_paper_quad4_fine_points[][19] = {
  *   operations:     103 mul, 5 div, 104 add, 0 sqrt, 10 compare; 97 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c70947030fc9776681ee37a4456b60579e270cd6e9ff0cda09153f3334554f67
- *   poles:          t19: proved free of zeros, |t19| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t35: proved free of zeros, |t35| >= 0.0015 (rounding error <= 2.3e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00045 (rounding error <= 6.4e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05 (rounding error <= 2.5e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07 (rounding error <= 3.2e-10 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 4.5e-11 on the hull, 4.7e-12 at points, 6.4e-13 sampled; eta <= 6.6e-11 on the hull,
- *     3.4e-14 at points, 3.3e-12 sampled (10000 points, hull of 10000 in 17 parts)
+ *   poles:          t19: proved free of zeros, |t19| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t35: proved free of zeros, |t35| >= 0.0015; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00045; status if computed as 0 or not finite
+ *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05; status if computed as 0 or not finite
+ *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07; status if computed as 0 or not finite
+ *   rounding:       xi 6.1e-11 sampled; eta 2.6e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 443 mean 3.208e-05
  *   heldout:        xi 2.577e-05 3.578e-08 2.752e-02, eta 3.808e-05 4.202e-08 7.031e-02, samples 439697
@@ -1500,7 +1479,7 @@ static const double footpoint_paper_quad4_precise_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933120502371, -1, 1.0495475783496153e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61014966238669743, -1, 8.5708150815230096e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241520559693, -1, 5.3883492301866447e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363459328637734, -0.81055194643747708, 1.9276184217624607e-15, 3.4305053146923524e-15},
+    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363459328637734, -0.81055194643747708, 1.9276184217624599e-15, 3.4305053146923516e-15},
     {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17389443512102123, 0, 9.8284781040404271e-16, 9.8813129168249309e-324},
 };
 #endif
@@ -1509,19 +1488,13 @@ static const double footpoint_paper_quad4_precise_points[][19] = {
  *   operations:     115 mul, 6 div, 109 add, 0 sqrt, 14 compare; 102 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c3373e2d9a4dd32f9243bf48a01349ba3c949b534d1dc07b3f3072ebc0d895cb
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t39: proved free of zeros, |t39| >= 0.0017 (rounding error <= 4.5e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t48: proved free of zeros, |t48| >= 0.00013 (rounding error <= 1.3e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t55: proved free of zeros, |t55| >= 0.0036 (rounding error <= 9.7e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t66: proved free of zeros, |t66| >= 0.00048 (rounding error <= 1.6e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t82: proved free of zeros, |t82| >= 0.00043 (rounding error <= 7.8e-08 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 1.5e-11 on the hull, 1.1e-12 at points, 2e-12 sampled; eta <= 1.3e-11 on the hull, 6.2e-14
- *     at points, 8.7e-12 sampled (10000 points, hull of 10000 in 4 parts)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t39: proved free of zeros, |t39| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.00013; status if computed as 0 or not finite
+ *   poles:          t55: proved free of zeros, |t55| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t66: proved free of zeros, |t66| >= 0.00048; status if computed as 0 or not finite
+ *   poles:          t82: proved free of zeros, |t82| >= 0.00043; status if computed as 0 or not finite
+ *   rounding:       xi 3.3e-10 sampled; eta 4.1e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 491 mean 1.079e-05
  *   heldout:        xi 2.306e-05 7.319e-10 4.006e-02, eta 3.473e-05 8.883e-10 3.211e-02, samples 439697
@@ -1622,14 +1595,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const dou
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286383183656535, 1.110223024625157e-16, 2.6905550510698766e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24295344481644107, 0, 8.2284137664519991e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286383183656535, 1.110223024625157e-16, 2.6905550510698758e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24295344481644107, 0, 8.2284137664519971e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27020672027416343, -1, 1.496315696709914e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.59910277523513455, -1, 7.9791078307757982e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.68291790693016297, -1, 6.2640511181655035e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363746829824925, -0.81054788962738722, 2.0661591661408272e-15, 3.4745704378391892e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.16608925584397885, 0, 1.4254756861704535e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27020672027416343, -1, 1.4963156967099136e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.59910277523513455, -1, 7.9791078307757918e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.68291790693016297, -1, 6.2640511181654972e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363746829824925, -0.81054788962738722, 2.0661591661408272e-15, 3.4745704378391868e-15},
+    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.16608925584397885, 0, 1.4254756861704531e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -1637,17 +1610,13 @@ static const double footpoint_paper_quad4_accurate_points[][19] = {
  *   operations:     127 mul, 6 div, 125 add, 0 sqrt, 12 compare; 116 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e0b0f2650e84d1075773355947e55b8033cc52c0404665abe5f0ff1722505614
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.5e-15)
- *   poles:          t35: proved free of zeros, |t35| >= 0.0015 (rounding error <= 2.3e-13 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00045 (rounding error <= 1.8e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05 (rounding error <= 6.7e-11 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t35: proved free of zeros, |t35| >= 0.0015; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00045; status if computed as 0 or not finite
+ *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05; status if computed as 0 or not finite
  *   poles:          t80: proved free of zeros, |t80| >= 0.00047; status if computed as 0 or not finite
  *   poles:          t95: proved free of zeros, |t95| >= 6.6e-06; status if computed as 0 or not finite
- *   rounding:       xi <= 2.9e-10 on the hull, 3.2e-05 at points, 1.9e-12 sampled; eta <= 7.4e-12 on the hull,
- *     6.9e-14 at points, 4.2e-13 sampled (10000 points, hull of 10000 in 11 parts)
+ *   rounding:       xi 2.9e-10 sampled; eta 5.5e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 593 mean 2.239e-05
  *   heldout:        xi 6.184e-06 3.053e-15 1.670e-02, eta 8.634e-06 3.109e-15 1.557e-02, samples 439697
@@ -1750,13 +1719,13 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_full_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.8728640491274301, 1.110223024625157e-16, 2.5032533766356147e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.8728640491274301, 1.110223024625157e-16, 2.5032533766356139e-15},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136008, 0, 7.2874423625079124e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933012115755, -1, 1.0629232071573633e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.6101496623918029, -1, 3.5470736070210753e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241520568897, -1, 5.2461542910281819e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363802405917975, -0.81054703465616584, 1.9870092733542725e-15, 3.411277914326488e-15},
+    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363802405917975, -0.81054703465616584, 1.9870092733542725e-15, 3.4112779143264864e-15},
     {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17389457823210019, 0, 1.0043892745897624e-15, 9.8813129168249309e-324},
 };
 #endif
@@ -1765,17 +1734,12 @@ static const double footpoint_paper_quad4_full_points[][19] = {
  *   operations:     93 mul, 5 div, 94 add, 0 sqrt, 9 compare; 77 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  78507b47362e0b6a7c7d1d8e8c84c889100693912aba29ad723b6bfbb72e78ab
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles:          t36: proved free of zeros, |t36| >= 0.0017 (rounding error <= 1.6e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t44: proved free of zeros, |t44| >= 0.00014 (rounding error <= 5e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t48: proved free of zeros, |t48| >= 0.0018 (rounding error <= 2.4e-09 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05 (rounding error <= 1.5e-09 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 6.2e-11 on the hull, 3e-13 at points, 1.2e-13 sampled; eta <= 2.5e-12 on the hull, 9.7e-15
- *     at points, 3.3e-14 sampled (10000 points, hull of 10000 in 7 parts)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
+ *   poles:          t36: proved free of zeros, |t36| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 0.00014; status if computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.0018; status if computed as 0 or not finite
+ *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05; status if computed as 0 or not finite
+ *   rounding:       xi 1.3e-11 sampled; eta 5.2e-12 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 371 mean 6.350e-05
  *   heldout:        xi 6.067e-05 3.325e-05 7.079e-02, eta 9.194e-05 3.447e-05 9.978e-02, samples 439697
@@ -1884,18 +1848,13 @@ static const double footpoint_paper_quad4_program1_points[][19] = {
  *   operations:     111 mul, 6 div, 112 add, 0 sqrt, 10 compare; 94 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  7ef7353ffbf6253534d1118caaf88fbdd50fce3f4aa04ec634d30b10b6912fbf
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 1.7e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00014 (rounding error <= 5.4e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.0018 (rounding error <= 2.4e-09 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05 (rounding error <= 1.5e-09 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2.1e-14)
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00014; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0018; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
- *   rounding:       xi <= 5.1e-11 on the hull, 9.2e-14 at points, 1.5e-13 sampled; eta <= 2.8e-11 on the hull,
- *     1.3e-12 at points, 3.5e-13 sampled (10000 points, hull of 10000 in 11 parts)
+ *   rounding:       xi 2e-10 sampled; eta 3.7e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 503 mean 3.061e-05
  *   heldout:        xi 1.491e-05 1.619e-09 3.676e-02, eta 2.252e-05 1.975e-09 3.905e-02, samples 439697
@@ -2009,19 +1968,14 @@ static const double footpoint_paper_quad4_program2_points[][19] = {
  *   operations:     132 mul, 7 div, 130 add, 0 sqrt, 11 compare; 111 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  254ec2c7dc8b2d09626e5d0e93116c59936bd5ead236ca1b3334c0ee37a86150
- *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 1.6e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00014 (rounding error <= 5e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.0018 (rounding error <= 2.3e-09 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05 (rounding error <= 1.4e-09 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00014; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0018; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
  *   poles:          t91: proved free of zeros, |t91| >= 0.00047; status if computed as 0 or not finite
- *   rounding:       xi <= 7.5e-11 on the hull, 1.7e-07 at points, 5.2e-13 sampled; eta <= 5.2e-12 on the hull,
- *     7.9e-11 at points, 7.6e-14 sampled (10000 points, hull of 10000 in 14 parts)
+ *   rounding:       xi 3.6e-08 sampled; eta 9.3e-08 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 635 mean 2.414e-05
  *   heldout:        xi 2.735e-06 7.772e-16 4.892e-03, eta 3.968e-06 7.772e-16 1.113e-02, samples 439697

@@ -17,9 +17,9 @@
  *     in [-0.30,0.30], xD in [-1.00,0.99], yD in [0.00,1.00], zD = 0.00, xS in [-0.49,0.50], yS in [-1.92,2.00], zS
  *     in [-0.30,0.30]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_WHOLE_QUAD4_H
 #define FOOTPOINT_WHOLE_QUAD4_H
@@ -476,9 +476,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   operations:     29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  57a024cda9a031671811021022ce98d417d95d4ff44d6cfa6a1af494c43ab2b6
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   rounding:       xi <= 1.9e-08 proved, <= 6e-11 on the hull, 9.8e-13 at points, 2.5e-12 sampled; eta <= 2.2e-08
- *     proved, <= 6.3e-11 on the hull, 1.3e-12 at points, 3e-12 sampled (10000 points, hull of 10000)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   rounding:       xi 9.3e-11 sampled; eta 9.7e-11 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 3.805e-02; eta genes 1 mean 5.470e-02
  *   heldout:        xi 3.295e-02 1.891e-01 5.819e+00, eta 4.529e-02 2.790e-01 3.494e+00, samples 857751
@@ -551,14 +550,14 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_checked_n(size_t n, const double
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14629822357846314, -0.57423865796440676, 2.9961857871733424e-16, 8.4408704870799869e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.036857740561193064, 0.88933548161351939, 2.5299355554915328e-15, 5.4378357178908289e-15},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -2.5714003106995094, -1.2839316699634427, 7.339447513749434e-15, 2.4577659481731575e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.28959356278749909, 0.66020308206588929, 7.4146926591394962e-16, 1.7617724528652682e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1.4819087488233702, -0.3878654006601599, 2.542991515774512e-15, 1.3679491847988411e-15},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.62953618247535326, 1.7773867612830321, 1.5456368547119786e-15, 4.3498500596505712e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.075442455694328517, 0.12939848038553156, 2.4858276231360665e-15, 1.711820444466658e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 1.004253955251212, -0.40034709121613749, 4.9147886801418851e-15, 1.8382684862083405e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14629822357846314, -0.57423865796440676, 2.9961857871733424e-16, 8.4408704870799879e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.036857740561193064, 0.88933548161351939, 2.5299355554915328e-15, 5.4378357178908313e-15},
+    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -2.5714003106995094, -1.2839316699634427, 7.3394475137494372e-15, 2.4577659481731587e-15},
+    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.28959356278749909, 0.66020308206588929, 7.4146926591394972e-16, 1.7617724528652686e-15},
+    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1.4819087488233702, -0.3878654006601599, 2.5429915157745128e-15, 1.3679491847988411e-15},
+    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.62953618247535326, 1.7773867612830321, 1.545636854711979e-15, 4.3498500596505712e-15},
+    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.075442455694328517, 0.12939848038553156, 2.4858276231360681e-15, 1.7118204444666588e-15},
+    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 1.004253955251212, -0.40034709121613749, 4.9147886801418875e-15, 1.8382684862083413e-15},
 };
 #endif
 
@@ -566,9 +565,8 @@ static const double footpoint_whole_quad4_gauss_points[][19] = {
  *   operations:     32 mul, 1 div, 40 add, 0 sqrt, 4 compare; 32 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d9230b0e288158353ea014137d1ef8e3fa8250578531576c38b829db4ac086ce
- *   poles:          t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.0013 (rounding error <= 2.2e-13)
- *   rounding:       xi <= 3.8e-08 proved, <= 5.4e-13 on the hull, 7.1e-14 at points, 3e-14 sampled; eta <= 2.5e-08
- *     proved, <= 2.1e-11 on the hull, 3.6e-13 at points, 6.3e-14 sampled (10000 points, hull of 10000)
+ *   poles:          t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.0013 (rounding error <= 8.2e-13)
+ *   rounding:       xi 3.4e-12 sampled; eta 1.6e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 20 mean 3.930e-02
  *   heldout:        xi 2.987e-02 2.192e-01 1.063e+00, eta 4.006e-02 3.519e-01 1.656e+00, samples 857751
@@ -658,9 +656,8 @@ static const double footpoint_whole_quad4_fast_points[][19] = {
  *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  bc7c0db3884d1fb7be88d5bf40c1efa785389209321b244e80b54d952af3d7e7
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   rounding:       xi <= 1.2e-12 on the hull, 1.7e-14 at points, 4.2e-14 sampled; eta <= 0.65 proved, <= 7.4e-13 on
- *     the hull, 2.3e-14 at points, 3.9e-13 sampled (10000 points, hull of 10000)
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.5e-14)
+ *   rounding:       xi 4.7e-12 sampled; eta 1.3e-11 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.171e-02; eta genes 1 mean 1.584e-02
  *   heldout:        xi 1.248e-02 1.428e-01 1.189e+00, eta 1.627e-02 2.002e-01 1.447e+00, samples 857751
@@ -744,7 +741,7 @@ static const double footpoint_whole_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.25638243299673086, 0.66874996784480911, 6.4672667274815904e-16, 1.8909013274744876e-15},
     {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -0.63249392091647616, 1.110223024625157e-16, 3.5840712291398518e-15},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.51037311886299186, 1, 1.4966229186132813e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.51037311886299186, 1, 1.4966229186132805e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.18350614916658944, 0.03357364209372956, 3.3631205479599335e-15, 1.5600376023400887e-15},
     {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.78558233301039437, -0.3904370747093322, 5.7585278848884059e-15, 2.1847583839193133e-15},
 };
@@ -754,11 +751,10 @@ static const double footpoint_whole_quad4_taper_points[][19] = {
  *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  688e9885bfb2ce4dde964bafee57b83e098997941dc48a40e811aeab34ee2022
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08 (rounding error <= 1.3e-09 on the
- *     hull); status if computed as 0 or not finite
- *   rounding:       xi <= 1.7e-09 on the hull, 4.9e-11 at points, 2.5e-11 sampled; eta <= 1.1e-09 on the hull, 9e-10
- *     at points, 2.5e-10 sampled (10000 points, hull of 10000 in 3 parts)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 9.6e-09 sampled; eta 1.3e-08 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.186e-02; eta genes 1 mean 1.587e-02
  *   heldout:        xi 5.925e-03 8.599e-02 5.221e+00, eta 6.386e-03 1.039e-01 3.872e+00, samples 857751
@@ -838,14 +834,14 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_checked_n(size_t n, const doubl
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 3.8550112540471695e-16, 9.665176254092573e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0026996191333835749, 1.0750324336826758, 7.4663648448465674e-15, 2.1307297139395332e-14},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -3.5405508249977835, 4.6160006661368982, 5.3722910127670785e-13, 1.0614577059145408e-12},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24668877113660567, 0.66865635194172923, 6.9827990347924341e-16, 2.0549372742041355e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1.3535068256481548, -1.1559359411243506, 3.5062646922056344e-15, 1.8409972773270148e-14},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49785926571430827, 1.6612125126310699, 2.1901021097033191e-15, 6.4565784486700089e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.15842043905260123, 0.042639839458204154, 5.778988989072712e-15, 3.0546705043752134e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.70513326445103075, -0.41736624552488083, 1.1379618692059345e-14, 4.4714483925495267e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 3.85501125404717e-16, 9.665176254092573e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0026996191333835749, 1.0750324336826758, 7.4663648448465879e-15, 2.1307297139395383e-14},
+    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -3.5405508249977835, 4.6160006661368982, 5.3722910127671088e-13, 1.0614577059145466e-12},
+    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24668877113660567, 0.66865635194172923, 6.982799034792438e-16, 2.0549372742041359e-15},
+    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1.3535068256481548, -1.1559359411243506, 3.5062646922056368e-15, 1.8409972773270167e-14},
+    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49785926571430827, 1.6612125126310699, 2.1901021097033215e-15, 6.4565784486700152e-15},
+    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.15842043905260123, 0.042639839458204154, 5.7789889890727428e-15, 3.0546705043752307e-15},
+    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.70513326445103075, -0.41736624552488083, 1.1379618692059401e-14, 4.4714483925495488e-15},
 };
 #endif
 
@@ -853,10 +849,9 @@ static const double footpoint_whole_quad4_gauss2_points[][19] = {
  *   operations:     60 mul, 2 div, 66 add, 0 sqrt, 4 compare; 47 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  4d74f9d5d4bfe5f4481c9104f725035a95f7d687d63e05ad26fb6bef2bd10cca
- *   poles:          t15 * t16 - 0.7875 * t18 * t18: proved free of zeros, |...| >= 0.0027 (rounding error <= 1.3e-14)
- *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.3e-06 (rounding error <= 3.2e-07)
- *   rounding:       xi <= 1.3e-11 on the hull, 1.5e-13 at points, 6.8e-13 sampled; eta <= 2.3e-11 on the hull, 3e-13
- *     at points, 1.8e-13 sampled (10000 points, hull of 10000)
+ *   poles:          t15 * t16 - 0.7875 * t18 * t18: proved free of zeros, |...| >= 0.0027 (rounding error <= 6e-14)
+ *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.3e-06 (rounding error <= 3.1e-07)
+ *   rounding:       xi 4.3e-11 sampled; eta 7.3e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 155 mean 4.496e-03
  *   heldout:        xi 3.639e-03 5.332e-02 1.959e+00, eta 4.183e-03 6.552e-02 1.409e+00, samples 857751
@@ -954,11 +949,10 @@ static const double footpoint_whole_quad4_coarse_points[][19] = {
  *   operations:     67 mul, 2 div, 70 add, 0 sqrt, 6 compare; 55 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  01d136801ad3cbfdeec49394a2f8039ee6c7d212bc903c3a0586b2682e9f86b1
- *   poles:          t23: proved free of zeros, |t23| >= 0.0027 (rounding error <= 1.3e-14)
- *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05 (rounding error <= 3.3e-13 on the
- *     hull); status if computed as 0 or not finite
- *   rounding:       xi <= 2.2e-11 on the hull, 1.2e-12 at points, 1.8e-12 sampled; eta <= 3.1e-11 on the hull,
- *     1.8e-13 at points, 2.5e-12 sampled (10000 points, hull of 10000 in 2 parts)
+ *   poles:          t23: proved free of zeros, |t23| >= 0.0027 (rounding error <= 6.1e-14)
+ *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 1.6e-10 sampled; eta 1.6e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 197 mean 3.659e-03
  *   heldout:        xi 2.898e-03 5.283e-02 1.639e+00, eta 3.609e-03 6.414e-02 1.968e+00, samples 857751
@@ -1057,11 +1051,9 @@ static const double footpoint_whole_quad4_newton_points[][19] = {
  *   operations:     76 mul, 2 div, 74 add, 0 sqrt, 5 compare; 56 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  803a668d7623a80ebcdc77e3a84737ddb6965a82ac9b5544d87c89ddbe7cd51c
- *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 1.4e-14)
- *   poles:          t42: proved free of zeros, |t42| >= 0.00011 (rounding error <= 8.8e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 1.6e-11 on the hull, 1.8e-13 at points, 2.9e-13 sampled; eta <= 1.1e-11 on the hull,
- *     2.4e-13 at points, 2.7e-13 sampled (10000 points, hull of 10000 in 2 parts)
+ *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 6.6e-14)
+ *   poles:          t42: proved free of zeros, |t42| >= 0.00011; status if computed as 0 or not finite
+ *   rounding:       xi 1.3e-11 sampled; eta 3.6e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 224 mean 1.717e-03
  *   heldout:        xi 1.148e-03 1.863e-02 1.629e+00, eta 1.527e-03 2.331e-02 1.345e+00, samples 857751
@@ -1161,13 +1153,10 @@ static const double footpoint_whole_quad4_medium_points[][19] = {
  *   operations:     82 mul, 3 div, 78 add, 0 sqrt, 10 compare; 77 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  315bbd22a3cc90ce8ee70852c06d4ad84facc138db076981d0c3eef8da85b348
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t42: proved free of zeros, |t42| >= 0.001 (rounding error <= 4.7e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t56: proved free of zeros, |t56| >= 0.00033 (rounding error <= 7.3e-12 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 1.7e-10 on the hull, 7.3e-12 at points, 9.6e-13 sampled; eta <= 1.6e-10 on the hull,
- *     5.2e-13 at points, 6.6e-12 sampled (10000 points, hull of 10000 in 2 parts)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t42: proved free of zeros, |t42| >= 0.001; status if computed as 0 or not finite
+ *   poles:          t56: proved free of zeros, |t56| >= 0.00033; status if computed as 0 or not finite
+ *   rounding:       xi 1.7e-10 sampled; eta 1.6e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 275 mean 5.015e-04
  *   heldout:        xi 3.209e-04 3.566e-03 6.303e-01, eta 4.492e-04 4.519e-03 7.845e-01, samples 857751
@@ -1274,15 +1263,11 @@ static const double footpoint_whole_quad4_balanced_points[][19] = {
  *   operations:     87 mul, 4 div, 88 add, 0 sqrt, 7 compare; 73 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  58617263a84014ec7640642d4ff416d1ed3d14df5e1202917c81cc3290202f89
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t30: proved free of zeros, |t30| >= 0.0014 (rounding error <= 1.8e-10 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00035 (rounding error <= 4.3e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t58: proved free of zeros, |t58| >= 0.00031 (rounding error <= 4.8e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 4e-10 on the hull, 2.1e-12 at points, 4e-12 sampled; eta <= 9.3e-11 on the hull, 1.5e-13 at
- *     points, 1.3e-12 sampled (10000 points, hull of 10000 in 4 parts)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t30: proved free of zeros, |t30| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t58: proved free of zeros, |t58| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 5.1e-10 sampled; eta 3.1e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 323 mean 3.509e-04
  *   heldout:        xi 1.504e-04 3.972e-04 1.920e+00, eta 2.148e-04 4.331e-04 1.272e+00, samples 857751
@@ -1387,16 +1372,12 @@ static const double footpoint_whole_quad4_fine_points[][19] = {
  *   operations:     110 mul, 5 div, 109 add, 0 sqrt, 9 compare; 93 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  1196ac9fb3cc0f2c5cf1fc1b91aacbc6e95b3c375d82e1f5bc10e0b8c3f4699c
- *   poles:          t19 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t32: proved free of zeros, |t32| >= 0.0014 (rounding error <= 7.9e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t44: proved free of zeros, |t44| >= 0.00035 (rounding error <= 1.3e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.00037 (rounding error <= 4.8e-11 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t19 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t32: proved free of zeros, |t32| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi <= 4e-11 on the hull, 4.7e-10 at points, 7.2e-13 sampled; eta <= 5.8e-11 on the hull, 8.1e-10
- *     at points, 2.8e-11 sampled (10000 points, hull of 10000 in 11 parts)
+ *   rounding:       xi 1.6e-10 sampled; eta 1.5e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 476 mean 1.390e-04
  *   heldout:        xi 3.928e-05 3.472e-07 1.629e+00, eta 5.536e-05 4.023e-07 1.527e+00, samples 857751
@@ -1508,19 +1489,13 @@ static const double footpoint_whole_quad4_precise_points[][19] = {
  *   operations:     110 mul, 6 div, 112 add, 0 sqrt, 12 compare; 98 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  15fa7e7a3baf7ac07f2cf754d58266aa9923bc6e151128ad14b37ab3eb35a84e
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t35: proved free of zeros, |t35| >= 0.00098 (rounding error <= 5e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t45: proved free of zeros, |t45| >= 6e-05 (rounding error <= 7.6e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t51: proved free of zeros, |t51| >= 0.0036 (rounding error <= 4.6e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t62: proved free of zeros, |t62| >= 0.00031 (rounding error <= 4.2e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t78: proved free of zeros, |t78| >= 0.00031 (rounding error <= 7.5e-09 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 2.2e-11 on the hull, 2.1e-10 at points, 2.5e-13 sampled; eta <= 9.2e-12 on the hull,
- *     1.1e-10 at points, 2.1e-13 sampled (10000 points, hull of 10000 in 5 parts)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t35: proved free of zeros, |t35| >= 0.00098; status if computed as 0 or not finite
+ *   poles:          t45: proved free of zeros, |t45| >= 6e-05; status if computed as 0 or not finite
+ *   poles:          t51: proved free of zeros, |t51| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t62: proved free of zeros, |t62| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t78: proved free of zeros, |t78| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 1.7e-09 sampled; eta 4.1e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 503 mean 1.127e-05
  *   heldout:        xi 2.299e-05 9.075e-09 1.629e+00, eta 2.854e-05 1.456e-08 1.297e+00, samples 857751
@@ -1621,11 +1596,11 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_checked_n(size_t n, const dou
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387486, -0.57599434315982267, 3.8795558238325096e-16, 1.0196621485804875e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013555083594081226, 1, 1.019154035620699e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013555083594081226, 1, 1.0191540356206985e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666456207719167, 0.66958559874216983, 6.8662681505561574e-16, 2.1182069323718562e-15},
     {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49569509722249805, 1, 2.0399094269905853e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49569509722249805, 1, 2.0399094269905842e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16353081250914497, 0.044289680696786571, 4.331219656508225e-15, 2.1318326106061754e-15},
     {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215995363586, -0.40698366273381803, 8.6166852046181677e-15, 3.5509474618203678e-15},
 };
@@ -1635,17 +1610,13 @@ static const double footpoint_whole_quad4_accurate_points[][19] = {
  *   operations:     134 mul, 6 div, 124 add, 0 sqrt, 10 compare; 113 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d8a6857ebd5b0a6a72adba55b3786834b5e5afa6b74a4b272123c2c480fe0c0d
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t33: proved free of zeros, |t33| >= 0.0014 (rounding error <= 8.2e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t46: proved free of zeros, |t46| >= 0.00035 (rounding error <= 1.3e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t61: proved free of zeros, |t61| >= 0.00031 (rounding error <= 2.2e-10 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t33: proved free of zeros, |t33| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t46: proved free of zeros, |t46| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t61: proved free of zeros, |t61| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t77: proved free of zeros, |t77| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t93: proved free of zeros, |t93| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi <= 5.7e-10 on the hull, 0.00027 at points, 3.6e-12 sampled; eta <= 1.2e-10 on the hull,
- *     0.00096 at points, 8.4e-12 sampled (10000 points, hull of 10000 in 14 parts)
+ *   rounding:       xi 1.3e-09 sampled; eta 1.9e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 593 mean 1.981e-04
  *   heldout:        xi 1.439e-05 3.176e-13 1.200e+00, eta 2.614e-05 3.481e-13 1.527e+00, samples 857751
@@ -1763,17 +1734,12 @@ static const double footpoint_whole_quad4_full_points[][19] = {
  *   operations:     90 mul, 5 div, 92 add, 0 sqrt, 9 compare; 77 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  41538ccd60f5c5730a6cdc30b0f0f19f6fd9d35d4aa5670cbaa821c6bdff18d0
- *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0012 (rounding error <= 6.7e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00034 (rounding error <= 1.7e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00086 (rounding error <= 6.6e-09 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.0003 (rounding error <= 2.6e-10 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 4e-11 on the hull, 1.3e-13 at points, 5e-13 sampled; eta <= 9.4e-11 on the hull, 2.6e-13 at
- *     points, 1.2e-12 sampled (10000 points, hull of 10000 in 4 parts)
+ *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 6.5e-14)
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0012; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00034; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00086; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.0003; status if computed as 0 or not finite
+ *   rounding:       xi 2.1e-10 sampled; eta 1.5e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 371 mean 1.877e-04
  *   heldout:        xi 1.309e-04 3.236e-04 1.497e+00, eta 1.633e-04 3.460e-04 1.215e+00, samples 857751
@@ -1880,19 +1846,13 @@ static const double footpoint_whole_quad4_program1_points[][19] = {
  *   operations:     110 mul, 6 div, 111 add, 0 sqrt, 11 compare; 93 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  3da0e1ddb2002f68f65a872412b56d448cc19c5fdd98b5f25ecb73147ea16622
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
- *   poles:          t31: proved free of zeros, |t31| >= 0.0015 (rounding error <= 3.6e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t41: proved free of zeros, |t41| >= 0.0003 (rounding error <= 2.4e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.0036 (rounding error <= 5e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.00033 (rounding error <= 1.8e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031 (rounding error <= 6.5e-11 on the hull); status if
- *     computed as 0 or not finite
- *   rounding:       xi <= 1.1e-11 on the hull, 1.4e-13 at points, 5.8e-13 sampled; eta <= 2.7e-11 on the hull,
- *     2.4e-13 at points, 1.5e-13 sampled (10000 points, hull of 10000 in 3 parts)
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.7e-14)
+ *   poles:          t31: proved free of zeros, |t31| >= 0.0015; status if computed as 0 or not finite
+ *   poles:          t41: proved free of zeros, |t41| >= 0.0003; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00033; status if computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 2.3e-10 sampled; eta 1.4e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 494 mean 1.558e-05
  *   heldout:        xi 2.569e-05 1.260e-08 1.629e+00, eta 3.385e-05 2.230e-08 1.215e+00, samples 857751
@@ -1993,12 +1953,12 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program2_checked_n(size_t n, const dou
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_program2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387417, -0.57599434315982723, 3.8945549729901525e-16, 1.0215723355156221e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013555083594081226, 1, 1.0733900494144292e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013555083594081226, 1, 1.0733900494144276e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666456207719148, 0.6695855987421705, 7.009991920651065e-16, 2.1291432908826252e-15},
     {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49569509722249805, 1, 2.121483201470354e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16361858687168326, 0.04423826830856141, 4.3724157897616497e-15, 2.1480533487176057e-15},
+    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49569509722249805, 1, 2.1214832014703536e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16361858687168326, 0.04423826830856141, 4.3724157897616497e-15, 2.1480533487176053e-15},
     {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215995363331, -0.40698366273381653, 9.0065815750682635e-15, 3.7203143418277354e-15},
 };
 #endif
@@ -2007,20 +1967,14 @@ static const double footpoint_whole_quad4_program2_points[][19] = {
  *   operations:     128 mul, 7 div, 127 add, 0 sqrt, 12 compare; 109 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  330aa943140973d1844e110fccba0cf4181bb95fa7834a3efb5e7389619f0f26
- *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t32: proved free of zeros, |t32| >= 0.0014 (rounding error <= 8e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t42: proved free of zeros, |t42| >= 0.00035 (rounding error <= 1.3e-11 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t48: proved free of zeros, |t48| >= 0.0036 (rounding error <= 4.4e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.00037 (rounding error <= 9.3e-12 on the hull); status if
- *     computed as 0 or not finite
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031 (rounding error <= 2.6e-10 on the hull); status if
- *     computed as 0 or not finite
+ *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t32: proved free of zeros, |t32| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t42: proved free of zeros, |t42| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t90: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi <= 1.9e-11 on the hull, 1.9e-12 at points, 1.8e-12 sampled; eta <= 1.5e-10 on the hull,
- *     1.4e-12 at points, 5.8e-13 sampled (10000 points, hull of 10000 in 8 parts)
+ *   rounding:       xi 2.4e-09 sampled; eta 4.3e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 614 mean 8.127e-06
  *   heldout:        xi 8.832e-06 2.071e-14 3.714e-01, eta 1.251e-05 2.398e-14 7.845e-01, samples 857751
@@ -2124,11 +2078,11 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program3_checked_n(size_t n, const dou
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_program3_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 3.9310047131868472e-16, 1.0220160222756128e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013622902954401845, 1, 1.0544282262414207e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013622902954401845, 1, 1.0544282262414191e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.2466645620771917, 0.66958559874216983, 6.9769947582378346e-16, 2.1186500643332826e-15},
     {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49561007743759977, 1, 2.0199100720815575e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49561007743759977, 1, 2.0199100720815567e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16353069861755037, 0.044289747318689641, 4.3776878944476537e-15, 2.1509389328528137e-15},
     {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215995363331, -0.40698366273381653, 5.846773494531307e-14, 2.0641016534400565e-14},
 };
