@@ -106,12 +106,19 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
     free(pole.witness);
 }
 
+/* Below this a bound of a denominator's error tells it from 0: a bound with fewer than half the digits right, of the largest
+ * values, does not. */
+static double most_threshold(const struct search *s, const struct denominator *d)
+{
+    return sqrt(s->region->known->arithmetic.unit) * d->most;
+}
+
 /* The errors of divisors, by a part of the work. */
 static void bound_denominators(struct search *s, struct evidence *e)
 {
     for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
         struct denominator *d = &e->denominator[i];
-        const struct bound_goal goal = {d->least, HARMLESS * d->least};
+        const struct bound_goal goal = {d->least, fmax(d->least, most_threshold(s, d)), HARMLESS * d->least};
         d->error = find_error(s, region_op(s->region, d->op), goal, 2 * (e->denominators + e->outputs));
     }
 }
@@ -120,7 +127,8 @@ static void bound_denominators(struct search *s, struct evidence *e)
 static void bound_outputs(struct search *s, struct evidence *e, const struct program *p)
 {
     for (size_t i = 0; i < p->outputs && s->work > 0; i++) {
-        const struct bound_goal goal = {e->error[i].sampled >= 0 ? USEFUL * e->error[i].sampled : INFINITY, 0};
+        const double useful = e->error[i].sampled >= 0 ? USEFUL * e->error[i].sampled : INFINITY;
+        const struct bound_goal goal = {useful, useful, 0};
         e->error[i].bound = find_error(s, region_op(s->region, p->output[i]), goal, p->outputs - i);
     }
 }
@@ -170,12 +178,11 @@ static bool can_bound(const struct known *x)
     return x->complete && origin;
 }
 
-/* A bound with fewer than half the digits right, of the largest values, does not tell a denominator from 0. */
-static void choose_thresholds(struct evidence *e, const struct arithmetic *a)
+static void choose_thresholds(const struct search *s, struct evidence *e)
 {
     for (size_t i = 0; i < e->denominators; i++) {
         struct denominator *d = &e->denominator[i];
-        d->threshold = d->error < sqrt(a->unit) * d->most ? d->error : 0;
+        d->threshold = d->error < most_threshold(s, d) ? d->error : 0;
     }
 }
 
@@ -206,13 +213,13 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
         find_pole(&s, &e->denominator[i], e->denominators + p->outputs - i);
     for (size_t i = 0; i < p->outputs; i++)
         e->error[i] = (struct output_error){INFINITY, -1};
-    if (can_bound(r->known))
-        bound_denominators(&s, e);
     if (e->region && options->sampled)
         take_samples(e, options->sampled);
+    if (can_bound(r->known))
+        bound_denominators(&s, e);
     if (can_bound(r->known) && !options->poles && evidence_pole_free(e))
         bound_outputs(&s, e, p);
-    choose_thresholds(e, &r->known->arithmetic);
+    choose_thresholds(&s, e);
     region_free(r);
     return e;
 }

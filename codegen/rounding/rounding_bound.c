@@ -129,12 +129,15 @@ double bound_error(struct region *r, int op, struct bound_goal goal, long boxes,
         bound = boxes_pop(&s.boxes, s.box);
         if (halved % MIDDLES == 0)
             visit_middle(&s);
-        if (halved >= boxes || *work <= 0 || bound <= fmax(goal.enough, CLOSE * s.reached) || s.reached > goal.useful ||
+        const double useful = s.reached > goal.useful ? goal.threshold : goal.useful;
+        if (halved >= boxes || *work <= 0 || bound <= fmax(goal.enough, CLOSE * s.reached) || s.reached > useful ||
             !forms_evaluate(w, s.box))
             break;
         if (halved == next) {
             const double most = fmin((double)boxes, (double)halved + *work / box_work);
-            if (is_hopeless(before, bound, goal.useful, log2(most / (double)halved)))
+            const double doublings = log2(most / (double)halved);
+            if (is_hopeless(before, bound, useful, doublings) &&
+                (bound <= goal.threshold || is_hopeless(before, bound, goal.threshold, doublings)))
                 break;
             before = bound;
             next *= 2;

@@ -6,8 +6,9 @@
 
 /** Where a search for a bound ends. */
 struct bound_goal {
-    double useful; /* a bound above this is of no use: the search ends where it does not get there */
-    double enough; /* a bound at or below this is good enough; 0: the closer, the better */
+    double useful;    /* a bound above this is of no use: the search ends where it does not get there */
+    double threshold; /* at least that: a bound between the two is of another use, if nothing better is to be had */
+    double enough;    /* a bound at or below this is good enough; 0: the closer, the better */
 };
 
 /** Returns a bound of |computed - exact| of operation `op` of the region's program all over the region, with or without

@@ -191,7 +191,7 @@ static void take_errors(struct sampler *s, struct subject *of, const struct lane
             if (!exact && !(exact = look_exactly(s, of, input, l)))
                 return;
             const double far = exact_error(computed, of->exact + i);
-            if (far > of->found->worst[i]) {
+            if (far > of->found->worst[i] && isfinite(far)) { /* what is not finite has a status */
                 of->found->worst[i] = far;
                 memcpy(of->top[i], s->pool[l], s->region->known->variables * sizeof *of->top[i]);
             }
@@ -381,12 +381,29 @@ static long affordable(const struct sampler *s, long points)
     return (double)points < most ? points : (long)most;
 }
 
+/* Of the functions one by one. */
+static void sample_each(const struct genome_file *f, const struct sampled *of, size_t n, long points,
+                        unsigned long seed, struct sampled_errors *found)
+{
+    for (size_t k = 0; k < n; k++) {
+        struct sampled_errors *one = sampled_errors_new(f, &of[k], 1, points, seed);
+        sampled_errors_free(&found[k]);
+        found[k] = *one;
+        free(one);
+    }
+}
+
 struct sampled_errors *sampled_errors_new(const struct genome_file *f, const struct sampled *of, size_t n, long points,
                                           unsigned long seed)
 {
     struct sampled_errors *found = new_array(n, sizeof *found);
     struct sampler s = sampler_new(f, of, n, found, seed);
     const struct known *x = s.region->known;
+    if (!x->complete && n > 1) { /* inputs of some functions have no range */
+        sampler_free(&s);
+        sample_each(f, of, n, points, seed, found);
+        return found;
+    }
     const long most = affordable(&s, points);
     double *from = new_array(x->variables, sizeof *from);
     long tries = FIRST_TRIES, taken = 0;

@@ -16,7 +16,7 @@
 enum { INPUTS = 3, OPS = 24, PROGRAMS = 400, BOXES = 6, POINTS = 8, INTERVALS = 100000 };
 
 /* Searches go on as long as bounds come closer. */
-static const struct bound_goal closest = {INFINITY, 0};
+static const struct bound_goal closest = {INFINITY, INFINITY, 0};
 
 /* ---- intervals ---- */
 
@@ -480,7 +480,7 @@ static void hopeless_searches_end_early(void **state)
     const double most = 1e9, worst = worst_of(&t);
     double work = most;
     const double bound = bound_error(t.subject.region, region_op(t.subject.region, t.subject.program->output[0]),
-                                     (struct bound_goal){1.01 * worst, 0}, 100000, &work);
+                                     (struct bound_goal){1.01 * worst, 1.01 * worst, 0}, 100000, &work);
     print_message("hopeless: %g, by %g of the work\n", bound, (most - work) / most);
     assert_true(bound >= worst && most - work < 0.1 * most);
     tested_free(&t);
