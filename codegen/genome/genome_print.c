@@ -1,8 +1,8 @@
 /* Printer of genome text (grammar: genome.h): statements as they were written, or with other names, so that a frame can
  * stand in a program more than once; the rest from the data structure. */
+#include "../base/text.h"
 #include "genome.h"
 #include "names.h"
-#include "../base/text.h"
 #include "words.h"
 
 #include <stdlib.h>

@@ -7,8 +7,8 @@
 #ifndef FOOTPOINT_DAG_H
 #define FOOTPOINT_DAG_H
 
-#include "../genome/genome.h"
 #include "../base/index_table.h"
+#include "../genome/genome.h"
 #include "rational.h"
 
 enum node_kind {

@@ -26,15 +26,6 @@ const struct genome *archive_start_genome(const struct archive *a, size_t tier)
     return NULL;
 }
 
-struct quest *archive_quests(const struct archive *a, size_t tier, size_t *n)
-{
-    size_t first = 0;
-    while (a->quest[first].tier < tier)
-        first++;
-    *n = a->scene->tier[tier].program ? 1 : 2;
-    return &a->quest[first];
-}
-
 static void make_quests(struct archive *a)
 {
     a->quest = new_array(2 * a->scene->tiers, sizeof *a->quest);

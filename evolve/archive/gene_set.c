@@ -6,6 +6,15 @@
 
 #include <string.h>
 
+struct quest *archive_quests(const struct archive *a, size_t tier, size_t *n)
+{
+    size_t first = 0;
+    while (a->quest[first].tier < tier)
+        first++;
+    *n = a->scene->tier[tier].program ? 1 : 2;
+    return &a->quest[first];
+}
+
 enum { GRID = 100 }; /* constants -GRID..GRID times 0.05 */
 
 /* Insert by value; each value once. */

@@ -3,8 +3,8 @@
  * carries.  What the root needs is marked in the end. */
 #include "operation_count.h"
 
-#include "../../codegen/genome/gene_value.h"
 #include "../../codegen/base/index_table.h"
+#include "../../codegen/genome/gene_value.h"
 #include "../common/decimal.h"
 
 #include <math.h>

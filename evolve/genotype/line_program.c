@@ -2,8 +2,8 @@
  * lets of its body become lines. */
 #include "line_program.h"
 
-#include "../../codegen/genome/gene_value.h"
 #include "../../codegen/base/random.h"
+#include "../../codegen/genome/gene_value.h"
 #include "../common/decimal.h"
 
 #include <math.h>
