@@ -13,9 +13,9 @@
  *     [0.9,1], xS in [-1.3,1.3], yS in [-1.3,1.3], zS in [-0.3,0.3], xi in [-1.1,1.1], eta in [-1.1,1.1]; all
  *     requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_BEZIER_DERIVATIVES_H
 #define FOOTPOINT_BEZIER_DERIVATIVES_H
@@ -310,11 +310,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   operations:     183 mul, 1 div, 147 add, 1 sqrt, 0 compare; 98 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  5b9934ed475cc1c21efbad2b2fb3e24254291305cbc9e4a43b593ea4ee491b6e
- *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 1.7e-13)
- *   rounding:       r <= 3.1e-15 proved, 2.2e-15 at points, 1.2e-15 sampled; r_xi <= 2.2e-15 proved, 9.3e-16 at
- *     points, 5.7e-16 sampled; r_eta <= 2.3e-15 proved, 6.8e-16 at points, 4.4e-16 sampled; normal <= 7.9e-11 proved,
- *     <= 2.7e-15 on the hull, 1.1e-15 at points, 3e-16 sampled; gap <= 5e-10 proved, <= 8.3e-15 on the hull, 2.2e-15
- *     at points, 5.5e-16 sampled (10000 points, hull of 10000)
+ *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 6e-11)
+ *   rounding:       r <= 3.2e-15 proved, 1.8e-15 sampled; r_xi <= 2.3e-15 proved, 7.4e-16 sampled; r_eta <= 2.2e-15
+ *     proved, 6e-16 sampled; normal 7.2e-16 sampled; gap 2.1e-15 sampled (1000000 points)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -530,17 +528,12 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   operations:     1005 mul, 2 div, 607 add, 1 sqrt, 2 compare; 369 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-157
  *   genome_sha256:  e7bb50664973fbd551f38ad8dbfefa3edd0132ab354f0ebbe599a0862225b4a0
- *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 2.8e-06)
- *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 9.1e-05)
- *   rounding:       r <= 3.1e-15 proved, 2.3e-15 at points, 9.2e-16 sampled; r_xi <= 2.6e-15 proved, 9.8e-16 at
- *     points, 5.3e-16 sampled; r_eta <= 2.7e-15 proved, 1.1e-15 at points, 5.5e-16 sampled; normal <= 4.2e-09 proved,
- *     <= 2.2e-15 on the hull, 1.2e-15 at points, 3.4e-16 sampled; gap <= 5.8e-08 proved, <= 6.9e-15 on the hull,
- *     2.9e-15 at points, 4.6e-16 sampled; d_xi <= 0.47 proved, <= 6.4e-13 on the hull, 9.1e-15 at points, 1.2e-14
- *     sampled; d_eta <= 0.28 proved, <= 3.3e-13 on the hull, 1.4e-14 at points, 1.2e-14 sampled; d_gap <= 1.3e-08
- *     proved, <= 2.8e-15 on the hull, 1.4e-15 at points, 3.9e-16 sampled; d_xi_n <= 2.3e-13 on the hull, 5.6e-15 at
- *     points, 1.2e-15 sampled; d_eta_n <= 0.28 proved, <= 1.2e-13 on the hull, 6e-15 at points, 5.9e-15 sampled;
- *     d_gap_n <= 8.3e-08 proved, <= 1.8e-15 on the hull, 7.4e-16 at points, 3.3e-16 sampled (2099 points, hull of
- *     2257)
+ *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 6.6e-05)
+ *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 0.00079)
+ *   rounding:       r <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 2.6e-15 proved, 8.4e-16 sampled; r_eta <= 2.7e-15
+ *     proved, 8.8e-16 sampled; normal 7.5e-16 sampled; gap 1.7e-15 sampled; d_xi 2.4e-13 sampled; d_eta 3.1e-13
+ *     sampled; d_gap 8.3e-16 sampled; d_xi_n 1.2e-13 sampled; d_eta_n 1.1e-13 sampled; d_gap_n 4.5e-16 sampled
+ *     (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno

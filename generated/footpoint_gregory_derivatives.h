@@ -13,9 +13,9 @@
  *     [0.9,1], xS in [-1.3,1.3], yS in [-1.3,1.3], zS in [-0.3,0.3], xi in [-0.9,0.9], eta in [-0.9,0.9]; all
  *     requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_GREGORY_DERIVATIVES_H
 #define FOOTPOINT_GREGORY_DERIVATIVES_H
@@ -310,23 +310,21 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   operations:     560 mul, 13 div, 387 add, 1 sqrt, 0 compare; 234 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-162
  *   genome_sha256:  5c7d4100bfab5cdf6f9fd072bdb30091afe478e1f963f3a9175b330a24db6056
- *   poles:          t15 - t22: proved free of zeros, |...| >= 0.29 (rounding error <= 2e-15)
+ *   poles:          t15 - t22: proved free of zeros, |...| >= 0.29 (rounding error <= 2.2e-15)
  *   poles:          t14 + t15: proved free of zeros, |...| >= 0.29 (rounding error <= 1.9e-15)
- *   poles:          t22 - t17: proved free of zeros, |...| >= 0.29 (rounding error <= 2e-15)
- *   poles:          t14 + t17: proved free of zeros, |...| >= 0.29 (rounding error <= 2e-15)
- *   poles:          t27 - t18 * t18: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
- *   poles:          t27 - t20 * t20: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
- *   poles:          t30 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
- *   poles:          t30 - t25 * t25: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
- *   poles:          t33 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
- *   poles:          t33 - t24 * t24: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
- *   poles:          t34 - t26 * t26: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
- *   poles:          t34 - t21 * t21: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
+ *   poles:          t22 - t17: proved free of zeros, |...| >= 0.29 (rounding error <= 2.6e-15)
+ *   poles:          t14 + t17: proved free of zeros, |...| >= 0.29 (rounding error <= 2.2e-15)
+ *   poles:          t27 - t18 * t18: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t27 - t20 * t20: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t30 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t30 - t25 * t25: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t33 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t33 - t24 * t24: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t34 - t26 * t26: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t34 - t21 * t21: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
  *   poles:          of 1 more denominators, 1 are proved free of zeros, 1 of these as computed, too
- *   rounding:       r <= 3.8e-13 proved, <= 6.4e-15 on the hull, 2.9e-15 at points, 1.1e-15 sampled; r_xi <= 1.2e-13
- *     proved, <= 3.7e-15 on the hull, 1.7e-15 at points, 5.9e-16 sampled; r_eta <= 1.2e-13 proved, <= 3.7e-15 on the
- *     hull, 1.7e-15 at points, 5.3e-16 sampled; normal <= 2.8e-15 on the hull, 8.9e-16 at points, 4.4e-16 sampled;
- *     gap <= 7.9e-15 on the hull, 2.4e-15 at points, 3.8e-16 sampled (3686 points, hull of 7144)
+ *   rounding:       r 1.9e-15 sampled; r_xi 7.6e-16 sampled; r_eta 8.4e-16 sampled; normal 5e-16 sampled; gap 9.5e-16
+ *     sampled (587026 points)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -623,27 +621,22 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   operations:     3065 mul, 14 div, 2029 add, 1 sqrt, 2 compare; 1023 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-148
  *   genome_sha256:  71fb8a0fe8cc9949f05e74ae714d5793adb532ba7edc7b1c62f5b21ee1d4aaab
- *   poles:          u1 - t17: proved free of zeros, |...| >= 0.19 (rounding error <= 1.7e-15)
+ *   poles:          u1 - t17: proved free of zeros, |...| >= 0.19 (rounding error <= 1.9e-15)
  *   poles:          t13 + u1: proved free of zeros, |...| >= 0.19 (rounding error <= 1.7e-15)
- *   poles:          t13 + u2: proved free of zeros, |...| >= 0.19 (rounding error <= 1.7e-15)
- *   poles:          t26 - t18 * t18: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
- *   poles:          t29 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
- *   poles:          t29 - t21 * t21: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
- *   poles:          t17 - u2: proved free of zeros, |...| >= 0.19 (rounding error <= 1.7e-15)
- *   poles:          t31 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
- *   poles:          t32 - t20 * t20: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
- *   poles:          t26 - t27 * t27: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
- *   poles:          t31 - t28 * t28: proved free of zeros, |...| >= 1.6 (rounding error <= 4.5e-15)
- *   poles:          t32 - t30 * t30: proved free of zeros, |...| >= 1.6 (rounding error <= 4.6e-15)
+ *   poles:          t13 + u2: proved free of zeros, |...| >= 0.19 (rounding error <= 1.9e-15)
+ *   poles:          t26 - t18 * t18: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t29 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t29 - t21 * t21: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t17 - u2: proved free of zeros, |...| >= 0.19 (rounding error <= 2.1e-15)
+ *   poles:          t31 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t32 - t20 * t20: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t26 - t27 * t27: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t31 - t28 * t28: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t32 - t30 * t30: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
  *   poles:          of 2 more denominators, 2 are proved free of zeros, 2 of these as computed, too
- *   rounding:       r <= 1.4e-13 proved, <= 4.6e-15 on the hull, 2e-15 at points, 7.6e-16 sampled; r_xi <= 3e-12
- *     proved, <= 2.8e-15 on the hull, 1.3e-15 at points, 4e-16 sampled; r_eta <= 3e-12 proved, <= 3.2e-15 on the
- *     hull, 1.5e-15 at points, 4.6e-16 sampled; normal <= 2.1e-15 on the hull, 1e-15 at points, 3.1e-16 sampled; gap
- *     <= 5.2e-15 on the hull, 2.1e-15 at points, 2.4e-16 sampled; d_xi <= 2.8e-14 on the hull, 2.8e-14 at points,
- *     2.1e-15 sampled; d_eta <= 5.8e-14 on the hull, 2.8e-14 at points, 2.7e-15 sampled; d_gap <= 3.2e-15 on the
- *     hull, 1.5e-15 at points, 4.4e-16 sampled; d_xi_n <= 9.1e-15 on the hull, 5.1e-15 at points, 4.3e-16 sampled;
- *     d_eta_n <= 9.8e-15 on the hull, 4.4e-15 at points, 7e-16 sampled; d_gap_n <= 2.1e-15 on the hull, 9.7e-16 at
- *     points, 2e-16 sampled (698 points, hull of 308)
+ *   rounding:       r 1.2e-15 sampled; r_xi 6.4e-16 sampled; r_eta 7.5e-16 sampled; normal 3.8e-16 sampled; gap
+ *     6.9e-16 sampled; d_xi 3.8e-13 sampled; d_eta 2.3e-13 sampled; d_gap 5.8e-16 sampled; d_xi_n 4.1e-14 sampled;
+ *     d_eta_n 3.7e-14 sampled; d_gap_n 3.7e-16 sampled (587026 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno

@@ -11,9 +11,9 @@
  *     [-0.2,0.2], xS in [-1.3,1.3], yS in [-1.3,1.3], zS in [-0.3,0.3], xi in [-1.1,1.1], eta in [-1.1,1.1]; all
  *     requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_QUAD4_DERIVATIVES_H
 #define FOOTPOINT_QUAD4_DERIVATIVES_H
@@ -308,11 +308,10 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   operations:     58 mul, 1 div, 53 add, 1 sqrt, 0 compare; 31 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  bb5005fe31fb3596d4886d7c660c5b908ce839dc286cb5924955e7d4a1a9a050
- *   poles:          t21: proved free of zeros, |t21| >= 0.24 (rounding error <= 5.6e-15)
- *   rounding:       phi <= 3.7e-16 proved, 3.7e-16 at points, 3.3e-16 sampled; r_xi <= 4.2e-16 proved, 3.1e-16 at
- *     points, 2.5e-16 sampled; r_eta <= 4.2e-16 proved, 2.8e-16 at points, 2.4e-16 sampled; normal <= 1.1e-14 proved,
- *     <= 8.4e-16 on the hull, 4.5e-16 at points, 2.5e-16 sampled; gap <= 3.4e-14 proved, <= 2.9e-15 on the hull,
- *     7.2e-16 at points, 2e-16 sampled (10000 points, hull of 10000)
+ *   poles:          t21: proved free of zeros, |t21| >= 0.24 (rounding error <= 1.5e-14)
+ *   rounding:       phi <= 3.7e-16 proved, 3.5e-16 sampled; r_xi <= 4.2e-16 proved, 2.9e-16 sampled; r_eta <= 4.3e-16
+ *     proved, 2.7e-16 sampled; normal <= 8.2e-15 proved, 2.7e-16 sampled; gap <= 2.9e-14 proved, 6.9e-16 sampled
+ *     (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -497,14 +496,11 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
  *   operations:     158 mul, 2 div, 99 add, 1 sqrt, 1 compare; 76 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d895840271d658b1c628c2df8cb353fb02888706754b166c5595e79c9cbac905
- *   poles:          t27: proved free of zeros, |t27| >= 0.029 (rounding error <= 6.4e-15)
- *   poles:          t30: proved free of zeros, |t30| >= 1.5 (rounding error <= 3e-13)
- *   rounding:       phi <= 3.7e-16 proved, 3.6e-16 at points, 3.3e-16 sampled; r_xi <= 4.2e-16 proved, 2.9e-16 at
- *     points, 2.4e-16 sampled; r_eta <= 4.2e-16 proved, 3e-16 at points, 2.4e-16 sampled; normal <= 4.2e-14 proved,
- *     <= 9.3e-16 on the hull, 4.8e-16 at points, 2.6e-16 sampled; gap <= 9.1e-14 proved, <= 2.8e-15 on the hull,
- *     9e-16 at points, 2e-16 sampled; d_xi <= 1.8e-10 proved, <= 1.5e-14 on the hull, 4.4e-15 at points, 8e-16
- *     sampled; d_eta <= 2e-10 proved, <= 1.6e-14 on the hull, 4.4e-15 at points, 8.7e-16 sampled; d_gap <= 4.2e-14
- *     proved, <= 1.6e-15 on the hull, 9.5e-16 at points, 4.1e-16 sampled (10000 points, hull of 10000)
+ *   poles:          t27: proved free of zeros, |t27| >= 0.029 (rounding error <= 1.6e-14)
+ *   poles:          t30: proved free of zeros, |t30| >= 1.5 (rounding error <= 6.1e-13)
+ *   rounding:       phi <= 3.7e-16 proved, 3.5e-16 sampled; r_xi <= 4.2e-16 proved, 2.9e-16 sampled; r_eta <= 4.3e-16
+ *     proved, 2.7e-16 sampled; normal 3e-16 sampled; gap 5.7e-16 sampled; d_xi 6.2e-14 sampled; d_eta 6e-14 sampled;
+ *     d_gap <= 3e-14 proved, 7.1e-16 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -755,13 +751,10 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
  *   operations:     482 mul, 2 div, 269 add, 1 sqrt, 1 compare; 236 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ee1f534bfb616bf23982d1e7e35713e6471aaa52c258fc385c67cf270f10342c
- *   poles:          t25: proved free of zeros, |t25| >= 0.0063 (rounding error <= 1.8e-15)
- *   poles:          t32: proved free of zeros, |t32| >= 1.5 (rounding error <= 3.4e-13)
- *   rounding:       gap <= 1.2e-13 proved, <= 2.8e-15 on the hull, 8.1e-16 at points, 2.1e-16 sampled; d_xi <=
- *     1.3e-10 proved, <= 1.4e-14 on the hull, 2.9e-15 at points, 1.1e-15 sampled; d_eta <= 1.3e-10 proved, <= 1.6e-14
- *     on the hull, 2.4e-15 at points, 7.8e-16 sampled; d_gap <= 3.3e-14 proved, <= 1.6e-15 on the hull, 8.9e-16 at
- *     points, 3.9e-16 sampled; d_normal <= 1.7e-10 proved, <= 1.6e-14 on the hull, 3e-15 at points, 6.7e-16 sampled;
- *     hessian <= 6e-10 proved, <= 1.7e-14 on the hull, 3e-15 at points, 7.2e-16 sampled (4914 points, hull of 7356)
+ *   poles:          t25: proved free of zeros, |t25| >= 0.0063 (rounding error <= 3.8e-15)
+ *   poles:          t32: proved free of zeros, |t32| >= 1.5 (rounding error <= 6.1e-13)
+ *   rounding:       gap 6.3e-16 sampled; d_xi 6.9e-14 sampled; d_eta 6.8e-14 sampled; d_gap <= 4.2e-14 proved,
+ *     6.2e-16 sampled; d_normal 5.6e-14 sampled; hessian 5.9e-14 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[15 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

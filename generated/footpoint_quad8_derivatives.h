@@ -13,9 +13,9 @@
  *     [-0.1,0.1], xS in [-1.3,1.3], yS in [-1.3,1.3], zS in [-0.3,0.3], xi in [-1.1,1.1], eta in [-1.1,1.1]; all
  *     requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_QUAD8_DERIVATIVES_H
 #define FOOTPOINT_QUAD8_DERIVATIVES_H
@@ -310,11 +310,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   operations:     141 mul, 1 div, 118 add, 1 sqrt, 0 compare; 65 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  69a9f3aff81f67f868f9a458bd4fa31e14a151896d68b6597369303b856cb84a
- *   poles:          t56: proved free of zeros, |t56| >= 0.099 (rounding error <= 1.6e-13)
- *   rounding:       phi <= 7.5e-16 proved, 5.8e-16 at points, 3.6e-16 sampled; r_xi <= 4.9e-15 proved, 3.6e-15 at
- *     points, 1.7e-15 sampled; r_eta <= 5.1e-15 proved, 3.1e-15 at points, 1.8e-15 sampled; normal <= 8.7e-11 proved,
- *     <= 4.9e-15 on the hull, 1.4e-15 at points, 5.6e-16 sampled; gap <= 2.5e-10 proved, <= 1.4e-14 on the hull,
- *     3.5e-15 at points, 1.1e-15 sampled (10000 points, hull of 10000)
+ *   poles:          t56: proved free of zeros, |t56| >= 0.099 (rounding error <= 9.5e-12)
+ *   rounding:       phi <= 7.5e-16 proved, 4.9e-16 sampled; r_xi <= 4.9e-15 proved, 2.9e-15 sampled; r_eta <= 5.2e-15
+ *     proved, 3.4e-15 sampled; normal 3.8e-15 sampled; gap 7.3e-15 sampled (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -527,14 +525,11 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   operations:     390 mul, 2 div, 242 add, 1 sqrt, 2 compare; 147 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c6f659ce1991be748590b2493e72259687866a4c128121b82bea3024dd72ec08
- *   poles:          t93: proved free of zeros, |t93| >= 1.5 (rounding error <= 1.2e-09)
- *   poles:          t95: proved free of zeros, |t95| >= 1.5 (rounding error <= 3.5e-11)
- *   rounding:       phi <= 7.5e-16 proved, 5.7e-16 at points, 4.1e-16 sampled; r_xi <= 7.4e-15 proved, 5.1e-15 at
- *     points, 2.4e-15 sampled; r_eta <= 7.7e-15 proved, 5.9e-15 at points, 2.6e-15 sampled; normal <= 1.1e-08 proved,
- *     <= 7.3e-15 on the hull, 2e-15 at points, 7.1e-16 sampled; gap <= 5.4e-08 proved, <= 1.9e-14 on the hull,
- *     4.5e-15 at points, 1.2e-15 sampled; d_xi <= 0.0063 proved, <= 3.9e-12 on the hull, 3e-13 at points, 7e-14
- *     sampled; d_eta <= 0.0064 proved, <= 3.2e-12 on the hull, 6.6e-13 at points, 1.3e-13 sampled; d_gap <= 1.6e-08
- *     proved, <= 8.9e-15 on the hull, 2.6e-15 at points, 8.9e-16 sampled (5398 points, hull of 10000)
+ *   poles:          t93: proved free of zeros, |t93| >= 1.5 (rounding error <= 6e-09)
+ *   poles:          t95: proved free of zeros, |t95| >= 1.5 (rounding error <= 2e-09)
+ *   rounding:       phi <= 7.5e-16 proved, 4.8e-16 sampled; r_xi <= 7.5e-15 proved, 4e-15 sampled; r_eta <= 7.7e-15
+ *     proved, 4.3e-15 sampled; normal 5e-15 sampled; gap 4.6e-15 sampled; d_xi 1.2e-11 sampled; d_eta 5.4e-12
+ *     sampled; d_gap 5.1e-15 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -865,13 +860,10 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
  *   operations:     1968 mul, 2 div, 784 add, 1 sqrt, 2 compare; 458 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d8392c52de2fc7774e3fe113eafbaa26f2dbb63230e5c81e64ed7911e087aef2
- *   poles:          t84: proved free of zeros, |t84| >= 25 (rounding error <= 7.6e-09)
- *   poles:          t90: proved free of zeros, |t90| >= 25 (rounding error <= 3.7e-08)
- *   rounding:       gap <= 8e-05 proved, <= 8.6e-15 on the hull, 4.3e-15 at points, 1.1e-15 sampled; d_xi <= 1.2
- *     proved, <= 7.3e-13 on the hull, 2.9e-13 at points, 5.5e-13 sampled; d_eta <= 1.2 proved, <= 1.2e-12 on the
- *     hull, 2.7e-13 at points, 2.6e-13 sampled; d_gap <= 7.1e-07 proved, <= 4.3e-15 on the hull, 2e-15 at points,
- *     5.4e-16 sampled; d_normal <= 2.7e-12 on the hull, 5e-13 at points, 1.1e-12 sampled; hessian <= 2.7e-12 on the
- *     hull, 5e-13 at points, 1.2e-12 sampled (1099 points, hull of 547)
+ *   poles:          t84: proved free of zeros, |t84| >= 25 (rounding error <= 4.7e-08)
+ *   poles:          t90: proved free of zeros, |t90| >= 25 (rounding error <= 1.5e-07)
+ *   rounding:       gap 5.3e-15 sampled; d_xi 9.7e-12 sampled; d_eta 6.2e-12 sampled; d_gap 4.5e-15 sampled; d_normal
+ *     1.2e-11 sampled; hessian 1.9e-11 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[27 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

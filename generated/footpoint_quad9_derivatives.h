@@ -13,9 +13,9 @@
  *     [-0.1,0.1], xI in [-0.1,0.1], yI in [-0.1,0.1], zI in [-0.1,0.1], xS in [-1.3,1.3], yS in [-1.3,1.3], zS in
  *     [-0.3,0.3], xi in [-1.1,1.1], eta in [-1.1,1.1]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_QUAD9_DERIVATIVES_H
 #define FOOTPOINT_QUAD9_DERIVATIVES_H
@@ -310,11 +310,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   operations:     142 mul, 1 div, 125 add, 1 sqrt, 0 compare; 67 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  fae6e7af9b3bafc9a402bd96d933e5d06f86b21bbe64c76c284a6d0daffabdd6
- *   poles:          t62: proved free of zeros, |t62| >= 0.099 (rounding error <= 5.1e-13)
- *   rounding:       phi <= 7.5e-16 proved, 4.9e-16 at points, 3.5e-16 sampled; r_xi <= 7.5e-15 proved, 4.2e-15 at
- *     points, 1.8e-15 sampled; r_eta <= 7.5e-15 proved, 4.5e-15 at points, 2.2e-15 sampled; normal <= 2.7e-10 proved,
- *     <= 8.7e-15 on the hull, 1.8e-15 at points, 5.7e-16 sampled; gap <= 9.4e-10 proved, <= 2e-14 on the hull,
- *     3.9e-15 at points, 1.1e-15 sampled (10000 points, hull of 10000)
+ *   poles:          t62: proved free of zeros, |t62| >= 0.099 (rounding error <= 6.5e-10)
+ *   rounding:       phi <= 7.5e-16 proved, 5.9e-16 sampled; r_xi <= 7.6e-15 proved, 4.6e-15 sampled; r_eta <= 7.6e-15
+ *     proved, 5e-15 sampled; normal 3.5e-15 sampled; gap 1e-14 sampled (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -537,14 +535,11 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
  *   operations:     421 mul, 2 div, 280 add, 1 sqrt, 2 compare; 144 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d69c7bc521c8ffdbf4263ae2ad0f218e7eb12bf908b32af58b8ac7761de2c77f
- *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 6.2e-10)
- *   poles:          t97: proved free of zeros, |t97| >= 0.099 (rounding error <= 2.8e-11)
- *   rounding:       phi <= 7.5e-16 proved, 6.3e-16 at points, 3.4e-16 sampled; r_xi <= 7.9e-15 proved, 5.5e-15 at
- *     points, 1.8e-15 sampled; r_eta <= 7e-15 proved, 4.4e-15 at points, 2e-15 sampled; normal <= 3.2e-07 proved, <=
- *     8.3e-15 on the hull, 1.9e-15 at points, 4.3e-16 sampled; gap <= 3e-06 proved, <= 2e-14 on the hull, 3.8e-15 at
- *     points, 5.8e-16 sampled; d_xi <= 3.4 proved, <= 1.5e-11 on the hull, 1.7e-12 at points, 4.2e-13 sampled; d_eta
- *     <= 3.5 proved, <= 1.7e-11 on the hull, 1.4e-12 at points, 4.9e-13 sampled; d_gap <= 6.2e-07 proved, <= 9.3e-15
- *     on the hull, 1.9e-15 at points, 5.2e-16 sampled (5089 points, hull of 10000)
+ *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 3.6e-09)
+ *   poles:          t97: proved free of zeros, |t97| >= 0.099 (rounding error <= 1.3e-09)
+ *   rounding:       phi <= 7.5e-16 proved, 5.9e-16 sampled; r_xi <= 7.9e-15 proved, 4.2e-15 sampled; r_eta <= 7e-15
+ *     proved, 3.3e-15 sampled; normal 3.4e-15 sampled; gap 6.9e-15 sampled; d_xi 2.1e-11 sampled; d_eta 2.4e-11
+ *     sampled; d_gap 4.3e-15 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -897,13 +892,10 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
  *   operations:     2439 mul, 2 div, 928 add, 1 sqrt, 2 compare; 494 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  6739760367d67701ff36c5edc81936170d736b2b2ab7a92f64b85139eaaf310f
- *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 5.4e-08)
- *   poles:          t110: proved free of zeros, |t110| >= 25 (rounding error <= 5.6e-07)
- *   rounding:       gap <= 0.0043 proved, <= 9.4e-15 on the hull, 3.4e-15 at points, 5.4e-16 sampled; d_xi <= 1.7e-12
- *     on the hull, 6.4e-13 at points, 4.1e-13 sampled; d_eta <= 1.2e-12 on the hull, 4.4e-13 at points, 2.9e-13
- *     sampled; d_gap <= 0.00096 proved, <= 5.6e-15 on the hull, 2.1e-15 at points, 4.9e-16 sampled; d_normal <=
- *     2.5e-12 on the hull, 1.2e-12 at points, 6.2e-13 sampled; hessian <= 2.5e-12 on the hull, 1.2e-12 at points,
- *     6.2e-13 sampled (899 points, hull of 392)
+ *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 3.4e-07)
+ *   poles:          t110: proved free of zeros, |t110| >= 25 (rounding error <= 1.7e-06)
+ *   rounding:       gap 4.2e-15 sampled; d_xi 4.3e-11 sampled; d_eta 4.5e-11 sampled; d_gap 2.7e-15 sampled; d_normal
+ *     5.8e-11 sampled; hessian 9.1e-11 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[30 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

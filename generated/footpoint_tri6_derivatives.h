@@ -12,9 +12,9 @@
  *     [0.45,0.55], zF in [-0.05,0.05], xS in [-0.2,1.2], yS in [-0.2,1.2], zS in [-0.15,0.15], xi in [-0.1,1.1], eta
  *     in [-0.1,1.1]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA; on the hull of
- * the values at points of it, at 200 points, and sampled; heldout...: mean, 99 % and worst error of xi and eta on
- * samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
+ * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
  */
 #ifndef FOOTPOINT_TRI6_DERIVATIVES_H
 #define FOOTPOINT_TRI6_DERIVATIVES_H
@@ -309,11 +309,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   operations:     82 mul, 1 div, 79 add, 1 sqrt, 0 compare; 50 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  302e713e39d7cf8d9d8cc304dc1fdcc4bfec25a2a8ca46df90d301222dce9811
- *   poles:          t33: proved free of zeros, |t33| >= 0.099 (rounding error <= 5.3e-13)
- *   rounding:       phi <= 3.1e-15 proved, 2.7e-15 at points, 1.5e-15 sampled; r_xi <= 5.5e-15 proved, 3.6e-15 at
- *     points, 1.8e-15 sampled; r_eta <= 5.5e-15 proved, 3.7e-15 at points, 1.6e-15 sampled; normal <= 2.1e-09 proved,
- *     <= 2.4e-14 on the hull, 2.7e-15 at points, 1.5e-15 sampled; gap <= 8.3e-09 proved, <= 1.6e-14 on the hull,
- *     4e-15 at points, 9.1e-16 sampled (10000 points, hull of 10000)
+ *   poles:          t33: proved free of zeros, |t33| >= 0.099 (rounding error <= 1.3e-12)
+ *   rounding:       phi <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 5.5e-15 proved, 2.9e-15 sampled; r_eta <= 5.5e-15
+ *     proved, 2.7e-15 sampled; normal 1.1e-14 sampled; gap 4.5e-15 sampled (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -512,14 +510,11 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
  *   operations:     277 mul, 2 div, 159 add, 1 sqrt, 2 compare; 101 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  66acb82d8f66077c7d2a5b77415d5214a80fbdc32e78dda7e100748090fb62fe
- *   poles:          t52: proved free of zeros, |t52| >= 0.0062 (rounding error <= 1.6e-13)
- *   poles:          t48: proved free of zeros, |t48| >= 0.024 (rounding error <= 1.5e-13)
- *   rounding:       phi <= 3.1e-15 proved, 2.7e-15 at points, 1.5e-15 sampled; r_xi <= 5.5e-15 proved, 4.3e-15 at
- *     points, 2.4e-15 sampled; r_eta <= 5.5e-15 proved, 4.1e-15 at points, 1.5e-15 sampled; normal <= 2.9e-09 proved,
- *     <= 2.4e-14 on the hull, 7e-15 at points, 2.2e-15 sampled; gap <= 1.4e-08 proved, <= 1.4e-14 on the hull,
- *     5.3e-15 at points, 8.5e-16 sampled; d_xi <= 7.9e-05 proved, <= 4.7e-12 on the hull, 2e-13 at points, 1.9e-13
- *     sampled; d_eta <= 7.9e-05 proved, <= 1.4e-11 on the hull, 1.8e-12 at points, 2.8e-13 sampled; d_gap <= 1.5e-08
- *     proved, <= 1.2e-13 on the hull, 2.5e-14 at points, 8.9e-15 sampled (7220 points, hull of 10000)
+ *   poles:          t52: proved free of zeros, |t52| >= 0.0062 (rounding error <= 2.9e-13)
+ *   poles:          t48: proved free of zeros, |t48| >= 0.024 (rounding error <= 3.1e-13)
+ *   rounding:       phi <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 5.5e-15 proved, 2.9e-15 sampled; r_eta <= 5.5e-15
+ *     proved, 2.7e-15 sampled; normal 1.4e-14 sampled; gap 4.6e-15 sampled; d_xi 2.2e-11 sampled; d_eta 3e-11
+ *     sampled; d_gap 6.4e-14 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -808,13 +803,10 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
  *   operations:     1087 mul, 2 div, 474 add, 1 sqrt, 2 compare; 337 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e97c2cfb95368c214b41d6aeff67ea87644c739c2939c1ca26ad33ae5e3c7d21
- *   poles:          t55: proved free of zeros, |t55| >= 0.0062 (rounding error <= 5.6e-14)
- *   poles:          t61: proved free of zeros, |t61| >= 0.0062 (rounding error <= 2.8e-13)
- *   rounding:       gap <= 2.7e-08 proved, <= 1.3e-14 on the hull, 3.3e-15 at points, 6.1e-16 sampled; d_xi <=
- *     0.00033 proved, <= 2.2e-12 on the hull, 1.8e-13 at points, 6.8e-14 sampled; d_eta <= 0.00033 proved, <= 1.5e-12
- *     on the hull, 3.6e-13 at points, 8.3e-14 sampled; d_gap <= 2.6e-08 proved, <= 7.7e-14 on the hull, 9.5e-15 at
- *     points, 1.1e-14 sampled; d_normal <= 0.8 proved, <= 5.2e-12 on the hull, 8e-13 at points, 3.9e-13 sampled;
- *     hessian <= 20 proved, <= 1.2e-11 on the hull, 1.9e-12 at points, 7.1e-13 sampled (1947 points, hull of 1446)
+ *   poles:          t55: proved free of zeros, |t55| >= 0.0062 (rounding error <= 1.2e-13)
+ *   poles:          t61: proved free of zeros, |t61| >= 0.0062 (rounding error <= 4.5e-13)
+ *   rounding:       gap 3.5e-15 sampled; d_xi 2.9e-11 sampled; d_eta 9.8e-12 sampled; d_gap 3.2e-14 sampled; d_normal
+ *     3.3e-11 sampled; hessian 1.7e-10 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[21 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno
