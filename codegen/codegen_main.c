@@ -5,6 +5,7 @@
 #include "print/fortran.h"
 #include "print/header/header.h"
 #include "print/header/header_place.h"
+#include "print/points.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,11 +19,22 @@ static void print_counts(const struct unit *u)
     }
 }
 
+static bool write_points(const struct unit *u, const char *path, struct diag *d)
+{
+    struct outfile out;
+    if (!outfile_open(&out, path, d))
+        return false;
+    points_print(u, out.stream);
+    return outfile_commit(&out, d);
+}
+
 static bool write_code(const struct unit *u, const struct codegen_options *o, struct diag *d)
 {
     struct outfile out;
     bool good = true;
-    if ((o->language == LANGUAGE_C && u->file->face && !place_check(u, d)) || !outfile_open(&out, o->output, d))
+    if (o->language == LANGUAGE_C && u->file->face && !place_check(u, d))
+        return false;
+    if ((o->points && !write_points(u, o->points, d)) || !outfile_open(&out, o->output, d))
         return false;
     if (o->language == LANGUAGE_C)
         header_print(u, out.stream);
@@ -36,13 +48,16 @@ static bool write_code(const struct unit *u, const struct codegen_options *o, st
     return false;
 }
 
-/* What the genome file decides: the precision, unless it was given, and what samples look like. */
+/* What the genome file decides: the precision, unless it was given, whether there are test points, and what samples look
+ * like. */
 static bool read_samples(const struct codegen_options *o, const struct genome_file *f, struct unit_options *unit,
                          struct measure_samples *samples, struct diag *d)
 {
     const char *precision = genome_find_note(f->note, f->notes, "precision");
     if (!o->precision_given && precision && strcmp(precision, "float") == 0)
         unit->precision = PRECISION_FLOAT;
+    if (o->points && (unit->precision == PRECISION_FLOAT || f->face || o->language != LANGUAGE_C))
+        return diag_at(d, f->path, 0, 0, "--points are for C code in double, but not at places of faces");
     if (!o->samples)
         return true;
     if (unit->precision != PRECISION_FLOAT || !f->segment || f->face || o->language != LANGUAGE_C)
@@ -54,6 +69,7 @@ static bool read_samples(const struct codegen_options *o, const struct genome_fi
 static bool run(const struct codegen_options *o, struct diag *d)
 {
     const struct file_use file[] = {{"the output", o->output, true, 0},
+                                    {"--points", o->points, true, 0},
                                     {"the genome file", o->genomes, false, 0},
                                     {"--samples", o->samples, false, 0},
                                     {"--cost", o->cost, false, 0}};

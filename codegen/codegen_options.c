@@ -57,6 +57,8 @@ static const struct option_row rows[] = {
     {"samples", 0, OPTION_TEXT, AT(samples), "FILE",
      .help = "of footpoint-evolve --samples: float code of a segment is measured on them, takes edges of any size, and "
              "gets NAME_sure, which checks answers for the worst error measured"},
+    {"points", 0, OPTION_TEXT, AT(points), "FILE",
+     .help = "write test points to FILE, a C header for your tests: inputs, exact outputs and allowed errors"},
     {"allow-poles", 0, OPTION_FLAG, AT(unit.allow_poles),
      .help = "accept genomes that may divide by 0: functions of scalars then return a status"},
     {"count", 0, OPTION_FLAG, AT(count), .help = "operation counts to standard output"},
@@ -109,6 +111,8 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
         return options_refuse(t, d, "one genome file, please (try --help)");
     if (o->count == (o->output != NULL))
         return options_refuse(t, d, "either -o FILE or --count, please (try --help)");
+    if (o->count && o->points)
+        return options_refuse(t, d, "--points goes with -o FILE (try --help)");
     if (o->cost && !cost_model_find(o->cost, &compile->cost, d))
         return false;
     if (o->output && !*o->prefix)
@@ -127,13 +131,15 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
 }
 
 /* The call that a header names: files without their folders, which are others elsewhere, the output by what its names
- * begin with, and not how much is said meanwhile, so that the same text goes wherever it is written. */
+ * begin with, and neither how much is said meanwhile nor the file of test points, so that the same text goes wherever it
+ * is written. */
 static void write_command(int argc, char **argv, struct codegen_options *o)
 {
     const size_t room = sizeof o->command;
     size_t n = (size_t)snprintf(o->command, room, "footpoint-codegen");
     for (int i = 1; i < argc && n < room; i++) {
-        if (strcmp(argv[i], "--quiet") == 0)
+        i += strcmp(argv[i], "--points") == 0;
+        if (strcmp(argv[i], "--quiet") == 0 || argv[i] == o->points || strncmp(argv[i], "--points=", 9) == 0)
             continue;
         const char *slash = strrchr(argv[i], '/'), *value = strchr(argv[i], '=');
         const int option = argv[i][0] == '-' && value && slash ? (int)(value + 1 - argv[i]) : 0;

@@ -11,8 +11,8 @@ enum { CODEGEN_PREFIX = 160 };
 enum language { LANGUAGE_C, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
 
 struct codegen_options {
-    const char *genomes, *output; /* files, not owned; output NULL: --count */
-    const char *samples, *cost;   /* files, not owned; NULL: none */
+    const char *genomes, *output;        /* files, not owned; output NULL: --count */
+    const char *points, *samples, *cost; /* files, not owned; NULL: none */
     bool count;
     const char *explain;  /* not owned: a pass, "" for the counts alone; NULL: not asked for */
     bool precision_given; /* else the genomes' note `precision` counts */

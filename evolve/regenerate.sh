@@ -6,17 +6,20 @@
 # says is in $BIN/regenerate/NAME.log, if there are several.
 progress() { printf '%s\n' "$*" >&2; }
 
-emit() { # emit GENOMES HEADER [SCENE whose samples single precision is measured on]
+# emit GENOMES HEADER [SCENE whose samples single precision is measured on]: the header, and the test points of searches in double
+emit() {
     if [ "$GENERATIONS" -gt 0 ] && grep -q "sha256: $(sha256sum < "$1" | cut -d ' ' -f 1)" "$2" 2> /dev/null; then
         echo "$2 is as it was"
         return
     fi
-    samples=
+    samples='' points=''
     if grep -q '^note precision float' "$1"; then
         samples=$BIN/$(basename "$1").samples
         "$BIN/footpoint-evolve" --scene "$3" --samples "$samples" || return
+    elif ! grep -q '^face ' "$1"; then
+        points=tests/generated/points/$(basename "$2" .h)_points.h
     fi
-    "$BIN/footpoint-codegen" --allow-poles ${samples:+--samples "$samples"} "$1" -o "$2" || return
+    "$BIN/footpoint-codegen" --allow-poles ${samples:+--samples "$samples"} ${points:+--points "$points"} "$1" -o "$2" || return
     rm -f "$samples"
     echo "$2"
 }

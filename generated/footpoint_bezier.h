@@ -432,10 +432,9 @@ footpoint_detail_bezier_over_n(footpoint_detail_search *search, const double *co
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_bezier_facet(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double nA[3], const double nB[3],
-                                        const double nC[3], const double nD[3], const double xS[3], double zero,
-                                        double *xi, double *eta)
+footpoint_bezier_facet_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -462,13 +461,13 @@ FOOTPOINT_FN void footpoint_bezier_facet_at(const double xA[3], const double xB[
                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
                                             double *eta)
 {
-    (void)footpoint_detail_footpoint_bezier_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_bezier_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_bezier_facet(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_bezier_facet_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_bezier_facet(
+    unsigned long long flaw = footpoint_bezier_facet_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
@@ -481,8 +480,8 @@ FOOTPOINT_FN int footpoint_bezier_facet(const double xA[3], const double xB[3], 
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_bezier_facet(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_facet, x, 4, 9, loc, gap);
+    if (footpoint_bezier_facet_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_bezier_facet_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -492,14 +491,14 @@ FOOTPOINT_FN int footpoint_bezier_facet(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_bezier_facet_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_facet, n, x, xi, eta);
+    footpoint_detail_bezier_n(footpoint_bezier_facet_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_facet_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_facet, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_bezier_facet_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_facet_over_n(const double *const nodes[8], size_t n,
@@ -507,21 +506,9 @@ FOOTPOINT_LOOP void footpoint_bezier_facet_over_n(const double *const nodes[8], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_facet, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_over_n(footpoint_bezier_facet_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                   status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_bezier_facet_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.024917686740434101, 1, 1.9405866400194669e-17, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.53071085409306018, 1.110223024625157e-16, 5.934330994974885e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.3565513526773243, 0.084208383415124821, 1.6205095679382283e-16, 4.0639497764693911e-17},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.82260272735101259, 1.110223024625157e-16, 5.9237837288217685e-16},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.90609083700448079, 0.26701120987233112, 4.9925121277176421e-16, 1.296749714006367e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.65111840604577453, 1.110223024625157e-16, 4.21628212352228e-16},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 1, 0.8026682850328416, 1.110223024625157e-16, 5.6378888677656381e-16},
-    {0, 0, 0, 1, 0, 0, 2.140625, 1.390625, -0.109375, -0.125, 2.34375, 0, -0.3125, -0.59765625, 0.7578125, 0.203125, 0.19921875, 0.90625, -0.07421875, 0.375, 0.94921875, -0.30859375, -0.1328125, 0.8671875, -0.234375, 1.84375, -0.3203125, -1, 0.54022493031741747, 1.110223024625157e-16, 3.4058679996035719e-16},
-};
-#endif
 
 /* footpoint_bezier_normals
  *   operations:     74 mul, 2 div, 85 add, 0 sqrt, 5 compare; 60 temporaries
@@ -537,10 +524,9 @@ static const double footpoint_bezier_facet_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_bezier_normals(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double nA[3], const double nB[3],
-                                          const double nC[3], const double nD[3], const double xS[3], double zero,
-                                          double *xi, double *eta)
+footpoint_bezier_normals_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xA[1] - xB[1], t3 = nD[2] + nB[2], t4 = nD[1] + nB[1];
     const double t5 = 0.5 * (xD[2] - xC[2] + t1), t6 = 0.5 * (xD[1] - xC[1] - t2), t7 = xA[0] - xB[0];
@@ -575,13 +561,13 @@ FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double x
                                               const double nC[3], const double nD[3], const double xS[3], double *xi,
                                               double *eta)
 {
-    (void)footpoint_detail_footpoint_bezier_normals(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_bezier_normals_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_bezier_normals(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_bezier_normals_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_bezier_normals(
+    unsigned long long flaw = footpoint_bezier_normals_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
@@ -594,8 +580,8 @@ FOOTPOINT_FN int footpoint_bezier_normals(const double xA[3], const double xB[3]
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_bezier_normals(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_normals, x, 4, 9, loc, gap);
+    if (footpoint_bezier_normals_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_bezier_normals_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -605,14 +591,14 @@ FOOTPOINT_FN int footpoint_bezier_normals(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_bezier_normals_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_normals, n, x, xi, eta);
+    footpoint_detail_bezier_n(footpoint_bezier_normals_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_normals_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_normals, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_bezier_normals_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_normals_over_n(const double *const nodes[8], size_t n,
@@ -620,21 +606,9 @@ FOOTPOINT_LOOP void footpoint_bezier_normals_over_n(const double *const nodes[8]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_normals, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_over_n(footpoint_bezier_normals_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                   status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_bezier_normals_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0072475556530161769, 1, 1.1274972697720115e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.61434618484824266, 1.110223024625157e-16, 8.6796069145286602e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.36310336410197736, 0.081932799983898061, 3.4863628519303008e-16, 1.260766632032592e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.87689982087770857, 1.110223024625157e-16, 1.1199775714075156e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.85562473686191087, 0.26023111937017229, 7.4791362537630943e-16, 2.5751146824158422e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.64890434139987541, 1.110223024625157e-16, 8.7993886275670299e-16},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.9828244920445125, 0.8416544247636355, 1.3586363095845387e-15, 1.5756192611613449e-15},
-    {0, 0, 0, 1, 0, 0, 2.140625, 1.390625, -0.109375, -0.125, 2.34375, 0, -0.3125, -0.59765625, 0.7578125, 0.203125, 0.19921875, 0.90625, -0.07421875, 0.375, 0.94921875, -0.30859375, -0.1328125, 0.8671875, -0.234375, 1.84375, -0.3203125, -1, 0.53424120263209685, 1.110223024625157e-16, 5.5479007423200533e-16},
-};
-#endif
 
 /* footpoint_bezier_smooth
  *   operations:     246 mul, 2 div, 208 add, 0 sqrt, 8 compare; 154 temporaries
@@ -651,10 +625,9 @@ static const double footpoint_bezier_normals_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_bezier_smooth(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double nA[3], const double nB[3],
-                                         const double nC[3], const double nD[3], const double xS[3], double zero,
-                                         double *xi, double *eta)
+footpoint_bezier_smooth_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                               const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xC[2] - xD[2], t4 = xA[2] - xB[2], t5 = xA[2] - xD[2];
     const double t6 = xC[1] - xD[1], t7 = xA[1] - xB[1], t8 = xA[1] - xD[1], t9 = nC[2] - nD[2] + t1;
@@ -726,13 +699,13 @@ FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB
                                              const double nC[3], const double nD[3], const double xS[3], double *xi,
                                              double *eta)
 {
-    (void)footpoint_detail_footpoint_bezier_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_bezier_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_bezier_smooth(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_bezier_smooth_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_bezier_smooth(
+    unsigned long long flaw = footpoint_bezier_smooth_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
@@ -745,8 +718,8 @@ FOOTPOINT_FN int footpoint_bezier_smooth(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_bezier_smooth(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_smooth, x, 4, 9, loc, gap);
+    if (footpoint_bezier_smooth_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_bezier_smooth_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -756,14 +729,14 @@ FOOTPOINT_FN int footpoint_bezier_smooth(const double xA[3], const double xB[3],
 FOOTPOINT_LOOP void footpoint_bezier_smooth_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                               double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_smooth, n, x, xi, eta);
+    footpoint_detail_bezier_n(footpoint_bezier_smooth_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_smooth_checked_n(size_t n, const double *const x[27],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_smooth, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_bezier_smooth_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_smooth_over_n(const double *const nodes[8], size_t n,
@@ -771,21 +744,9 @@ FOOTPOINT_LOOP void footpoint_bezier_smooth_over_n(const double *const nodes[8],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_smooth, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_over_n(footpoint_bezier_smooth_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                   status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_bezier_smooth_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, 0.00084911382221095229, 1, 4.0251379121867183e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.63538925416550684, 1.110223024625157e-16, 3.2664800840754696e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.29873686128070009, 0.12398214434410239, 1.0369118174636633e-15, 6.2025415922098863e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.86037842398462439, 1.110223024625157e-16, 6.2688932708148053e-16},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.76059318391633179, 0.21189446300571879, 1.1002308447066524e-15, 7.1279766088912778e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63310868788627428, 1.110223024625157e-16, 7.9053850073931452e-16},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.90638770453318629, 0.78977151643852539, 1.1562524071027093e-15, 1.5022819009343281e-15},
-    {0, 0, 0, 1, 0, 0, 2.140625, 1.390625, -0.109375, -0.125, 2.34375, 0, -0.3125, -0.59765625, 0.7578125, 0.203125, 0.19921875, 0.90625, -0.07421875, 0.375, 0.94921875, -0.30859375, -0.1328125, 0.8671875, -0.234375, 1.84375, -0.3203125, -1, 0.54394969558991701, 1.110223024625157e-16, 7.9638713520902746e-16},
-};
-#endif
 
 /* footpoint_bezier_precise
  *   operations:     315 mul, 2 div, 245 add, 0 sqrt, 9 compare; 182 temporaries
@@ -801,10 +762,9 @@ static const double footpoint_bezier_smooth_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_bezier_precise(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double nA[3], const double nB[3],
-                                          const double nC[3], const double nD[3], const double xS[3], double zero,
-                                          double *xi, double *eta)
+footpoint_bezier_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xD[2] - xC[2], t4 = xA[2] - xB[2], t5 = xD[1] - xC[1];
     const double t6 = xA[1] - xB[1], t7 = nC[2] - nD[2] + t1, t8 = nC[1] - nD[1] + t2, t9 = nA[0] - nB[0];
@@ -890,13 +850,13 @@ FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double x
                                               const double nC[3], const double nD[3], const double xS[3], double *xi,
                                               double *eta)
 {
-    (void)footpoint_detail_footpoint_bezier_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_bezier_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_bezier_precise(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_bezier_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_bezier_precise(
+    unsigned long long flaw = footpoint_bezier_precise_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
@@ -909,8 +869,8 @@ FOOTPOINT_FN int footpoint_bezier_precise(const double xA[3], const double xB[3]
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_bezier_precise(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_precise, x, 4, 9, loc, gap);
+    if (footpoint_bezier_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_bezier_precise_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -920,14 +880,14 @@ FOOTPOINT_FN int footpoint_bezier_precise(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_bezier_precise_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_precise, n, x, xi, eta);
+    footpoint_detail_bezier_n(footpoint_bezier_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_precise_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_precise, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_bezier_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_precise_over_n(const double *const nodes[8], size_t n,
@@ -935,21 +895,9 @@ FOOTPOINT_LOOP void footpoint_bezier_precise_over_n(const double *const nodes[8]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_precise, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_over_n(footpoint_bezier_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                   status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_bezier_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0047817419430004745, 1, 3.5278097434491009e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.62970475423320715, 1.110223024625157e-16, 3.8684095766560864e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.29858170593174244, 0.12350319346018607, 1.0799041419617749e-15, 6.1626275674027703e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.81074995389485816, 1.110223024625157e-16, 9.9639407985499875e-16},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.73479471814972064, 0.20939867839060372, 1.5025956293059659e-15, 8.479503886842258e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63385173356230851, 1.110223024625157e-16, 6.8970281444366544e-16},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91254776307989838, 0.79622307733213205, 8.9201223336662017e-16, 1.553467362310706e-15},
-    {0, 0, 0, 1, 0, 0, 2.140625, 1.390625, -0.109375, -0.125, 2.34375, 0, -0.3125, -0.59765625, 0.7578125, 0.203125, 0.19921875, 0.90625, -0.07421875, 0.375, 0.94921875, -0.30859375, -0.1328125, 0.8671875, -0.234375, 1.84375, -0.3203125, -1, 0.53325787321952334, 1.110223024625157e-16, 8.5922850251497547e-16},
-};
-#endif
 
 /* footpoint_bezier_exact
  *   operations:     456 mul, 4 div, 343 add, 0 sqrt, 15 compare; 261 temporaries
@@ -967,10 +915,9 @@ static const double footpoint_bezier_precise_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_bezier_exact(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double nA[3], const double nB[3],
-                                        const double nC[3], const double nD[3], const double xS[3], double zero,
-                                        double *xi, double *eta)
+footpoint_bezier_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xC[2] - xD[2], t4 = xA[2] - xB[2], t5 = xA[2] - xD[2];
     const double t6 = xC[1] - xD[1], t7 = xA[1] - xB[1], t8 = xA[1] - xD[1], t9 = nC[2] - nD[2] + t1;
@@ -1093,13 +1040,13 @@ FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[
                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
                                             double *eta)
 {
-    (void)footpoint_detail_footpoint_bezier_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_bezier_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_bezier_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_bezier_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_bezier_exact(
+    unsigned long long flaw = footpoint_bezier_exact_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
@@ -1112,8 +1059,8 @@ FOOTPOINT_FN int footpoint_bezier_exact(const double xA[3], const double xB[3], 
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_bezier_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_exact, x, 4, 9, loc, gap);
+    if (footpoint_bezier_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_bezier_exact_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1123,14 +1070,14 @@ FOOTPOINT_FN int footpoint_bezier_exact(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_bezier_exact_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_exact, n, x, xi, eta);
+    footpoint_detail_bezier_n(footpoint_bezier_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_exact_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_exact, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_bezier_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_exact_over_n(const double *const nodes[8], size_t n,
@@ -1138,21 +1085,9 @@ FOOTPOINT_LOOP void footpoint_bezier_exact_over_n(const double *const nodes[8], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_exact, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_over_n(footpoint_bezier_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                   status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_bezier_exact_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0046904623801902832, 1, 3.5297037649100359e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.62996079931933924, 1.110223024625157e-16, 3.551372529214828e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.2995267951017237, 0.12295592141569747, 9.5075275490592677e-16, 5.4670524689775601e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.83014085032228713, 1.110223024625157e-16, 1.3389647542097285e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.74599780926427084, 0.21166577461549602, 1.1558810467665435e-15, 6.9671672295416459e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63356756495756283, 1.110223024625157e-16, 7.0364362811927294e-16},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91152898866569532, 0.79697523742353815, 8.0475926990713798e-16, 1.3122357288195304e-15},
-    {0, 0, 0, 1, 0, 0, 2.140625, 1.390625, -0.109375, -0.125, 2.34375, 0, -0.3125, -0.59765625, 0.7578125, 0.203125, 0.19921875, 0.90625, -0.07421875, 0.375, 0.94921875, -0.30859375, -0.1328125, 0.8671875, -0.234375, 1.84375, -0.3203125, -1, 0.53325086128794086, 1.110223024625157e-16, 9.0805865445704267e-16},
-};
-#endif
 
 /* footpoint_bezier_full
  *   operations:     681 mul, 6 div, 514 add, 0 sqrt, 20 compare; 378 temporaries
@@ -1173,9 +1108,9 @@ static const double footpoint_bezier_exact_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_bezier_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                       const double xS[3], double zero, double *xi, double *eta)
+footpoint_bezier_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                             const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xD[2] - xC[2], t2 = xA[2] - xB[2], t3 = xD[1] - xC[1], t4 = xA[1] - xB[1], t5 = nA[2] - nB[2];
     const double t6 = nA[1] - nB[1], t7 = t2 - t1, t8 = t4 - t3, t9 = xD[0] - xC[0], t10 = xA[0] - xB[0];
@@ -1353,13 +1288,13 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
                                            const double nC[3], const double nD[3], const double xS[3], double *xi,
                                            double *eta)
 {
-    (void)footpoint_detail_footpoint_bezier_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_bezier_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_bezier_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_bezier_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_bezier_full(
+    unsigned long long flaw = footpoint_bezier_full_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
@@ -1371,8 +1306,8 @@ FOOTPOINT_FN int footpoint_bezier_full(const double xA[3], const double xB[3], c
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_bezier_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_full, x, 4, 9, loc, gap);
+    if (footpoint_bezier_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_bezier_full_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1382,14 +1317,14 @@ FOOTPOINT_FN int footpoint_bezier_full(const double xA[3], const double xB[3], c
 FOOTPOINT_LOOP void footpoint_bezier_full_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                             double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_full, n, x, xi, eta);
+    footpoint_detail_bezier_n(footpoint_bezier_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_full_checked_n(size_t n, const double *const x[27],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_full, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_bezier_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_full_over_n(const double *const nodes[8], size_t n,
@@ -1397,20 +1332,8 @@ FOOTPOINT_LOOP void footpoint_bezier_full_over_n(const double *const nodes[8], s
                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                  int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_full, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_bezier_over_n(footpoint_bezier_full_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                   status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_bezier_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0056939523986932524, 1, 3.5611631320262833e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.6292402215964602, 1.110223024625157e-16, 3.4093091575964715e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.2995080543589817, 0.12296583666322358, 9.4284313856486261e-16, 5.4312100159426724e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.83168432690433558, 1.110223024625157e-16, 1.3363529310707503e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.74503054908736266, 0.21185000172836807, 1.0705078943195241e-15, 6.6874609738025869e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63374755806640792, 1.110223024625157e-16, 7.0006452165479328e-16},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91147151150159644, 0.79690552354457111, 7.9322412140826803e-16, 1.2553245452990128e-15},
-    {0, 0, 0, 1, 0, 0, 2.140625, 1.390625, -0.109375, -0.125, 2.34375, 0, -0.3125, -0.59765625, 0.7578125, 0.203125, 0.19921875, 0.90625, -0.07421875, 0.375, 0.94921875, -0.30859375, -0.1328125, 0.8671875, -0.234375, 1.84375, -0.3203125, -1, 0.53225110043717727, 1.110223024625157e-16, 9.2410368912715844e-16},
-};
-#endif
 
 #endif

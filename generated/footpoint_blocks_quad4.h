@@ -1188,9 +1188,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_blocks_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double zero, double *xi,
-                                             double *eta)
+footpoint_blocks_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1209,13 +1208,12 @@ footpoint_detail_footpoint_blocks_quad4_fast(const double xA[3], const double xB
 FOOTPOINT_FN void footpoint_blocks_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_blocks_quad4_fast(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_blocks_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_blocks_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double xi, double eta,
-                                                 double *gap)
+footpoint_blocks_quad4_fast_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1227,19 +1225,20 @@ footpoint_detail_gap_footpoint_blocks_quad4_fast(const double xA[3], const doubl
     const double b[3] = {t14, t8, t6};
     const double c[3] = {-(xA[0] - xB[0] + (xC[0] - xD[0])), -(xA[1] - xB[1] + (xC[1] - xD[1])), -(xA[2] - xB[2] + (xC[2] - xD[2]))};
     const double d[3] = {t15, t12, t11};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.25, 0.25, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.25, unit = 0.25;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_blocks_quad4_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_blocks_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fast(
+    unsigned long long flaw = footpoint_blocks_quad4_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_fast(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_blocks_quad4_fast_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1249,8 +1248,8 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fast(const double xA[3], const double xB
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_blocks_quad4_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_fast, x, 4, 5, loc, gap);
+    if (footpoint_blocks_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_blocks_quad4_fast_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1260,14 +1259,14 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fast(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_blocks_quad4_fast, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_blocks_quad4_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_blocks_quad4_fast, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_over_n(const double *const nodes[4], size_t n,
@@ -1275,14 +1274,15 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_over_n(const double *const nodes
                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_blocks_quad4_fast, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_blocks_quad4_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_fast(const double *const *x, double zero, double at[3],
-                                                                        int *region)
+FOOTPOINT_PART int footpoint_blocks_quad4_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                              int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fast(
+    unsigned long long flaw = footpoint_blocks_quad4_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1294,7 +1294,7 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fast_closest(const double xA[3], const d
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_blocks_quad4_fast, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_blocks_quad4_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1303,29 +1303,17 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_closest_n(size_t n, const double
                                                           double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_blocks_quad4_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_blocks_quad4_fast_closest_of(size_t n, const double *const *x, const double xS[3],
                                                         double loc[2],
                                                         double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_blocks_quad4_fast, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_blocks_quad4_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_blocks_quad4_fast_points[][19] = {
-    {0, 0, 0, 1.8759112260598676, -0.287322998046875, 0.0042672248127225395, 2.6750132053758131, 2.1015625, 0, 0.74423298162155438, 1.814239501953125, 0.0042672248127225395, 1.0589074063777619, 0.79589736724822557, -0.058624260219665623, -0.23541963494019219, -0.1058473242916515, 5.011673427205028e-16, 3.5928003283157819e-16},
-    {0, 0, 0, 2.1856434418804631, 0.00420379638671875, 0.0042609744672953359, 2.1274821702019056, 2.15234375, 0, 0.59624720917855756, 2.1565475463867188, 0.0042609744672953359, 1.1145863083020138, -0.098679355891422571, 0.12296055946815013, 0.03697968068638937, -1.0936479166813218, 1.4515521935604591e-16, 1.2280411564475321e-15},
-    {0, 0, 0, 2.0647537858168903, -0.23001861572265625, -0.0072021346736357295, 1.5438766628795406, 1.99609375, 0, -0.39919733995327522, 1.7660751342773438, -0.0072021346736357295, -0.011242006890946976, 1.7076434171676238, -0.16450361761943336, -0.62233652488143476, 0.82621956010728648, 1.4074540071524672e-15, 1.0681695156052794e-15},
-    {0, 0, 0, 1.8543315062651766, 0.09033203125, -0.0021743104889260343, 1.2871027766047298, 2.3125, 0, -0.31802517658955332, 2.40283203125, -0.0021743104889260343, 1.6336872372821223, 1.2703279216855545, 0.24189841194328188, 1.0880603068300989, 0.059599486322641754, 1.3955028539215989e-15, 1.541480381002207e-16},
-    {0, 0, 0, 1.7024935271134387, 0.2663116455078125, -0.0093571979907202917, 0.91680439327368735, 2.19921875, 0, -1.0183574970196236, 2.4655303955078125, -0.0093571979907202917, 0.41065997370474033, 1.5526333670389991, 0.3011094227448412, 0.15572755571462427, 0.29089254471397435, 3.3609316811951803e-16, 3.1912028130002162e-16},
-    {0, 0, 0, 1.7855209751405581, -0.1937255859375, 0.0064514649429829509, 1.661346877830616, 2.15625, 0, -0.26327707456505822, 1.9625244140625, 0.0064514649429829509, 1.4899459279862615, -0.12604440194535388, 0.1081155602759966, 0.64101394079968521, -1.0270669996304731, 9.360691309109961e-16, 1.3001698447726318e-15},
-    {0, 0, 0, 1.6938271792675448, -0.134124755859375, 0.00072579846087789405, 0.74025277303754278, 2.2890625, 0, -1.0608005937699978, 2.154937744140625, 0.00072579846087789405, 0.23421624703664687, 2.0443461075634048, -0.11609449979079881, 0.36204086159692056, 0.8447801101919169, 8.3977789082933065e-16, 1.0789677421736986e-15},
-    {0, 0, 0, 1.564926274689761, 0.0209808349609375, -0.0038962602985243805, 1.2491778009588068, 2.1484375, 0, -0.90953228798779584, 2.1694183349609375, -0.0038962602985243805, 1.6164505415061716, 0.37156198007249891, -0.36164068366528301, 1.0064884166258226, -0.66387519991432831, 1.2508912005278898e-15, 9.6630131011564751e-16},
-};
-#endif
 
 /* footpoint_blocks_quad4_coarse
  *   operations:     50 mul, 1 div, 51 add, 0 sqrt, 0 compare; 31 temporaries
@@ -1340,9 +1328,8 @@ static const double footpoint_blocks_quad4_fast_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_blocks_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double zero, double *xi,
-                                               double *eta)
+footpoint_blocks_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1365,13 +1352,12 @@ footpoint_detail_footpoint_blocks_quad4_coarse(const double xA[3], const double 
 FOOTPOINT_FN void footpoint_blocks_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
                                                    const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_blocks_quad4_coarse(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_blocks_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_blocks_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double xi, double eta,
-                                                   double *gap)
+footpoint_blocks_quad4_coarse_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1383,19 +1369,20 @@ footpoint_detail_gap_footpoint_blocks_quad4_coarse(const double xA[3], const dou
     const double b[3] = {t13, t10, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t14, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_blocks_quad4_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_blocks_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_coarse(
+    unsigned long long flaw = footpoint_blocks_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_coarse(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_blocks_quad4_coarse_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1405,8 +1392,8 @@ FOOTPOINT_FN int footpoint_blocks_quad4_coarse(const double xA[3], const double 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_blocks_quad4_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_coarse, x, 4, 5, loc, gap);
+    if (footpoint_blocks_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_blocks_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1417,14 +1404,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_blocks_quad4_coarse, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_blocks_quad4_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_checked_n(size_t n, const double *const x[15],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_blocks_quad4_coarse, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_over_n(const double *const nodes[4], size_t n,
@@ -1432,14 +1419,15 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_over_n(const double *const nod
                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_blocks_quad4_coarse, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_blocks_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_coarse(const double *const *x, double zero, double at[3],
-                                                                          int *region)
+FOOTPOINT_PART int footpoint_blocks_quad4_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                                int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_coarse(
+    unsigned long long flaw = footpoint_blocks_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1451,7 +1439,7 @@ FOOTPOINT_FN int footpoint_blocks_quad4_coarse_closest(const double xA[3], const
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_blocks_quad4_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_blocks_quad4_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1460,29 +1448,17 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_closest_n(size_t n, const doub
                                                             double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_blocks_quad4_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_blocks_quad4_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                           double loc[2],
                                                           double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_blocks_quad4_coarse, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_blocks_quad4_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_blocks_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1.8759112260598676, -0.287322998046875, 0.0042672248127225395, 2.6750132053758131, 2.1015625, 0, 0.74423298162155438, 1.814239501953125, 0.0042672248127225395, 1.0589074063777619, 0.79589736724822557, -0.058624260219665623, -0.23439009859471735, -0.10927911210990093, 5.1313282234131807e-16, 2.4095017783231611e-16},
-    {0, 0, 0, 2.1856434418804631, 0.00420379638671875, 0.0042609744672953359, 2.1274821702019056, 2.15234375, 0, 0.59624720917855756, 2.1565475463867188, 0.0042609744672953359, 1.1145863083020138, -0.098679355891422571, 0.12296055946815013, 0.031021204688002256, -1.0937141219701929, 1.3493333517147139e-16, 1.5929124112766411e-15},
-    {0, 0, 0, 2.0647537858168903, -0.23001861572265625, -0.0072021346736357295, 1.5438766628795406, 1.99609375, 0, -0.39919733995327522, 1.7660751342773438, -0.0072021346736357295, -0.011242006890946976, 1.7076434171676238, -0.16450361761943336, -0.62450795988982277, 0.89027689285473466, 1.3936543339157066e-15, 1.5869844319855193e-15},
-    {0, 0, 0, 1.8543315062651766, 0.09033203125, -0.0021743104889260343, 1.2871027766047298, 2.3125, 0, -0.31802517658955332, 2.40283203125, -0.0021743104889260343, 1.6336872372821223, 1.2703279216855545, 0.24189841194328188, 1.0936699087552433, 0.062270725334615258, 1.919079774195569e-15, 1.8851187182570417e-16},
-    {0, 0, 0, 1.7024935271134387, 0.2663116455078125, -0.0093571979907202917, 0.91680439327368735, 2.19921875, 0, -1.0183574970196236, 2.4655303955078125, -0.0093571979907202917, 0.41065997370474033, 1.5526333670389991, 0.3011094227448412, 0.15554758345652223, 0.2964716847151378, 2.5567742296397773e-16, 4.3674533232566189e-16},
-    {0, 0, 0, 1.7855209751405581, -0.1937255859375, 0.0064514649429829509, 1.661346877830616, 2.15625, 0, -0.26327707456505822, 1.9625244140625, 0.0064514649429829509, 1.4899459279862615, -0.12604440194535388, 0.1081155602759966, 0.6715679327214843, -0.96850518178035816, 1.2036309929876726e-15, 1.6260807606429396e-15},
-    {0, 0, 0, 1.6938271792675448, -0.134124755859375, 0.00072579846087789405, 0.74025277303754278, 2.2890625, 0, -1.0608005937699978, 2.154937744140625, 0.00072579846087789405, 0.23421624703664687, 2.0443461075634048, -0.11609449979079881, 0.34369395030811373, 0.8281010999293652, 8.2643351115605945e-16, 1.3351894839035437e-15},
-    {0, 0, 0, 1.564926274689761, 0.0209808349609375, -0.0038962602985243805, 1.2491778009588068, 2.1484375, 0, -0.90953228798779584, 2.1694183349609375, -0.0038962602985243805, 1.6164505415061716, 0.37156198007249891, -0.36164068366528301, 1.1242915867636958, -0.67123789804794531, 1.9498415560168984e-15, 1.2349508325504237e-15},
-};
-#endif
 
 /* footpoint_blocks_quad4_gauss2
  *   operations:     58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
@@ -1497,9 +1473,8 @@ static const double footpoint_blocks_quad4_coarse_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_blocks_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double zero, double *xi,
-                                               double *eta)
+footpoint_blocks_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1524,13 +1499,12 @@ footpoint_detail_footpoint_blocks_quad4_gauss2(const double xA[3], const double 
 FOOTPOINT_FN void footpoint_blocks_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
                                                    const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_blocks_quad4_gauss2(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_blocks_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_blocks_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double xi, double eta,
-                                                   double *gap)
+footpoint_blocks_quad4_gauss2_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1543,19 +1517,20 @@ footpoint_detail_gap_footpoint_blocks_quad4_gauss2(const double xA[3], const dou
     const double b[3] = {t14, t10, t8};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t15, t12, t11};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t26,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t26;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_blocks_quad4_gauss2(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_blocks_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_gauss2(
+    unsigned long long flaw = footpoint_blocks_quad4_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_gauss2(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_blocks_quad4_gauss2_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1565,8 +1540,8 @@ FOOTPOINT_FN int footpoint_blocks_quad4_gauss2(const double xA[3], const double 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_blocks_quad4_gauss2(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_gauss2, x, 4, 5, loc, gap);
+    if (footpoint_blocks_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_blocks_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1577,14 +1552,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_blocks_quad4_gauss2, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_blocks_quad4_gauss2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_checked_n(size_t n, const double *const x[15],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_blocks_quad4_gauss2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_over_n(const double *const nodes[4], size_t n,
@@ -1592,14 +1567,15 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_over_n(const double *const nod
                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_blocks_quad4_gauss2, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_blocks_quad4_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_gauss2(const double *const *x, double zero, double at[3],
-                                                                          int *region)
+FOOTPOINT_PART int footpoint_blocks_quad4_gauss2_detail_closest(const double *const *x, double zero, double at[3],
+                                                                int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_gauss2(
+    unsigned long long flaw = footpoint_blocks_quad4_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1611,7 +1587,7 @@ FOOTPOINT_FN int footpoint_blocks_quad4_gauss2_closest(const double xA[3], const
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_blocks_quad4_gauss2, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_blocks_quad4_gauss2_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1620,29 +1596,17 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_closest_n(size_t n, const doub
                                                             double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_blocks_quad4_gauss2, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_gauss2_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_blocks_quad4_gauss2_closest_of(size_t n, const double *const *x, const double xS[3],
                                                           double loc[2],
                                                           double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_blocks_quad4_gauss2, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_blocks_quad4_gauss2_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_blocks_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1.8759112260598676, -0.287322998046875, 0.0042672248127225395, 2.6750132053758131, 2.1015625, 0, 0.74423298162155438, 1.814239501953125, 0.0042672248127225395, 1.0589074063777619, 0.79589736724822557, -0.058624260219665623, -0.23437420635333234, -0.10937582426561591, 5.1738217720520075e-16, 2.7591412772623212e-16},
-    {0, 0, 0, 2.1856434418804631, 0.00420379638671875, 0.0042609744672953359, 2.1274821702019056, 2.15234375, 0, 0.59624720917855756, 2.1565475463867188, 0.0042609744672953359, 1.1145863083020138, -0.098679355891422571, 0.12296055946815013, 0.031250021554100983, -1.0937510670050345, 2.0775773138895978e-16, 1.4831077780973329e-15},
-    {0, 0, 0, 2.0647537858168903, -0.23001861572265625, -0.0072021346736357295, 1.5438766628795406, 1.99609375, 0, -0.39919733995327522, 1.7660751342773438, -0.0072021346736357295, -0.011242006890946976, 1.7076434171676238, -0.16450361761943336, -0.62495744524012875, 0.89060728127949718, 1.4321143385217332e-15, 1.5494408158328733e-15},
-    {0, 0, 0, 1.8543315062651766, 0.09033203125, -0.0021743104889260343, 1.2871027766047298, 2.3125, 0, -0.31802517658955332, 2.40283203125, -0.0021743104889260343, 1.6336872372821223, 1.2703279216855545, 0.24189841194328188, 1.093746980110667, 0.062497810345745863, 1.8743737992168128e-15, 3.5857890299274791e-16},
-    {0, 0, 0, 1.7024935271134387, 0.2663116455078125, -0.0093571979907202917, 0.91680439327368735, 2.19921875, 0, -1.0183574970196236, 2.4655303955078125, -0.0093571979907202917, 0.41065997370474033, 1.5526333670389991, 0.3011094227448412, 0.15623739007542092, 0.29686986558711781, 3.4112826460051877e-16, 4.587255167412634e-16},
-    {0, 0, 0, 1.7855209751405581, -0.1937255859375, 0.0064514649429829509, 1.661346877830616, 2.15625, 0, -0.26327707456505822, 1.9625244140625, 0.0064514649429829509, 1.4899459279862615, -0.12604440194535388, 0.1081155602759966, 0.67198474152769683, -0.96857848183799866, 1.4159025294404063e-15, 1.6090393760588532e-15},
-    {0, 0, 0, 1.6938271792675448, -0.134124755859375, 0.00072579846087789405, 0.74025277303754278, 2.2890625, 0, -1.0608005937699978, 2.154937744140625, 0.00072579846087789405, 0.23421624703664687, 2.0443461075634048, -0.11609449979079881, 0.34376939937218615, 0.82814230899390884, 9.7260030759112252e-16, 1.3045087253421067e-15},
-    {0, 0, 0, 1.564926274689761, 0.0209808349609375, -0.0038962602985243805, 1.2491778009588068, 2.1484375, 0, -0.90953228798779584, 2.1694183349609375, -0.0038962602985243805, 1.6164505415061716, 0.37156198007249891, -0.36164068366528301, 1.1248382679798721, -0.67178305670877525, 1.8931750022568382e-15, 1.279147307339143e-15},
-};
-#endif
 
 /* footpoint_blocks_quad4_medium
  *   operations:     71 mul, 2 div, 69 add, 0 sqrt, 0 compare; 39 temporaries
@@ -1658,9 +1622,8 @@ static const double footpoint_blocks_quad4_gauss2_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_blocks_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double zero, double *xi,
-                                               double *eta)
+footpoint_blocks_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = xB[0] - xA[0], t4 = 0.5 * (xD[2] - xC[2] + t1);
     const double t5 = t4 - (xD[2] - xA[2]), t6 = 0.5 * (xD[1] - xC[1] + t2), t7 = t6 - (xD[1] - xA[1]), t8 = t4 - t1;
@@ -1686,13 +1649,12 @@ footpoint_detail_footpoint_blocks_quad4_medium(const double xA[3], const double 
 FOOTPOINT_FN void footpoint_blocks_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
                                                    const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_blocks_quad4_medium(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_blocks_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_blocks_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double xi, double eta,
-                                                   double *gap)
+footpoint_blocks_quad4_medium_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = xB[0] - xA[0], t4 = 0.5 * (xD[2] - xC[2] + t1);
     const double t5 = t4 - (xD[2] - xA[2]), t6 = 0.5 * (xD[1] - xC[1] + t2), t7 = t6 - (xD[1] - xA[1]), t8 = t4 - t1;
@@ -1704,19 +1666,20 @@ footpoint_detail_gap_footpoint_blocks_quad4_medium(const double xA[3], const dou
     const double b[3] = {-t13, -t7, -t5};
     const double c[3] = {-0.5 * (xD[0] - xC[0] + t3), -0.5 * (xD[1] - xC[1] + t2), -0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t14, -t11, t9};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t28,
-        1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t28;
+    const double ratio = 1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_blocks_quad4_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_blocks_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_medium(
+    unsigned long long flaw = footpoint_blocks_quad4_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_medium(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_blocks_quad4_medium_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1726,8 +1689,8 @@ FOOTPOINT_FN int footpoint_blocks_quad4_medium(const double xA[3], const double 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_blocks_quad4_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_medium, x, 4, 5, loc, gap);
+    if (footpoint_blocks_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_blocks_quad4_medium_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1738,14 +1701,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_blocks_quad4_medium, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_blocks_quad4_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_checked_n(size_t n, const double *const x[15],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_blocks_quad4_medium, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_over_n(const double *const nodes[4], size_t n,
@@ -1753,14 +1716,15 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_over_n(const double *const nod
                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_blocks_quad4_medium, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_blocks_quad4_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_medium(const double *const *x, double zero, double at[3],
-                                                                          int *region)
+FOOTPOINT_PART int footpoint_blocks_quad4_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                                int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_medium(
+    unsigned long long flaw = footpoint_blocks_quad4_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1772,7 +1736,7 @@ FOOTPOINT_FN int footpoint_blocks_quad4_medium_closest(const double xA[3], const
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_blocks_quad4_medium, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_blocks_quad4_medium_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1781,29 +1745,17 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_closest_n(size_t n, const doub
                                                             double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_blocks_quad4_medium, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_blocks_quad4_medium_closest_of(size_t n, const double *const *x, const double xS[3],
                                                           double loc[2],
                                                           double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_blocks_quad4_medium, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_blocks_quad4_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_blocks_quad4_medium_points[][19] = {
-    {0, 0, 0, 1.8759112260598676, -0.287322998046875, 0.0042672248127225395, 2.6750132053758131, 2.1015625, 0, 0.74423298162155438, 1.814239501953125, 0.0042672248127225395, 1.0589074063777619, 0.79589736724822557, -0.058624260219665623, -0.23437524313827635, -0.10937491861808186, 5.1715486149656444e-16, 2.7535904412859227e-16},
-    {0, 0, 0, 2.1856434418804631, 0.00420379638671875, 0.0042609744672953359, 2.1274821702019056, 2.15234375, 0, 0.59624720917855756, 2.1565475463867188, 0.0042609744672953359, 1.1145863083020138, -0.098679355891422571, 0.12296055946815013, 0.031249893498072667, -1.0937495119422922, 2.0988892056246233e-16, 1.4835112000263948e-15},
-    {0, 0, 0, 2.0647537858168903, -0.23001861572265625, -0.0072021346736357295, 1.5438766628795406, 1.99609375, 0, -0.39919733995327522, 1.7660751342773438, -0.0072021346736357295, -0.011242006890946976, 1.7076434171676238, -0.16450361761943336, -0.62500171247575809, 0.89062518897851195, 1.4253820187536963e-15, 1.5383915251449262e-15},
-    {0, 0, 0, 1.8543315062651766, 0.09033203125, -0.0021743104889260343, 1.2871027766047298, 2.3125, 0, -0.31802517658955332, 2.40283203125, -0.0021743104889260343, 1.6336872372821223, 1.2703279216855545, 0.24189841194328188, 1.093750346412437, 0.062500329817817932, 1.877653974046048e-15, 3.6503738802850706e-16},
-    {0, 0, 0, 1.7024935271134387, 0.2663116455078125, -0.0093571979907202917, 0.91680439327368735, 2.19921875, 0, -1.0183574970196236, 2.4655303955078125, -0.0093571979907202917, 0.41065997370474033, 1.5526333670389991, 0.3011094227448412, 0.15625498440261279, 0.29687543161909907, 3.4026487883815845e-16, 4.5812745649464901e-16},
-    {0, 0, 0, 1.7855209751405581, -0.1937255859375, 0.0064514649429829509, 1.661346877830616, 2.15625, 0, -0.26327707456505822, 1.9625244140625, 0.0064514649429829509, 1.4899459279862615, -0.12604440194535388, 0.1081155602759966, 0.67187662417932748, -0.96874911962687849, 1.3862036802877315e-15, 1.6004959967900033e-15},
-    {0, 0, 0, 1.6938271792675448, -0.134124755859375, 0.00072579846087789405, 0.74025277303754278, 2.2890625, 0, -1.0608005937699978, 2.154937744140625, 0.00072579846087789405, 0.23421624703664687, 2.0443461075634048, -0.11609449979079881, 0.34374999481289897, 0.82812496016075343, 9.6368637550646324e-16, 1.3003280782015832e-15},
-    {0, 0, 0, 1.564926274689761, 0.0209808349609375, -0.0038962602985243805, 1.2491778009588068, 2.1484375, 0, -0.90953228798779584, 2.1694183349609375, -0.0038962602985243805, 1.6164505415061716, 0.37156198007249891, -0.36164068366528301, 1.1250041515148366, -0.67187467523264921, 1.8921131811870796e-15, 1.2931753181503924e-15},
-};
-#endif
 
 /* footpoint_blocks_quad4_balanced
  *   operations:     83 mul, 2 div, 74 add, 0 sqrt, 0 compare; 51 temporaries
@@ -1819,9 +1771,8 @@ static const double footpoint_blocks_quad4_medium_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_blocks_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double zero, double *xi,
-                                                 double *eta)
+footpoint_blocks_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1851,13 +1802,12 @@ footpoint_detail_footpoint_blocks_quad4_balanced(const double xA[3], const doubl
 FOOTPOINT_FN void footpoint_blocks_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
                                                      const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_blocks_quad4_balanced(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_blocks_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_blocks_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                     const double xD[3], const double xS[3], double xi, double eta,
-                                                     double *gap)
+footpoint_blocks_quad4_balanced_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1869,19 +1819,20 @@ footpoint_detail_gap_footpoint_blocks_quad4_balanced(const double xA[3], const d
     const double b[3] = {t13, t10, t7};
     const double c[3] = {-0.5 * t6, -0.5 * t4, -0.5 * t3};
     const double d[3] = {t14, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t19 + t22 + footpoint_detail_dot(c, c),
-        0.5, -1, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    const double size = t19 + t22 + footpoint_detail_dot(c, c);
+    const double ratio = 0.5, per = -1, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_blocks_quad4_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_blocks_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_balanced(
+    unsigned long long flaw = footpoint_blocks_quad4_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_balanced(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_blocks_quad4_balanced_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1891,8 +1842,8 @@ FOOTPOINT_FN int footpoint_blocks_quad4_balanced(const double xA[3], const doubl
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_blocks_quad4_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_balanced, x, 4, 5, loc, gap);
+    if (footpoint_blocks_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_blocks_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1903,14 +1854,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT xi,
                                                       double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_blocks_quad4_balanced, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_blocks_quad4_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_checked_n(size_t n, const double *const x[15],
                                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                               double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_blocks_quad4_balanced, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_over_n(const double *const nodes[4], size_t n,
@@ -1918,14 +1869,15 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_over_n(const double *const n
                                                            double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_blocks_quad4_balanced, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_blocks_quad4_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_balanced(const double *const *x, double zero, double at[3],
-                                                                            int *region)
+FOOTPOINT_PART int footpoint_blocks_quad4_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                                  int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_balanced(
+    unsigned long long flaw = footpoint_blocks_quad4_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1937,7 +1889,7 @@ FOOTPOINT_FN int footpoint_blocks_quad4_balanced_closest(const double xA[3], con
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_blocks_quad4_balanced, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_blocks_quad4_balanced_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1946,29 +1898,17 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_closest_n(size_t n, const do
                                                               double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                               int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_blocks_quad4_balanced, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_blocks_quad4_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
                                                             double loc[2],
                                                             double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_blocks_quad4_balanced, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_blocks_quad4_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_blocks_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1.8759112260598676, -0.287322998046875, 0.0042672248127225395, 2.6750132053758131, 2.1015625, 0, 0.74423298162155438, 1.814239501953125, 0.0042672248127225395, 1.0589074063777619, 0.79589736724822557, -0.058624260219665623, -0.23437500048983237, -0.10937500031650275, 7.49226597414392e-16, 3.3484120252175049e-16},
-    {0, 0, 0, 2.1856434418804631, 0.00420379638671875, 0.0042609744672953359, 2.1274821702019056, 2.15234375, 0, 0.59624720917855756, 2.1565475463867188, 0.0042609744672953359, 1.1145863083020138, -0.098679355891422571, 0.12296055946815013, 0.031250001188950625, -1.0937499957168773, 2.4943317234889257e-16, 1.7308065125680569e-15},
-    {0, 0, 0, 2.0647537858168903, -0.23001861572265625, -0.0072021346736357295, 1.5438766628795406, 1.99609375, 0, -0.39919733995327522, 1.7660751342773438, -0.0072021346736357295, -0.011242006890946976, 1.7076434171676238, -0.16450361761943336, -0.62499998929793255, 0.89062496774702904, 1.6066716482504468e-15, 1.8066863771367544e-15},
-    {0, 0, 0, 1.8543315062651766, 0.09033203125, -0.0021743104889260343, 1.2871027766047298, 2.3125, 0, -0.31802517658955332, 2.40283203125, -0.0021743104889260343, 1.6336872372821223, 1.2703279216855545, 0.24189841194328188, 1.0937499983599246, 0.062499998275137976, 2.2269704810948027e-15, 4.1719762983326063e-16},
-    {0, 0, 0, 1.7024935271134387, 0.2663116455078125, -0.0093571979907202917, 0.91680439327368735, 2.19921875, 0, -1.0183574970196236, 2.4655303955078125, -0.0093571979907202917, 0.41065997370474033, 1.5526333670389991, 0.3011094227448412, 0.15624997819661554, 0.29687494509897555, 4.0260734133787776e-16, 5.4170996175991514e-16},
-    {0, 0, 0, 1.7855209751405581, -0.1937255859375, 0.0064514649429829509, 1.661346877830616, 2.15625, 0, -0.26327707456505822, 1.9625244140625, 0.0064514649429829509, 1.4899459279862615, -0.12604440194535388, 0.1081155602759966, 0.67187499837770881, -0.96874999915418325, 1.7091194971985683e-15, 1.8481524156785239e-15},
-    {0, 0, 0, 1.6938271792675448, -0.134124755859375, 0.00072579846087789405, 0.74025277303754278, 2.2890625, 0, -1.0608005937699978, 2.154937744140625, 0.00072579846087789405, 0.23421624703664687, 2.0443461075634048, -0.11609449979079881, 0.34374999649971094, 0.82812499678815199, 1.040176907391832e-15, 1.5100039129667889e-15},
-    {0, 0, 0, 1.564926274689761, 0.0209808349609375, -0.0038962602985243805, 1.2491778009588068, 2.1484375, 0, -0.90953228798779584, 2.1694183349609375, -0.0038962602985243805, 1.6164505415061716, 0.37156198007249891, -0.36164068366528301, 1.1249998847984928, -0.67187496196221885, 2.2434964034406166e-15, 1.5210648604771021e-15},
-};
-#endif
 
 /* footpoint_blocks_quad4_fine
  *   operations:     90 mul, 3 div, 85 add, 0 sqrt, 0 compare; 58 temporaries
@@ -1985,9 +1925,8 @@ static const double footpoint_blocks_quad4_balanced_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_blocks_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double zero, double *xi,
-                                             double *eta)
+footpoint_blocks_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2020,13 +1959,12 @@ footpoint_detail_footpoint_blocks_quad4_fine(const double xA[3], const double xB
 FOOTPOINT_FN void footpoint_blocks_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_blocks_quad4_fine(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_blocks_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_blocks_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double xi, double eta,
-                                                 double *gap)
+footpoint_blocks_quad4_fine_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2039,19 +1977,20 @@ footpoint_detail_gap_footpoint_blocks_quad4_fine(const double xA[3], const doubl
     const double b[3] = {t13, t10, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t14, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t22 + t36,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    const double size = t18 + t22 + t36;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_blocks_quad4_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_blocks_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fine(
+    unsigned long long flaw = footpoint_blocks_quad4_fine_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_fine(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_blocks_quad4_fine_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2061,8 +2000,8 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fine(const double xA[3], const double xB
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_blocks_quad4_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_fine, x, 4, 5, loc, gap);
+    if (footpoint_blocks_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_blocks_quad4_fine_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2072,14 +2011,14 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fine(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_blocks_quad4_fine, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_blocks_quad4_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_blocks_quad4_fine, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_over_n(const double *const nodes[4], size_t n,
@@ -2087,14 +2026,15 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_over_n(const double *const nodes
                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_blocks_quad4_fine, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_blocks_quad4_fine_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_fine(const double *const *x, double zero, double at[3],
-                                                                        int *region)
+FOOTPOINT_PART int footpoint_blocks_quad4_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                              int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fine(
+    unsigned long long flaw = footpoint_blocks_quad4_fine_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -2106,7 +2046,7 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fine_closest(const double xA[3], const d
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_blocks_quad4_fine, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_blocks_quad4_fine_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2115,29 +2055,17 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_closest_n(size_t n, const double
                                                           double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_blocks_quad4_fine, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_blocks_quad4_fine_closest_of(size_t n, const double *const *x, const double xS[3],
                                                         double loc[2],
                                                         double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_blocks_quad4_fine, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_blocks_quad4_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_blocks_quad4_fine_points[][19] = {
-    {0, 0, 0, 1.8759112260598676, -0.287322998046875, 0.0042672248127225395, 2.6750132053758131, 2.1015625, 0, 0.74423298162155438, 1.814239501953125, 0.0042672248127225395, 1.0589074063777619, 0.79589736724822557, -0.058624260219665623, -0.23437499999999989, -0.10937500000000003, 5.1744639772384403e-16, 2.7645570640216525e-16},
-    {0, 0, 0, 2.1856434418804631, 0.00420379638671875, 0.0042609744672953359, 2.1274821702019056, 2.15234375, 0, 0.59624720917855756, 2.1565475463867188, 0.0042609744672953359, 1.1145863083020138, -0.098679355891422571, 0.12296055946815013, 0.031250000000000014, -1.09375, 2.0831859335071468e-16, 1.4833048100278259e-15},
-    {0, 0, 0, 2.0647537858168903, -0.23001861572265625, -0.0072021346736357295, 1.5438766628795406, 1.99609375, 0, -0.39919733995327522, 1.7660751342773438, -0.0072021346736357295, -0.011242006890946976, 1.7076434171676238, -0.16450361761943336, -0.62499999999998601, 0.89062499999998779, 1.4556668825589618e-15, 1.5590584432010576e-15},
-    {0, 0, 0, 1.8543315062651766, 0.09033203125, -0.0021743104889260343, 1.2871027766047298, 2.3125, 0, -0.31802517658955332, 2.40283203125, -0.0021743104889260343, 1.6336872372821223, 1.2703279216855545, 0.24189841194328188, 1.093749999999998, 0.062499999999998467, 1.8726163006477088e-15, 3.5342004311808092e-16},
-    {0, 0, 0, 1.7024935271134387, 0.2663116455078125, -0.0093571979907202917, 0.91680439327368735, 2.19921875, 0, -1.0183574970196236, 2.4655303955078125, -0.0093571979907202917, 0.41065997370474033, 1.5526333670389991, 0.3011094227448412, 0.15624999999970426, 0.29687499999958167, 3.4260345120876413e-16, 4.596329234758378e-16},
-    {0, 0, 0, 1.7855209751405581, -0.1937255859375, 0.0064514649429829509, 1.661346877830616, 2.15625, 0, -0.26327707456505822, 1.9625244140625, 0.0064514649429829509, 1.4899459279862615, -0.12604440194535388, 0.1081155602759966, 0.67187499999999967, -0.96875000000000011, 1.3973061012864003e-15, 1.60383167405761e-15},
-    {0, 0, 0, 1.6938271792675448, -0.134124755859375, 0.00072579846087789405, 0.74025277303754278, 2.2890625, 0, -1.0608005937699978, 2.154937744140625, 0.00072579846087789405, 0.23421624703664687, 2.0443461075634048, -0.11609449979079881, 0.34375, 0.828125, 9.9102070632893278e-16, 1.3113573064936748e-15},
-    {0, 0, 0, 1.564926274689761, 0.0209808349609375, -0.0038962602985243805, 1.2491778009588068, 2.1484375, 0, -0.90953228798779584, 2.1694183349609375, -0.0038962602985243805, 1.6164505415061716, 0.37156198007249891, -0.36164068366528301, 1.1250000000001805, -0.67187500000008926, 1.9205892159261748e-15, 1.3265538386223283e-15},
-};
-#endif
 
 /* footpoint_blocks_quad4_accurate
  *   operations:     102 mul, 4 div, 97 add, 0 sqrt, 0 compare; 62 temporaries
@@ -2155,9 +2083,8 @@ static const double footpoint_blocks_quad4_fine_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_blocks_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double zero, double *xi,
-                                                 double *eta)
+footpoint_blocks_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2192,13 +2119,12 @@ footpoint_detail_footpoint_blocks_quad4_accurate(const double xA[3], const doubl
 FOOTPOINT_FN void footpoint_blocks_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
                                                      const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_blocks_quad4_accurate(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_blocks_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_blocks_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                     const double xD[3], const double xS[3], double xi, double eta,
-                                                     double *gap)
+footpoint_blocks_quad4_accurate_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2211,19 +2137,20 @@ footpoint_detail_gap_footpoint_blocks_quad4_accurate(const double xA[3], const d
     const double b[3] = {t13, t10, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t15, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t28,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t28;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_blocks_quad4_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_blocks_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_accurate(
+    unsigned long long flaw = footpoint_blocks_quad4_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_accurate(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_blocks_quad4_accurate_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2233,8 +2160,8 @@ FOOTPOINT_FN int footpoint_blocks_quad4_accurate(const double xA[3], const doubl
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_blocks_quad4_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_accurate, x, 4, 5, loc, gap);
+    if (footpoint_blocks_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_blocks_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2245,14 +2172,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT xi,
                                                       double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_blocks_quad4_accurate, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_blocks_quad4_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_checked_n(size_t n, const double *const x[15],
                                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                               double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_blocks_quad4_accurate, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_over_n(const double *const nodes[4], size_t n,
@@ -2260,14 +2187,15 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_over_n(const double *const n
                                                            double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_blocks_quad4_accurate, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_blocks_quad4_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_accurate(const double *const *x, double zero, double at[3],
-                                                                            int *region)
+FOOTPOINT_PART int footpoint_blocks_quad4_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                                  int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_accurate(
+    unsigned long long flaw = footpoint_blocks_quad4_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -2279,7 +2207,7 @@ FOOTPOINT_FN int footpoint_blocks_quad4_accurate_closest(const double xA[3], con
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_blocks_quad4_accurate, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_blocks_quad4_accurate_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2288,29 +2216,17 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_closest_n(size_t n, const do
                                                               double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                               int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_blocks_quad4_accurate, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_blocks_quad4_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
                                                             double loc[2],
                                                             double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_blocks_quad4_accurate, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_blocks_quad4_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_blocks_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1.8759112260598676, -0.287322998046875, 0.0042672248127225395, 2.6750132053758131, 2.1015625, 0, 0.74423298162155438, 1.814239501953125, 0.0042672248127225395, 1.0589074063777619, 0.79589736724822557, -0.058624260219665623, -0.23437499999999989, -0.10937500000000003, 5.1744639768277938e-16, 2.7645570631204706e-16},
-    {0, 0, 0, 2.1856434418804631, 0.00420379638671875, 0.0042609744672953359, 2.1274821702019056, 2.15234375, 0, 0.59624720917855756, 2.1565475463867188, 0.0042609744672953359, 1.1145863083020138, -0.098679355891422571, 0.12296055946815013, 0.03124999999999992, -1.09375, 2.0831858754727568e-16, 1.4833048090825648e-15},
-    {0, 0, 0, 2.0647537858168903, -0.23001861572265625, -0.0072021346736357295, 1.5438766628795406, 1.99609375, 0, -0.39919733995327522, 1.7660751342773438, -0.0072021346736357295, -0.011242006890946976, 1.7076434171676238, -0.16450361761943336, -0.62499999999999989, 0.890625, 1.4556667659887427e-15, 1.5590583483234093e-15},
-    {0, 0, 0, 1.8543315062651766, 0.09033203125, -0.0021743104889260343, 1.2871027766047298, 2.3125, 0, -0.31802517658955332, 2.40283203125, -0.0021743104889260343, 1.6336872372821223, 1.2703279216855545, 0.24189841194328188, 1.09375, 0.062499999999999903, 1.8726162972692033e-15, 3.5342004212155401e-16},
-    {0, 0, 0, 1.7024935271134387, 0.2663116455078125, -0.0093571979907202917, 0.91680439327368735, 2.19921875, 0, -1.0183574970196236, 2.4655303955078125, -0.0093571979907202917, 0.41065997370474033, 1.5526333670389991, 0.3011094227448412, 0.15624999999999981, 0.29687499999999989, 3.4260342621369777e-16, 4.5963286843015764e-16},
-    {0, 0, 0, 1.7855209751405581, -0.1937255859375, 0.0064514649429829509, 1.661346877830616, 2.15625, 0, -0.26327707456505822, 1.9625244140625, 0.0064514649429829509, 1.4899459279862615, -0.12604440194535388, 0.1081155602759966, 0.67187499999999978, -0.96875, 1.3973060911342942e-15, 1.603831648364857e-15},
-    {0, 0, 0, 1.6938271792675448, -0.134124755859375, 0.00072579846087789405, 0.74025277303754278, 2.2890625, 0, -1.0608005937699978, 2.154937744140625, 0.00072579846087789405, 0.23421624703664687, 2.0443461075634048, -0.11609449979079881, 0.34375, 0.828125, 9.9102070606290088e-16, 1.3113573062488145e-15},
-    {0, 0, 0, 1.564926274689761, 0.0209808349609375, -0.0038962602985243805, 1.2491778009588068, 2.1484375, 0, -0.90953228798779584, 2.1694183349609375, -0.0038962602985243805, 1.6164505415061716, 0.37156198007249891, -0.36164068366528301, 1.1250000000000002, -0.671875, 1.9205862786749182e-15, 1.326553669919009e-15},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

@@ -1188,9 +1188,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_bricks_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_bricks_quad4_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[2] - xD[2], t4 = xA[1] - xD[1], t5 = xA[0] - xB[0];
     const double t6 = xA[0] - xD[0], t7 = t3 * t3 + t4 * t4 + t6 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1205,31 +1204,31 @@ footpoint_detail_footpoint_bricks_quad4_exact(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_bricks_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_bricks_quad4_exact(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_bricks_quad4_exact_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_bricks_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double xi, double eta,
-                                                  double *gap)
+footpoint_bricks_quad4_exact_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double a[3] = {(xB[0] - xA[0] + (xC[0] - xD[0])), (xB[1] - xA[1] + (xC[1] - xD[1])), (xB[2] - xA[2] + (xC[2] - xD[2]))};
     const double b[3] = {(xD[0] - xA[0] + (xC[0] - xB[0])), (xD[1] - xA[1] + (xC[1] - xB[1])), (xD[2] - xA[2] + (xC[2] - xB[2]))};
     const double c[3] = {(xA[0] - xB[0] + (xC[0] - xD[0])), (xA[1] - xB[1] + (xC[1] - xD[1])), (xA[2] - xB[2] + (xC[2] - xD[2]))};
     const double d[3] = {(xS[0] - xA[0] + (xS[0] - xB[0]) + (xS[0] - xC[0] + (xS[0] - xD[0]))), (xS[1] - xA[1] + (xS[1] - xB[1]) + (xS[1] - xC[1] + (xS[1] - xD[1]))), (xS[2] - xA[2] + (xS[2] - xB[2]) + (xS[2] - xC[2] + (xS[2] - xD[2])))};
-    return footpoint_detail_quad4_over(a, b, c, d, footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c),
-        1, 0.25, 0.25, xi, eta, FOOTPOINT_BRICKS_QUAD4_LEAST, gap);
+    const double size = footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c);
+    const double ratio = 1, per = 0.25, unit = 0.25;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BRICKS_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_bricks_quad4_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_bricks_quad4_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_bricks_quad4_exact(
+    unsigned long long flaw = footpoint_bricks_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BRICKS_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_bricks_quad4_exact(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_bricks_quad4_exact_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1239,8 +1238,8 @@ FOOTPOINT_FN int footpoint_bricks_quad4_exact(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_bricks_quad4_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_bricks_quad4_exact, x, 4, 5, loc, gap);
+    if (footpoint_bricks_quad4_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_bricks_quad4_exact_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1251,14 +1250,14 @@ FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_bricks_quad4_exact, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_bricks_quad4_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_bricks_quad4_exact, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_bricks_quad4_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_over_n(const double *const nodes[4], size_t n,
@@ -1266,14 +1265,15 @@ FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_bricks_quad4_exact, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_bricks_quad4_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_bricks_quad4_exact(const double *const *x, double zero, double at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_bricks_quad4_exact_detail_closest(const double *const *x, double zero, double at[3],
+                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_bricks_quad4_exact(
+    unsigned long long flaw = footpoint_bricks_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BRICKS_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1285,7 +1285,7 @@ FOOTPOINT_FN int footpoint_bricks_quad4_exact_closest(const double xA[3], const 
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_bricks_quad4_exact, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_bricks_quad4_exact_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1294,29 +1294,17 @@ FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_closest_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_bricks_quad4_exact, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_bricks_quad4_exact_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_bricks_quad4_exact_closest_of(size_t n, const double *const *x, const double xS[3],
                                                          double loc[2],
                                                          double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_bricks_quad4_exact, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_bricks_quad4_exact_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_bricks_quad4_exact_points[][19] = {
-    {0, 0, 0, 2.2083838792290065, 0, 0, 2.2083838792290065, 1.811279296875, 0, 0, 1.811279296875, 0, 2.3464078716808192, 0.77828407287597656, 0.36539131157341448, 1.1249999999999998, -0.140625, 1.6653345369378977e-15, 4.1286418765246394e-16},
-    {0, 0, 0, 2.2152514872904274, 0, 0, 2.2152514872904274, 1.8056640625, 0, 0, 1.8056640625, 0, 0.84802595997836683, 0.80408477783203125, -0.062174894474724837, -0.23437499999999992, -0.109375, 5.6205040621654368e-16, 4.1980308156606513e-16},
-    {0, 0, 0, 2.2064507440576393, 0, 0, 2.2064507440576393, 1.8128662109375, 0, 0, 1.8128662109375, 0, 1.5858864722914283, -0.042489051818847656, -0.0038874764481018386, 0.43750000000000006, -1.046875, 1.0547118733940078e-15, 2.5326962762024941e-16},
-    {0, 0, 0, 2.2151017373081863, 0, 0, 2.2151017373081863, 1.8057861328125, 0, 0, 1.8057861328125, 0, 1.1421618332995336, -0.084646224975585938, 0.093262983727209578, 0.031250000000000035, -1.09375, 6.9388939039080015e-16, 2.8449465021206673e-16},
-    {0, 0, 0, 2.2124096954965902, 0, 0, 2.2124096954965902, 1.8079833984375, 0, 0, 1.8079833984375, 0, 0.44939571939774492, 1.0028657913208008, 0.30702843507079108, -0.59375, 0.109375, 4.0245584642665169e-16, 5.1694759631124261e-16},
-    {0, 0, 0, 2.2011150668368376, 0, 0, 2.2011150668368376, 1.8172607421875, 0, 0, 1.8172607421875, 0, 0.41270907503190701, 1.7178792953491211, -0.17108902518675204, -0.625, 0.890625, 3.8857805861883486e-16, 1.037364639508197e-15},
-    {0, 0, 0, 2.2003760408272899, 0, 0, 2.2003760408272899, 1.81787109375, 0, 0, 1.81787109375, 0, 0.58447488584474883, 0.52547836303710938, -0.10110129775348835, -0.46875000000000006, -0.421875, 4.5796699765791829e-16, 3.5041414243005343e-16},
-    {0, 0, 0, 2.2073425395756145, 0, 0, 2.2073425395756145, 1.8121337890625, 0, 0, 1.8121337890625, 0, 2.3108117211182213, 0.96269607543945312, 0.24490130542291993, 1.0937499999999998, 0.0625, 1.6375789613222664e-15, 4.8572257371942549e-16},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

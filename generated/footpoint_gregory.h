@@ -476,10 +476,9 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double nA[3], const double nB[3],
-                                         const double nC[3], const double nD[3], const double xS[3], double zero,
-                                         double *xi, double *eta)
+footpoint_gregory_facet_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                               const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1), t4 = xA[2] - xD[2] + t3;
     const double t5 = 0.5 * (xD[1] - xC[1] - t2), t6 = xA[1] - xD[1] + t5, t7 = xA[0] - xB[0];
@@ -506,13 +505,13 @@ FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB
                                              const double nC[3], const double nD[3], const double xS[3], double *xi,
                                              double *eta)
 {
-    (void)footpoint_detail_footpoint_gregory_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_gregory_facet(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_gregory_facet_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_gregory_facet(
+    unsigned long long flaw = footpoint_gregory_facet_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
@@ -525,8 +524,8 @@ FOOTPOINT_FN int footpoint_gregory_facet(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_gregory_facet(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_gregory_facet, x, 4, 9, loc, gap);
+    if (footpoint_gregory_facet_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_gregory_facet_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -536,14 +535,14 @@ FOOTPOINT_FN int footpoint_gregory_facet(const double xA[3], const double xB[3],
 FOOTPOINT_LOOP void footpoint_gregory_facet_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                               double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_gregory_facet, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_gregory_facet_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_facet_checked_n(size_t n, const double *const x[27],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_gregory_facet, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_facet_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_facet_over_n(const double *const nodes[8], size_t n,
@@ -551,21 +550,9 @@ FOOTPOINT_LOOP void footpoint_gregory_facet_over_n(const double *const nodes[8],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_gregory_facet, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_facet_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_gregory_facet_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.043599547281506897, 1, 5.1391074040823032e-17, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.51537005448398998, 1.110223024625157e-16, 4.9639544806690382e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.35612847386219632, 0.084438581754526995, 1.6312209813985755e-16, 4.0546544665349723e-17},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.82023032122619111, 1.110223024625157e-16, 5.7519973898217035e-16},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.90182433082301094, 0.26699323712635725, 5.1950361574651909e-16, 1.2976377294699607e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.64350107793233002, 1.110223024625157e-16, 3.8938316590697276e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, -0.060748607004776141, 1.110223024625157e-16, 6.924785134311784e-17},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 1, 0.83258601366852258, 1.110223024625157e-16, 4.8677643558743666e-16},
-};
-#endif
 
 /* footpoint_gregory_normals
  *   operations:     93 mul, 1 div, 101 add, 0 sqrt, 4 compare; 64 temporaries
@@ -580,10 +567,9 @@ static const double footpoint_gregory_facet_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_normals(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double nA[3], const double nB[3],
-                                           const double nC[3], const double nD[3], const double xS[3], double zero,
-                                           double *xi, double *eta)
+footpoint_gregory_normals_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                 const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = nA[2] - nB[2], t4 = nA[1] - nB[1];
     const double t5 = 0.5 * (xD[2] - xC[2] - t1), t6 = xA[2] - xD[2] + t5, t7 = t1 - 2.0 * (xA[2] - xS[2]) + t6;
@@ -627,13 +613,13 @@ FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double 
                                                const double nC[3], const double nD[3], const double xS[3], double *xi,
                                                double *eta)
 {
-    (void)footpoint_detail_footpoint_gregory_normals(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_gregory_normals_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_gregory_normals(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_gregory_normals_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_gregory_normals(
+    unsigned long long flaw = footpoint_gregory_normals_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
@@ -646,8 +632,8 @@ FOOTPOINT_FN int footpoint_gregory_normals(const double xA[3], const double xB[3
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_gregory_normals(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_gregory_normals, x, 4, 9, loc, gap);
+    if (footpoint_gregory_normals_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_gregory_normals_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -657,14 +643,14 @@ FOOTPOINT_FN int footpoint_gregory_normals(const double xA[3], const double xB[3
 FOOTPOINT_LOOP void footpoint_gregory_normals_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                 double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_gregory_normals, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_gregory_normals_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_normals_checked_n(size_t n, const double *const x[27],
                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_gregory_normals, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_normals_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_normals_over_n(const double *const nodes[8], size_t n,
@@ -672,21 +658,9 @@ FOOTPOINT_LOOP void footpoint_gregory_normals_over_n(const double *const nodes[8
                                                      double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_gregory_normals, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_normals_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_gregory_normals_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0070158989141875482, 1, 8.8839223885708231e-17, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.59597846459641624, 1.110223024625157e-16, 9.8187896653528887e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.36323326405422784, 0.083765893616889658, 5.2746188129729039e-16, 1.5136295125150253e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.93708759268057884, 1.110223024625157e-16, 2.0345013563280643e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.83719918907215896, 0.25804571616674216, 1.1230816429962756e-15, 3.4318398819707828e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.65288804590940952, 1.110223024625157e-16, 1.0428988439667988e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, 0.18370526928037856, 1.110223024625157e-16, 4.2630513092188135e-16},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.95804196342636327, 0.84585706936042193, 1.5655728932263155e-15, 2.0332420557935498e-15},
-};
-#endif
 
 /* footpoint_gregory_smooth
  *   operations:     152 mul, 2 div, 148 add, 0 sqrt, 4 compare; 95 temporaries
@@ -702,10 +676,9 @@ static const double footpoint_gregory_normals_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double nA[3], const double nB[3],
-                                          const double nC[3], const double nD[3], const double xS[3], double zero,
-                                          double *xi, double *eta)
+footpoint_gregory_smooth_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -759,13 +732,13 @@ FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double x
                                               const double nC[3], const double nD[3], const double xS[3], double *xi,
                                               double *eta)
 {
-    (void)footpoint_detail_footpoint_gregory_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_gregory_smooth(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_gregory_smooth_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_gregory_smooth(
+    unsigned long long flaw = footpoint_gregory_smooth_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
@@ -778,8 +751,8 @@ FOOTPOINT_FN int footpoint_gregory_smooth(const double xA[3], const double xB[3]
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_gregory_smooth(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_gregory_smooth, x, 4, 9, loc, gap);
+    if (footpoint_gregory_smooth_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_gregory_smooth_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -789,14 +762,14 @@ FOOTPOINT_FN int footpoint_gregory_smooth(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_gregory_smooth_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_gregory_smooth, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_gregory_smooth_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_smooth_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_gregory_smooth, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_smooth_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_smooth_over_n(const double *const nodes[8], size_t n,
@@ -804,21 +777,9 @@ FOOTPOINT_LOOP void footpoint_gregory_smooth_over_n(const double *const nodes[8]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_gregory_smooth, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_smooth_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_gregory_smooth_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, 0.013549342317701822, 1, 2.342654705298958e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.61776463602198606, 1.110223024625157e-16, 8.6988544679068561e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.31432009634299324, 0.11156508000385913, 3.8786926497170589e-16, 2.3133502631782358e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.88010162150294402, 1.110223024625157e-16, 9.7429630188214733e-16},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.82629806130725492, 0.24777181046487332, 8.133737184358012e-16, 2.6042584029006108e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.64848321495755012, 1.110223024625157e-16, 9.137504963371867e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, 0.24973922663549905, 1.110223024625157e-16, 1.6384922553861041e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.94484996490259199, 0.71695081809481609, 1.3509507805472364e-15, 2.964415358961905e-15},
-};
-#endif
 
 /* footpoint_gregory_corrected
  *   operations:     365 mul, 2 div, 267 add, 0 sqrt, 9 compare; 183 temporaries
@@ -834,10 +795,9 @@ static const double footpoint_gregory_smooth_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_corrected(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double nA[3], const double nB[3],
-                                             const double nC[3], const double nD[3], const double xS[3], double zero,
-                                             double *xi, double *eta)
+footpoint_gregory_corrected_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -931,13 +891,13 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
                                                  const double nC[3], const double nD[3], const double xS[3],
                                                  double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_gregory_corrected(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_gregory_corrected_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_gregory_corrected(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_gregory_corrected_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_gregory_corrected(
+    unsigned long long flaw = footpoint_gregory_corrected_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
@@ -950,8 +910,8 @@ FOOTPOINT_FN int footpoint_gregory_corrected(const double xA[3], const double xB
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_gregory_corrected(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_gregory_corrected, x, 4, 9, loc, gap);
+    if (footpoint_gregory_corrected_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_gregory_corrected_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -961,14 +921,14 @@ FOOTPOINT_FN int footpoint_gregory_corrected(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_gregory_corrected_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_gregory_corrected, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_gregory_corrected_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_corrected_checked_n(size_t n, const double *const x[27],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_gregory_corrected, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_corrected_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_corrected_over_n(const double *const nodes[8], size_t n,
@@ -976,21 +936,9 @@ FOOTPOINT_LOOP void footpoint_gregory_corrected_over_n(const double *const nodes
                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_gregory_corrected, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_corrected_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_gregory_corrected_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.018838237630120592, 0.98752077509615588, 3.7466887058745553e-16, 1.0100053499434314e-15},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.68502266307046489, 1.110223024625157e-16, 1.473191588143538e-15},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.28858248238344447, 0.13270327208505395, 1.1248576875917766e-15, 6.8033230279572683e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.86734107359521428, 1.110223024625157e-16, 1.0969045286580006e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.73977713445977056, 0.22726884077823736, 1.3570805991983253e-15, 7.9177779156453445e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63671286361523294, 1.110223024625157e-16, 6.9420280870422714e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, 0.0988411965658057, 1.110223024625157e-16, 1.3352729599656727e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91798373259423982, 0.8223388246648673, 1.0286921135844991e-15, 1.9622303168932467e-15},
-};
-#endif
 
 /* footpoint_gregory_precise
  *   operations:     630 mul, 9 div, 465 add, 0 sqrt, 12 compare; 356 temporaries
@@ -1014,10 +962,9 @@ static const double footpoint_gregory_corrected_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double nA[3], const double nB[3],
-                                           const double nC[3], const double nD[3], const double xS[3], double zero,
-                                           double *xi, double *eta)
+footpoint_gregory_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                 const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -1182,13 +1129,13 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
                                                const double nC[3], const double nD[3], const double xS[3], double *xi,
                                                double *eta)
 {
-    (void)footpoint_detail_footpoint_gregory_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_gregory_precise(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_gregory_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_gregory_precise(
+    unsigned long long flaw = footpoint_gregory_precise_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
@@ -1201,8 +1148,8 @@ FOOTPOINT_FN int footpoint_gregory_precise(const double xA[3], const double xB[3
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_gregory_precise(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_gregory_precise, x, 4, 9, loc, gap);
+    if (footpoint_gregory_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_gregory_precise_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1212,14 +1159,14 @@ FOOTPOINT_FN int footpoint_gregory_precise(const double xA[3], const double xB[3
 FOOTPOINT_LOOP void footpoint_gregory_precise_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                 double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_gregory_precise, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_gregory_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_precise_checked_n(size_t n, const double *const x[27],
                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_gregory_precise, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_precise_over_n(const double *const nodes[8], size_t n,
@@ -1227,21 +1174,9 @@ FOOTPOINT_LOOP void footpoint_gregory_precise_over_n(const double *const nodes[8
                                                      double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_gregory_precise, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_gregory_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.030817061568522281, 0.93772453397719624, 4.7879562447380198e-16, 1.663699035793482e-15},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.64467546023017974, 1.110223024625157e-16, 3.6821798974241321e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.26940468204403878, 0.13397135355056028, 1.3859235107218906e-15, 8.3796539921089734e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.8596224508552941, 1.110223024625157e-16, 1.0218981234518871e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.76703772616545585, 0.20763785055293471, 1.1395623887818395e-15, 8.5833971217428122e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63264436578747885, 1.110223024625157e-16, 7.1491156794493917e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, -0.049325882982860614, 1.110223024625157e-16, 2.2697194111488274e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.9042359207839783, 0.79799536018119877, 1.40864719093742e-15, 1.9678749956930463e-15},
-};
-#endif
 
 /* footpoint_gregory_exact
  *   operations:     772 mul, 11 div, 559 add, 0 sqrt, 14 compare; 423 temporaries
@@ -1266,10 +1201,9 @@ static const double footpoint_gregory_precise_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double nA[3], const double nB[3],
-                                         const double nC[3], const double nD[3], const double xS[3], double zero,
-                                         double *xi, double *eta)
+footpoint_gregory_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                               const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xC[2] - xD[2], t4 = xA[2] - xB[2], t5 = xC[1] - xD[1];
     const double t6 = xA[1] - xB[1], t7 = nC[2] - nD[2] + t1, t8 = nC[1] - nD[1] + t2, t9 = nA[0] - nB[0];
@@ -1465,13 +1399,13 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
                                              const double nC[3], const double nD[3], const double xS[3], double *xi,
                                              double *eta)
 {
-    (void)footpoint_detail_footpoint_gregory_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_gregory_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_gregory_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_gregory_exact(
+    unsigned long long flaw = footpoint_gregory_exact_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
@@ -1484,8 +1418,8 @@ FOOTPOINT_FN int footpoint_gregory_exact(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_gregory_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_gregory_exact, x, 4, 9, loc, gap);
+    if (footpoint_gregory_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_gregory_exact_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1495,14 +1429,14 @@ FOOTPOINT_FN int footpoint_gregory_exact(const double xA[3], const double xB[3],
 FOOTPOINT_LOOP void footpoint_gregory_exact_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                               double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_gregory_exact, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_gregory_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_exact_checked_n(size_t n, const double *const x[27],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_gregory_exact, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_exact_over_n(const double *const nodes[8], size_t n,
@@ -1510,21 +1444,9 @@ FOOTPOINT_LOOP void footpoint_gregory_exact_over_n(const double *const nodes[8],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_gregory_exact, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_gregory_exact_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.025266632431997213, 0.95249591143105594, 4.7596353327897263e-16, 1.4171586383275301e-15},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.64044331732758342, 1.110223024625157e-16, 4.9990136303186466e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.26917846994948902, 0.13393970301852814, 1.4663278249877114e-15, 8.6542988632610838e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.8492411313763798, 1.110223024625157e-16, 1.1932998216603129e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.75752876400830016, 0.20567807263396298, 1.2710775535637876e-15, 9.2880904726291118e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.6368659663365337, 1.110223024625157e-16, 6.7592800292026642e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, 0.30270967116694653, 1.110223024625157e-16, 6.112325974731088e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91092746645933609, 0.81679101121872555, 9.6973499095552115e-16, 1.5192608876774505e-15},
-};
-#endif
 
 /* footpoint_gregory_full
  *   operations:     1295 mul, 16 div, 881 add, 0 sqrt, 31 compare; 669 temporaries
@@ -1553,10 +1475,9 @@ static const double footpoint_gregory_exact_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_full(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double nA[3], const double nB[3],
-                                        const double nC[3], const double nD[3], const double xS[3], double zero,
-                                        double *xi, double *eta)
+footpoint_gregory_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -1879,13 +1800,13 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
                                             double *eta)
 {
-    (void)footpoint_detail_footpoint_gregory_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_gregory_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_gregory_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_gregory_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_gregory_full(
+    unsigned long long flaw = footpoint_gregory_full_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
@@ -1898,8 +1819,8 @@ FOOTPOINT_FN int footpoint_gregory_full(const double xA[3], const double xB[3], 
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_gregory_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_gregory_full, x, 4, 9, loc, gap);
+    if (footpoint_gregory_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_gregory_full_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1909,14 +1830,14 @@ FOOTPOINT_FN int footpoint_gregory_full(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_gregory_full_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_gregory_full, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_gregory_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_full_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_gregory_full, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_full_over_n(const double *const nodes[8], size_t n,
@@ -1924,20 +1845,8 @@ FOOTPOINT_LOOP void footpoint_gregory_full_over_n(const double *const nodes[8], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_gregory_full, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_full_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_gregory_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.02519745372585221, 0.95798305904147552, 5.3821574083597787e-16, 2.0196376541204779e-15},
-    {0, 0, 0, 1, 0, 0, 1.15625, 0.9375, -0.3828125, 0.25, 2.453125, 0, -0.1328125, -0.16796875, 0.94140625, 0.13671875, 0.01171875, 0.787109375, 0.29296875, -0.1796875, 0.7900390625, -0.4921875, 0.34375, 0.90234375, -0.015625, 0.484375, -0.1796875, -1, -0.64516199512843675, 1.110223024625157e-16, 4.6108963581241149e-16},
-    {0, 0, 0, 1, 0, 0, -0.109375, 1.640625, -0.328125, -1.234375, 1.34375, 0, 0.0703125, -0.52734375, 0.669921875, -0.19140625, -0.1640625, 0.96875, 0.0703125, 0.58984375, 0.794921875, 0.078125, 0.1328125, 0.869140625, -0.296875, 0.828125, 0.171875, -0.27082125522616013, 0.1331639270594934, 1.2410029307218029e-15, 7.3772540215777843e-16},
-    {0, 0, 0, 1, 0, 0, 2.03125, 0.96875, 0.2109375, -0.09375, 2.03125, 0, -0.10546875, -0.7109375, 0.853515625, -0.15234375, -0.0546875, 0.943359375, -0.0390625, -0.01171875, 0.9736328125, -0.3984375, 0.265625, 0.94921875, -0.109375, 1.875, -0.3046875, -1, 0.84961632268813081, 1.110223024625157e-16, 1.2681201792917991e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 2.625, 0.0625, -1.609375, 2.046875, 0, -0.15625, -0.32421875, 0.763671875, 0.15625, -0.63671875, 0.93359375, 0.4921875, 0.5859375, 0.77734375, -0.1796875, -0.2421875, 0.96484375, 0.96875, 1.640625, 0.3359375, 0.75943272209976609, 0.20682999908105329, 1.2382379865682878e-15, 8.1508553489839039e-16},
-    {0, 0, 0, 1, 0, 0, 1.65625, 2.328125, -0.234375, -0.765625, 1.40625, 0, 0.01953125, -0.4453125, 0.75390625, -0.04296875, 0.08984375, 0.849609375, 0.078125, -0.14453125, 0.857421875, 0.39453125, -0.375, 0.978515625, 1.609375, 1.9375, -0.1796875, 1, 0.63673777255909414, 1.110223024625157e-16, 7.0603938628394206e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.34375, 0.359375, -0.65625, 1.6875, 0, -0.1015625, -0.15625, 0.6875, 0.05859375, 0.15625, 0.87109375, 0.0234375, -0.21484375, 0.814453125, 0.20703125, -0.328125, 0.8671875, -0.671875, 0.984375, -0.3828125, -1, 0.13038983840859672, 1.110223024625157e-16, 1.1291043574199144e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.03125, -0.203125, -1.59375, 1.578125, 0, -0.1640625, -0.18359375, 0.970703125, 0.0234375, 0.0234375, 0.732421875, 0.4921875, 0.1171875, 0.9619140625, 0.18359375, 0.0703125, 0.900390625, 0.921875, 0.984375, 0.0546875, 0.91071719924590755, 0.81669575517537107, 1.0307750161782822e-15, 1.6802488500082959e-15},
-};
-#endif
 
 #endif

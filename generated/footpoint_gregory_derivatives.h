@@ -329,8 +329,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_place(const double *const *x, double xi, double eta,
-                                         double *const *row, size_t step, int always, int again)
+footpoint_gregory_place_detail(const double *const *x, double xi, double eta,
+                               double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const nA = x[4],
                  *const nB = x[5], *const nC = x[6], *const nD = x[7], *const xS = x[8];
@@ -497,14 +497,14 @@ footpoint_detail_footpoint_gregory_place(const double *const *x, double xi, doub
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_gregory_place_again(const double *const *x, double xi, double eta,
-                                                                  double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_gregory_place_detail_again(const double *const *x, double xi, double eta,
+                                                        double *const *row, size_t step)
 {
+    const int nodes = 4, vectors = 9, rows = 5, first = 1, degree = 5;
     const int shape[10] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1};
     double space[13];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_gregory_place,
-        footpoint_detail_footpoint_gregory_place, 1, 5,
-        x, 4, 9, xi, eta, row, step, 5, shape, space);
+    return footpoint_detail_place_again(footpoint_gregory_place_detail, footpoint_gregory_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_gregory_place(const double xA[3], const double xB[3], const double xC[3],
@@ -515,8 +515,8 @@ FOOTPOINT_FN int footpoint_gregory_place(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double *const row[5] = {r, r_xi, r_eta, normal, gap};
-    if (footpoint_detail_footpoint_gregory_place(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_gregory_place_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_gregory_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_gregory_place_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -539,7 +539,7 @@ FOOTPOINT_LOOP void footpoint_gregory_place_n(size_t n, const double *const x[27
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_gregory_place(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_gregory_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -548,7 +548,7 @@ FOOTPOINT_LOOP void footpoint_gregory_place_n(size_t n, const double *const x[27
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i};
-            status[i] = footpoint_detail_footpoint_gregory_place_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_gregory_place_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -562,14 +562,14 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
     double *const row[5] = {r, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_gregory_place(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_gregory_place_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_gregory_place_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_gregory_place_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -595,8 +595,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_gregory_place(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
+        flaw |= footpoint_gregory_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -613,7 +613,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_gregory_place_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_gregory_place_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -642,8 +642,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_gregory_gradients(const double *const *x, double xi, double eta,
-                                             double *const *row, size_t step, int always, int again)
+footpoint_gregory_gradients_detail(const double *const *x, double xi, double eta,
+                                   double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const nA = x[4],
                  *const nB = x[5], *const nC = x[6], *const nD = x[7], *const xS = x[8];
@@ -1399,14 +1399,14 @@ footpoint_detail_footpoint_gregory_gradients(const double *const *x, double xi, 
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_gregory_gradients_again(const double *const *x, double xi, double eta,
-                                                                      double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_gregory_gradients_detail_again(const double *const *x, double xi, double eta,
+                                                            double *const *row, size_t step)
 {
+    const int nodes = 4, vectors = 9, rows = 11, first = 1, degree = 5;
     const int shape[22] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0, 12, 0, 12, 0, 12, 1};
     double space[94];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_gregory_gradients,
-        footpoint_detail_footpoint_gregory_place, 1, 5,
-        x, 4, 9, xi, eta, row, step, 11, shape, space);
+    return footpoint_detail_place_again(footpoint_gregory_gradients_detail, footpoint_gregory_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_gregory_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -1419,8 +1419,8 @@ FOOTPOINT_FN int footpoint_gregory_gradients(const double xA[3], const double xB
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double *const row[11] = {r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, d_eta_n, d_gap_n};
-    if (footpoint_detail_footpoint_gregory_gradients(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_gregory_gradients_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_gregory_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_gregory_gradients_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -1449,7 +1449,7 @@ FOOTPOINT_LOOP void footpoint_gregory_gradients_n(size_t n, const double *const 
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_gregory_gradients(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_gregory_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1458,7 +1458,7 @@ FOOTPOINT_LOOP void footpoint_gregory_gradients_n(size_t n, const double *const 
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i};
-            status[i] = footpoint_detail_footpoint_gregory_gradients_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_gregory_gradients_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -1473,14 +1473,14 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
     double *const row[11] = {r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, d_eta_n, d_gap_n}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_gregory_gradients(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_gregory_gradients_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_gregory_gradients_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_gregory_gradients_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -1512,8 +1512,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_gregory_gradients(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
+        flaw |= footpoint_gregory_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -1530,7 +1530,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_gregory_gradients_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_gregory_gradients_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 

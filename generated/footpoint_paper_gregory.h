@@ -479,10 +479,9 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double nA[3], const double nB[3],
-                                               const double nC[3], const double nD[3], const double xS[3],
-                                               double zero, double *xi, double *eta)
+footpoint_paper_gregory_facet_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, t7 = nA[0] - nD[0], t8 = t7 - (nB[0] - nC[0]);
@@ -517,13 +516,13 @@ FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const dou
                                                    const double nC[3], const double nD[3], const double xS[3],
                                                    double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_gregory_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_gregory_facet(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_gregory_facet_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_paper_gregory_facet(
+    unsigned long long flaw = footpoint_paper_gregory_facet_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
@@ -536,8 +535,8 @@ FOOTPOINT_FN int footpoint_paper_gregory_facet(const double xA[3], const double 
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_gregory_facet(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_gregory_facet, x, 4, 9, loc, gap);
+    if (footpoint_paper_gregory_facet_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_gregory_facet_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -548,14 +547,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_paper_gregory_facet, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_paper_gregory_facet_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_facet_checked_n(size_t n, const double *const x[27],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_paper_gregory_facet, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_facet_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_facet_over_n(const double *const nodes[8], size_t n,
@@ -563,21 +562,9 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_facet_over_n(const double *const nod
                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_paper_gregory_facet, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_facet_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_facet_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.47133185230838615, 0, 6.2689068809115086e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.48685441086659698, 0, 2.1602259077315208e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.3769238854370896, 9.8813129168249309e-324, 1.3454990022071463e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31382755557663156, 9.8813129168249309e-324, 8.286790410299833e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.6251909093417255, 1.110223024625157e-16, 8.2985740265749718e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, -0.22258193837023002, 0, 3.8971356727002962e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.10854680745704941, -0.28115263698498333, 2.6621733446635964e-15, 6.957820229870277e-16},
-};
-#endif
 
 /* footpoint_paper_gregory_smooth
  *   operations:     225 mul, 2 div, 187 add, 0 sqrt, 8 compare; 141 temporaries
@@ -594,10 +581,9 @@ static const double footpoint_paper_gregory_facet_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double nA[3], const double nB[3],
-                                                const double nC[3], const double nD[3], const double xS[3],
-                                                double zero, double *xi, double *eta)
+footpoint_paper_gregory_smooth_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = xA[2] - xD[2];
     const double t6 = xA[1] - xD[1], t7 = nA[2] - nB[2], t8 = t1 + t2, t9 = t3 + t4, t10 = xC[0] - xD[0];
@@ -673,13 +659,13 @@ FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const do
                                                     const double nC[3], const double nD[3], const double xS[3],
                                                     double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_gregory_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_gregory_smooth(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_gregory_smooth_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_paper_gregory_smooth(
+    unsigned long long flaw = footpoint_paper_gregory_smooth_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
@@ -692,8 +678,8 @@ FOOTPOINT_FN int footpoint_paper_gregory_smooth(const double xA[3], const double
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_gregory_smooth(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_gregory_smooth, x, 4, 9, loc, gap);
+    if (footpoint_paper_gregory_smooth_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_gregory_smooth_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -704,14 +690,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_paper_gregory_smooth, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_paper_gregory_smooth_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_checked_n(size_t n, const double *const x[27],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_paper_gregory_smooth, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_smooth_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_over_n(const double *const nodes[8], size_t n,
@@ -719,21 +705,9 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_over_n(const double *const no
                                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_paper_gregory_smooth, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_smooth_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_smooth_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.52861661758439416, 0, 7.3953184131204181e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.29377805110941357, 0, 2.8896485169293213e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.36988811527089666, 9.8813129168249309e-324, 3.2207847656493191e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.25046849734307547, 9.8813129168249309e-324, 1.1394495574981123e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72623840620747837, 1.110223024625157e-16, 7.1705791932124725e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.43472633860875931, -0.30316448321470496, 2.1335925128413058e-15, 7.6957400889069479e-16},
-};
-#endif
 
 /* footpoint_paper_gregory_weighted
  *   operations:     416 mul, 6 div, 324 add, 0 sqrt, 13 compare; 236 temporaries
@@ -753,10 +727,10 @@ static const double footpoint_paper_gregory_smooth_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double nA[3], const double nB[3],
-                                                  const double nC[3], const double nD[3], const double xS[3],
-                                                  double zero, double *xi, double *eta)
+footpoint_paper_gregory_weighted_detail(const double xA[3], const double xB[3], const double xC[3],
+                                        const double xD[3], const double nA[3], const double nB[3],
+                                        const double nC[3], const double nD[3], const double xS[3], double zero,
+                                        double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = nA[2] - nB[2];
     const double t6 = nA[1] - nB[1], t7 = t1 + t2, t8 = t3 + t4, t9 = xC[0] - xD[0], t10 = xA[0] - xB[0];
@@ -873,13 +847,13 @@ FOOTPOINT_FN void footpoint_paper_gregory_weighted_at(const double xA[3], const 
                                                       const double nC[3], const double nD[3], const double xS[3],
                                                       double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_gregory_weighted_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_gregory_weighted(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_gregory_weighted_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_paper_gregory_weighted(
+    unsigned long long flaw = footpoint_paper_gregory_weighted_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
@@ -892,8 +866,8 @@ FOOTPOINT_FN int footpoint_paper_gregory_weighted(const double xA[3], const doub
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_gregory_weighted(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_gregory_weighted, x, 4, 9, loc, gap);
+    if (footpoint_paper_gregory_weighted_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_gregory_weighted_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -904,14 +878,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *c
                                                        double *FOOTPOINT_RESTRICT xi,
                                                        double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_paper_gregory_weighted, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_paper_gregory_weighted_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_checked_n(size_t n, const double *const x[27],
                                                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                                double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_paper_gregory_weighted, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_weighted_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_over_n(const double *const nodes[8], size_t n,
@@ -919,21 +893,9 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_over_n(const double *const 
                                                             double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_paper_gregory_weighted, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_weighted_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_weighted_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.49520053654437496, 0, 9.8847960673612263e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.26231375724378092, 9.8813129168249309e-324, 4.9946232616913636e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.27170983336168159, 9.8813129168249309e-324, 1.7925761438713826e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.74474844124259265, 1.110223024625157e-16, 1.0701712954440344e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.27990126094269996, -0.29271819268559962, 2.1483752134581482e-15, 6.8770730163484834e-16},
-};
-#endif
 
 /* footpoint_paper_gregory_precise
  *   operations:     737 mul, 10 div, 544 add, 0 sqrt, 13 compare; 386 temporaries
@@ -957,10 +919,9 @@ static const double footpoint_paper_gregory_weighted_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double nA[3], const double nB[3],
-                                                 const double nC[3], const double nD[3], const double xS[3],
-                                                 double zero, double *xi, double *eta)
+footpoint_paper_gregory_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                       const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = xA[2] - xD[2];
     const double t6 = t1 + t2, t7 = xA[1] - xD[1], t8 = t3 + t4, t9 = xC[0] - xD[0], t10 = xA[0] - xB[0];
@@ -1145,13 +1106,13 @@ FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const d
                                                      const double nC[3], const double nD[3], const double xS[3],
                                                      double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_gregory_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_gregory_precise(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_gregory_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_paper_gregory_precise(
+    unsigned long long flaw = footpoint_paper_gregory_precise_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
@@ -1164,8 +1125,8 @@ FOOTPOINT_FN int footpoint_paper_gregory_precise(const double xA[3], const doubl
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_gregory_precise(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_gregory_precise, x, 4, 9, loc, gap);
+    if (footpoint_paper_gregory_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_gregory_precise_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1176,14 +1137,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT xi,
                                                       double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_paper_gregory_precise, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_paper_gregory_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_precise_checked_n(size_t n, const double *const x[27],
                                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                               double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_paper_gregory_precise, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const nodes[8], size_t n,
@@ -1191,21 +1152,9 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const n
                                                            double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_paper_gregory_precise, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.55557117640894815, 0, 1.7686868787072498e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.13510847024777228, 0, 8.9646684954209978e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.19741674904819029, 9.8813129168249309e-324, 7.2566567955391601e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31571747334748002, 9.8813129168249309e-324, 3.3620456142215752e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72550115267363502, 1.110223024625157e-16, 1.1499524926299948e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.25824958793026681, -0.28465961561439485, 2.0750354104759371e-15, 7.80341872687383e-16},
-};
-#endif
 
 /* footpoint_paper_gregory_exact
  *   operations:     972 mul, 12 div, 675 add, 0 sqrt, 23 compare; 523 temporaries
@@ -1231,10 +1180,9 @@ static const double footpoint_paper_gregory_precise_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double nA[3], const double nB[3],
-                                               const double nC[3], const double nD[3], const double xS[3],
-                                               double zero, double *xi, double *eta)
+footpoint_paper_gregory_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = nA[2] - nB[2];
     const double t6 = nA[1] - nB[1], t7 = t1 + t2, t8 = t3 + t4, t9 = xC[0] - xD[0], t10 = xA[0] - xB[0];
@@ -1486,13 +1434,13 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
                                                    const double nC[3], const double nD[3], const double xS[3],
                                                    double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_gregory_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_gregory_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_gregory_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_paper_gregory_exact(
+    unsigned long long flaw = footpoint_paper_gregory_exact_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
@@ -1505,8 +1453,8 @@ FOOTPOINT_FN int footpoint_paper_gregory_exact(const double xA[3], const double 
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_gregory_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_gregory_exact, x, 4, 9, loc, gap);
+    if (footpoint_paper_gregory_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_gregory_exact_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1517,14 +1465,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_paper_gregory_exact, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_paper_gregory_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_exact_checked_n(size_t n, const double *const x[27],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_paper_gregory_exact, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_exact_over_n(const double *const nodes[8], size_t n,
@@ -1532,21 +1480,9 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_exact_over_n(const double *const nod
                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_paper_gregory_exact, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_exact_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.5443254033210625, 0, 1.2713637842692173e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.17264922979220856, 0, 6.7188014595840265e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.3783404792057336, 9.8813129168249309e-324, 3.6400091553739223e-15},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29274130097428097, 9.8813129168249309e-324, 2.2943357112560229e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72355729709604899, 1.110223024625157e-16, 1.0232021332791204e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.25825546489950346, -0.28465743814935057, 1.9255082906125358e-15, 7.4080551970175459e-16},
-};
-#endif
 
 /* footpoint_paper_gregory_full
  *   operations:     1405 mul, 14 div, 945 add, 0 sqrt, 31 compare; 706 temporaries
@@ -1573,10 +1509,9 @@ static const double footpoint_paper_gregory_exact_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_gregory_full(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double nA[3], const double nB[3],
-                                              const double nC[3], const double nD[3], const double xS[3], double zero,
-                                              double *xi, double *eta)
+footpoint_paper_gregory_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -1912,13 +1847,13 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
                                                   const double nC[3], const double nD[3], const double xS[3],
                                                   double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_gregory_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_gregory_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_gregory_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_gregory_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_paper_gregory_full(
+    unsigned long long flaw = footpoint_paper_gregory_full_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
@@ -1931,8 +1866,8 @@ FOOTPOINT_FN int footpoint_paper_gregory_full(const double xA[3], const double x
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_gregory_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_gregory_full, x, 4, 9, loc, gap);
+    if (footpoint_paper_gregory_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_gregory_full_detail_checked, x, 4, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1943,14 +1878,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_full_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_gregory_n(footpoint_detail_footpoint_paper_gregory_full, n, x, xi, eta);
+    footpoint_detail_gregory_n(footpoint_paper_gregory_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_full_checked_n(size_t n, const double *const x[27],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_detail_checked_footpoint_paper_gregory_full, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_full_over_n(const double *const nodes[8], size_t n,
@@ -1958,20 +1893,8 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_full_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_detail_checked_footpoint_paper_gregory_full, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_full_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54284238482622515, 0, 1.3188528606058464e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.26502701066899587, 9.8813129168249309e-324, 4.707939544359384e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 0.953125, -0.1953125, -0.4296875, 0.1796875, 0, 0.111328125, 0.123046875, 0.99951171875, 0.0546875, 0.4375, 0.4921875, 0.5390625, 0.34375, 0.484375, -0.25, 0.328125, -0.078125, 0.48046875, 0.78125, 0.140625, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.25, 0.484375, -0.26953125, 0.390625, 0.9375, 0, -0.0546875, 0.029296875, 0.9959716796875, 0.07421875, 0.5, 0.125, 0.421875, -0.609375, -0.0625, -0.921875, 0.59375, 0.625, -0.0390625, 0.140625, -0.10546875, -1, -0.72118099747424169, 1.110223024625157e-16, 1.0280307754132794e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.796875, 0.078125, -0.96875, 0.40625, 0, 0.197265625, -0.052734375, 0.99951171875, -0.185546875, 0.1875, 0.09375, -0.2421875, 0.546875, 0.6875, 0.609375, 0.5, 0.234375, -0.17578125, 0.6015625, 0.28125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.6875, 1.03125, -0.23828125, -0.6640625, 0.4609375, 0, 0.080078125, -0.1171875, 0.9805908203125, -0.130859375, 0.125, 0.875, 0.015625, 0.953125, -0.0390625, 0.296875, 0.171875, 0.5, -0.12109375, 0.2734375, 0.07421875, -0.25825618907648668, -0.28465749188811429, 1.9400088621950015e-15, 7.4076343071339088e-16},
-};
-#endif
 
 #endif

@@ -485,9 +485,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double zero, double *xi,
-                                             double *eta)
+footpoint_paper_quad4_gauss_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -506,16 +505,16 @@ footpoint_detail_footpoint_paper_quad4_gauss(const double xA[3], const double xB
 FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_gauss(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_gauss(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_gauss_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_gauss(
+    unsigned long long flaw = footpoint_paper_quad4_gauss_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -527,8 +526,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_gauss(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_gauss, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_gauss_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_gauss_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -538,28 +537,15 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_gauss, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_gauss_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_gauss, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1435618600441707e-14, 1.872704736315499e-14},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 6.6617060760128967e-16, 2.0883720938558189e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 4.8035262892077597e-15, 7.6438308868405182e-15},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3252754477678312e-15, 3.704468278290691e-15},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.60586961621067836, -1.1536862232613274, 2.0526415812220401e-15, 1.4945346193095205e-15},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.67564617464374677, -2.3191911224433643, 3.3366634007276365e-15, 5.5260299458764422e-15},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -1.1764093061785144, -0.60126371357282349, 1.7975806065246336e-15, 9.4053779804903664e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, 0.056064917770301072, 1.2392066664143919, 1.7318928133976499e-15, 3.5859558280124456e-15},
-};
-#endif
 
 /* footpoint_paper_quad4_fast
  *   operations:     32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
@@ -574,9 +560,8 @@ static const double footpoint_paper_quad4_gauss_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_paper_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.25 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -597,16 +582,16 @@ footpoint_detail_footpoint_paper_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_fast(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_fast(
+    unsigned long long flaw = footpoint_paper_quad4_fast_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -618,8 +603,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_fast, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_fast_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -629,28 +614,15 @@ FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_fast, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_fast_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_fast, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.9375, 0.090263250000000003, 1.0408340855860847e-16, 1.4336454245979223e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069125276099123362, 1.4821984075758499e-16, 1.332271588639879e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.0625, -0.090263250000000003, 6.9388939039072315e-18, 1.233220747742906e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95450462127201652, 1.424989937516663e-16, 4.5691851330317815e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61352404012789818, -1.0182169756712436, 1.7404080406175676e-16, 4.8141676469455447e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.70384559409095504, -1.0327106947925875, 2.2417933847661655e-16, 4.9158593800947281e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -1.0187145965829187, -0.67674461762355931, 2.8794444416776692e-16, 3.5686540215144285e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.0625, -0.090263250000000003, 6.9388939039072315e-18, 1.233220747742906e-16},
-};
-#endif
 
 /* footpoint_paper_quad4_taper
  *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
@@ -665,9 +637,8 @@ static const double footpoint_paper_quad4_fast_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double zero, double *xi,
-                                             double *eta)
+footpoint_paper_quad4_taper_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -692,16 +663,16 @@ footpoint_detail_footpoint_paper_quad4_taper(const double xA[3], const double xB
 FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_taper(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_taper(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_taper_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_taper(
+    unsigned long long flaw = footpoint_paper_quad4_taper_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -713,8 +684,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_taper(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_taper, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_taper_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_taper_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -724,28 +695,15 @@ FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_taper, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_taper_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_taper, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_taper_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_taper_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 6.1243676611837929e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.1078754980970789e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.58817364292704677, -1, 2.0073481256296571e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.70096732204300038, -1, 3.9045189411122229e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95827313397948644, -0.81907000660545692, 2.1009877082016285e-15, 2.5691313357650643e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.22319818729362317, 0, 9.1022943375639638e-16, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_gauss2
  *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
@@ -762,9 +720,8 @@ static const double footpoint_paper_quad4_taper_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_paper_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -789,16 +746,16 @@ footpoint_detail_footpoint_paper_quad4_gauss2(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_gauss2(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_gauss2(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_gauss2(
+    unsigned long long flaw = footpoint_paper_quad4_gauss2_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -810,8 +767,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_gauss2(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_gauss2, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -822,28 +779,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_gauss2, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_gauss2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_gauss2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 2.5342941418160629e-14, 2.1943266643744194e-14},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 7.5837965294227869e-16, 2.6581506604190542e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 9.4303594246259689e-14, 4.6027455465916823e-13},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.1131074903052445e-15, 4.07890288971788e-15},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.60811804059363583, -1.2362671490412827, 7.4036225553993235e-15, 6.7607177666230824e-15},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.7102497824245867, -2.3729502249621484, 5.0075289040343875e-15, 6.0491270092851219e-15},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.83443985705897317, -0.91347951359606516, 1.0553955339311646e-14, 1.412384933546053e-14},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17067432389678411, 1.1939105552524514, 1.0900065751265427e-15, 3.7452602684827369e-15},
-};
-#endif
 
 /* footpoint_paper_quad4_coarse
  *   operations:     59 mul, 2 div, 65 add, 0 sqrt, 4 compare; 47 temporaries
@@ -860,9 +804,8 @@ static const double footpoint_paper_quad4_gauss2_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_paper_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.275 * t4, t7 = xD[2] - xA[2] + u1;
@@ -890,16 +833,16 @@ footpoint_detail_footpoint_paper_quad4_coarse(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_coarse(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_coarse(
+    unsigned long long flaw = footpoint_paper_quad4_coarse_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -911,8 +854,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_coarse, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -923,28 +866,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_coarse, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_coarse, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.15850676521380153, 1.110223024625157e-16, 8.6459312531131988e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24259174125283467, 0, 7.5849144483387365e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25643488710055701, -1, 1.1476774896561148e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.60780273427633336, -1, 7.5954624200102553e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.70868601370966644, -1, 5.2877857343996586e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.83644554367498269, -0.91193521214131346, 1.0275312976050343e-14, 1.3798346029359301e-14},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17410804078472158, 0, 1.0452848182111763e-15, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_newton
  *   operations:     68 mul, 2 div, 70 add, 0 sqrt, 5 compare; 56 temporaries
@@ -960,9 +890,8 @@ static const double footpoint_paper_quad4_coarse_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_paper_quad4_newton_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.275 * t4, t7 = xA[2] - xD[2] - u1;
@@ -991,16 +920,16 @@ footpoint_detail_footpoint_paper_quad4_newton(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_newton(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_newton(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_newton_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_newton(
+    unsigned long long flaw = footpoint_paper_quad4_newton_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1012,8 +941,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_newton(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_newton, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_newton_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_newton_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1024,28 +953,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_newton, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_newton_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_newton_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_newton, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_newton_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_newton_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24308561985924709, 0, 6.9902539936870635e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25542604092072008, -1, 1.0639788397279444e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61046458068253073, -1, 8.9432352582644987e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056561877003632, -1, 5.243352953673501e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.84688362602562495, -0.96979111499391335, 8.2086831143225311e-15, 1.2998015153528416e-14},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.14001008568665577, 0, 1.8511678122585084e-15, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_medium
  *   operations:     68 mul, 3 div, 70 add, 0 sqrt, 5 compare; 58 temporaries
@@ -1062,9 +978,8 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_paper_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -1094,16 +1009,16 @@ footpoint_detail_footpoint_paper_quad4_medium(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_medium(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_medium(
+    unsigned long long flaw = footpoint_paper_quad4_medium_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1115,8 +1030,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_medium, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_medium_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1127,28 +1042,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_medium, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_medium_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_medium, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_medium_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.44231597733177541, 1.110223024625157e-16, 1.3945502930860224e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24315119286159062, 0, 6.9207227880259119e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25546718329023044, -1, 1.0225154544203436e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61050453486306855, -1, 8.6722170570825471e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71058333294481169, -1, 5.1821395807019863e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.83094898611999357, -0.98913176597364361, 1.2417705493896713e-14, 1.8010703374973533e-14},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.12447799658856705, 0, 2.3333673041926632e-15, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_balanced
  *   operations:     82 mul, 3 div, 82 add, 0 sqrt, 9 compare; 73 temporaries
@@ -1165,9 +1067,8 @@ static const double footpoint_paper_quad4_medium_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_paper_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.275 * t3, t7 = t1 + u1, t8 = xA[2] - xD[2] + u1;
@@ -1202,16 +1103,16 @@ footpoint_detail_footpoint_paper_quad4_balanced(const double xA[3], const double
 FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_balanced(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_balanced(
+    unsigned long long flaw = footpoint_paper_quad4_balanced_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1223,8 +1124,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_balanced, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1235,28 +1136,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_balanced, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_balanced, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24297362068211167, 0, 7.4132763401758486e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25763206174359821, -1, 1.1824917344537423e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61015333244515457, -1, 8.5359219568817004e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056252710503487, -1, 5.2086105909604097e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363516330032649, -0.81055208683867741, 1.9805059068776008e-15, 3.3727733101080735e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17677941891720564, 0, 1.2802467633834988e-15, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_fine
  *   operations:     85 mul, 4 div, 85 add, 0 sqrt, 9 compare; 80 temporaries
@@ -1274,9 +1162,8 @@ static const double footpoint_paper_quad4_balanced_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_paper_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1312,16 +1199,16 @@ footpoint_detail_footpoint_paper_quad4_fine(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_fine(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_fine(
+    unsigned long long flaw = footpoint_paper_quad4_fine_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1333,8 +1220,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_fine, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_fine_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1344,28 +1231,15 @@ FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_fine, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_fine, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_fine_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87238145994927407, 1.110223024625157e-16, 2.5732594879182766e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293562765930587, 0, 7.0622788680495164e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25444488954076161, -1, 1.0461935571536949e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61014964402836591, -1, 8.5137616397027156e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241521876684, -1, 5.1792809490031439e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95283630533958208, -0.81165610563185675, 2.0546654029445534e-15, 3.4584734002299507e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17388019837964361, 0, 9.7834909947407075e-16, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_precise
  *   operations:     103 mul, 5 div, 104 add, 0 sqrt, 10 compare; 97 temporaries
@@ -1384,9 +1258,8 @@ static const double footpoint_paper_quad4_fine_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double zero, double *xi,
-                                               double *eta)
+footpoint_paper_quad4_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1428,16 +1301,16 @@ footpoint_detail_footpoint_paper_quad4_precise(const double xA[3], const double 
 FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3],
                                                    const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_precise(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_precise(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_precise(
+    unsigned long long flaw = footpoint_paper_quad4_precise_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1449,8 +1322,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_precise(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_precise, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_precise_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1461,28 +1334,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_precise, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_precise_checked_n(size_t n, const double *const x[15],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_precise, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_precise_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567548359, 0, 7.0672335100160206e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933120502371, -1, 1.0495475783496153e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61014966238669743, -1, 8.5708150815230096e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241520559693, -1, 5.3883492301866447e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363459328637734, -0.81055194643747708, 1.9276184217624599e-15, 3.4305053146923516e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17389443512102123, 0, 9.8284781040404271e-16, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_accurate
  *   operations:     115 mul, 6 div, 109 add, 0 sqrt, 14 compare; 102 temporaries
@@ -1502,9 +1362,8 @@ static const double footpoint_paper_quad4_precise_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_paper_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.275 * (xD[2] - xC[2] - t1);
     const double t5 = 0.275 * (xD[1] - xC[1] - t2), t6 = xA[2] - xD[2] + t4, t7 = t1 + t4, t8 = xA[1] - xD[1] + t5;
@@ -1550,16 +1409,16 @@ footpoint_detail_footpoint_paper_quad4_accurate(const double xA[3], const double
 FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_accurate(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_accurate(
+    unsigned long long flaw = footpoint_paper_quad4_accurate_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1571,8 +1430,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_accurate, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1583,28 +1442,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_accurate, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_accurate, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286383183656535, 1.110223024625157e-16, 2.6905550510698758e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24295344481644107, 0, 8.2284137664519971e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27020672027416343, -1, 1.4963156967099136e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.59910277523513455, -1, 7.9791078307757918e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.68291790693016297, -1, 6.2640511181654972e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363746829824925, -0.81054788962738722, 2.0661591661408272e-15, 3.4745704378391868e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.16608925584397885, 0, 1.4254756861704531e-15, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_full
  *   operations:     127 mul, 6 div, 125 add, 0 sqrt, 12 compare; 116 temporaries
@@ -1624,9 +1470,8 @@ static const double footpoint_paper_quad4_accurate_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_paper_quad4_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1675,16 +1520,16 @@ footpoint_detail_footpoint_paper_quad4_full(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_full(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_full(
+    unsigned long long flaw = footpoint_paper_quad4_full_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1696,8 +1541,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_full, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_full_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1707,28 +1552,15 @@ FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_full, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_full, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_full_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.8728640491274301, 1.110223024625157e-16, 2.5032533766356139e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136008, 0, 7.2874423625079124e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933012115755, -1, 1.0629232071573633e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.6101496623918029, -1, 3.5470736070210753e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241520568897, -1, 5.2461542910281819e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363802405917975, -0.81054703465616584, 1.9870092733542725e-15, 3.4112779143264864e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17389457823210019, 0, 1.0043892745897624e-15, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_program1
  *   operations:     93 mul, 5 div, 94 add, 0 sqrt, 9 compare; 77 temporaries
@@ -1747,9 +1579,8 @@ static const double footpoint_paper_quad4_full_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_paper_quad4_program1_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.25 * (xD[2] - xC[2] - t1);
     const double t5 = 0.25 * (xD[1] - xC[1] - t2), t6 = xA[2] - xD[2] + t4, t7 = t1 + t4, t8 = xA[1] - xD[1] + t5;
@@ -1788,16 +1619,16 @@ footpoint_detail_footpoint_paper_quad4_program1(const double xA[3], const double
 FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_program1(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_program1(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_program1_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_program1(
+    unsigned long long flaw = footpoint_paper_quad4_program1_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1809,8 +1640,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_program1(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_program1, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_program1_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_program1_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1821,28 +1652,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_program1, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_program1_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program1_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_program1, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program1_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_program1_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87287477747581543, 1.110223024625157e-16, 9.6528766512943391e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293334217829662, 0, 4.3633579645925982e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443938323548282, -1, 4.5412448446266715e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.61014966791805825, -1, 3.5714316678662119e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241520999575, -1, 1.770286503112009e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.95363802412363496, -0.81054703456514654, 9.6718751399569931e-16, 1.153958336340594e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17389199176066994, 0, 5.2500277676020303e-16, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_program2
  *   operations:     111 mul, 6 div, 112 add, 0 sqrt, 10 compare; 94 temporaries
@@ -1862,9 +1680,8 @@ static const double footpoint_paper_quad4_program1_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_paper_quad4_program2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = xB[0] - xA[0], t4 = xC[2] - xD[2] - t1;
     const double t5 = xC[1] - xD[1] - t2, t6 = xC[0] - xD[0] - t3, u1 = 0.25 * t4, t7 = xA[2] - xD[2] - u1;
@@ -1908,16 +1725,16 @@ footpoint_detail_footpoint_paper_quad4_program2(const double xA[3], const double
 FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_program2(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_program2(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_program2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_program2(
+    unsigned long long flaw = footpoint_paper_quad4_program2_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1929,8 +1746,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_program2(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_program2, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_program2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_program2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1941,28 +1758,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_program2, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_program2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program2_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_program2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_program2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404905836945, 1.110223024625157e-16, 9.6583879421673207e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136019, 0, 4.5673278915636209e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.2544393301211651, -1, 4.6717686233267511e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.6101496623918029, -1, 3.3252785711999861e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241520568897, -1, 1.6634310541361442e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.9536380241244462, -0.81054703456370936, 9.9332155894203128e-16, 1.1539585357802649e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17389457821233006, 0, 5.4768175299889382e-16, 9.8813129168249309e-324},
-};
-#endif
 
 /* footpoint_paper_quad4_program3
  *   operations:     132 mul, 7 div, 130 add, 0 sqrt, 11 compare; 111 temporaries
@@ -1983,9 +1787,8 @@ static const double footpoint_paper_quad4_program2_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_paper_quad4_program3_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.25 * t3, t7 = xA[2] - xD[2] + u1;
@@ -2034,16 +1837,16 @@ footpoint_detail_footpoint_paper_quad4_program3(const double xA[3], const double
 FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_quad4_program3(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_paper_quad4_program3_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_paper_quad4_program3(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_paper_quad4_program3_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_paper_quad4_program3(
+    unsigned long long flaw = footpoint_paper_quad4_program3_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -2055,8 +1858,8 @@ FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_paper_quad4_program3(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_paper_quad4_program3, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_program3_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_paper_quad4_program3_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2067,28 +1870,15 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program3_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_program3, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_paper_quad4_program3_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program3_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_program3, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program3_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_program3_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404912731608, 1.110223024625157e-16, 9.6582101668885969e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136008, 0, 4.5673278370334659e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933012115755, -1, 4.6717683116148715e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.328125, -0.109375, -0.1171875, -0.6101496623918029, -1, 3.3438871334204781e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.6875, 0.796875, -0.09375, 0.453125, 0.6328125, 0, -0.1875, -0.453125, -0.0234375, -0.71056241520568897, -1, 1.6634310923702094e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.6875, 1.5625, 0.16015625, 0.203125, 0.46875, 0, 0.0390625, 0.046875, -0.04296875, -0.9536380241244462, -0.81054703456370936, 9.9379394896305378e-16, 1.154373864327969e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.875, 0.828125, 0, 0.046875, 1.03125, -0.28125, -0.17389457823212984, 0, 5.4767518170528016e-16, 9.8813129168249309e-324},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

@@ -1188,9 +1188,9 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_parallelogram_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                                     const double xD[3], const double xS[3], double zero, double *xi,
-                                                     double *eta)
+footpoint_parallelogram_quad4_exact_detail(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xS[3], double zero, double *xi,
+                                           double *eta)
 {
     const double t1 = xA[2] - xD[2], t2 = xA[1] - xD[1], t3 = xA[2] - xB[2], t4 = xA[1] - xB[1], t5 = xA[0] - xD[0];
     const double t6 = xA[0] - xB[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1208,31 +1208,32 @@ FOOTPOINT_FN void footpoint_parallelogram_quad4_exact_at(const double xA[3], con
                                                          const double xD[3], const double xS[3], double *xi,
                                                          double *eta)
 {
-    (void)footpoint_detail_footpoint_parallelogram_quad4_exact(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_parallelogram_quad4_exact_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_parallelogram_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                                         const double xD[3], const double xS[3], double xi,
-                                                         double eta, double *gap)
+footpoint_parallelogram_quad4_exact_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xS[3], double xi, double eta,
+                                               double *gap)
 {
     const double a[3] = {(xB[0] - xA[0] + (xC[0] - xD[0])), (xB[1] - xA[1] + (xC[1] - xD[1])), (xB[2] - xA[2] + (xC[2] - xD[2]))};
     const double b[3] = {(xD[0] - xA[0] + (xC[0] - xB[0])), (xD[1] - xA[1] + (xC[1] - xB[1])), (xD[2] - xA[2] + (xC[2] - xB[2]))};
     const double c[3] = {(xA[0] - xB[0] + (xC[0] - xD[0])), (xA[1] - xB[1] + (xC[1] - xD[1])), (xA[2] - xB[2] + (xC[2] - xD[2]))};
     const double d[3] = {(xS[0] - xA[0] + (xS[0] - xB[0]) + (xS[0] - xC[0] + (xS[0] - xD[0]))), (xS[1] - xA[1] + (xS[1] - xB[1]) + (xS[1] - xC[1] + (xS[1] - xD[1]))), (xS[2] - xA[2] + (xS[2] - xB[2]) + (xS[2] - xC[2] + (xS[2] - xD[2])))};
-    return footpoint_detail_quad4_over(a, b, c, d, footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c),
-        1, 0.25, 0.25, xi, eta, FOOTPOINT_PARALLELOGRAM_QUAD4_LEAST, gap);
+    const double size = footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c);
+    const double ratio = 1, per = 0.25, unit = 0.25;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PARALLELOGRAM_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_parallelogram_quad4_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_parallelogram_quad4_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_parallelogram_quad4_exact(
+    unsigned long long flaw = footpoint_parallelogram_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PARALLELOGRAM_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_parallelogram_quad4_exact(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_parallelogram_quad4_exact_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1243,8 +1244,8 @@ FOOTPOINT_FN int footpoint_parallelogram_quad4_exact(const double xA[3], const d
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_parallelogram_quad4_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_parallelogram_quad4_exact, x, 4, 5, loc, gap);
+    if (footpoint_parallelogram_quad4_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_parallelogram_quad4_exact_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1255,14 +1256,14 @@ FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_n(size_t n, const double
                                                           double *FOOTPOINT_RESTRICT xi,
                                                           double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_parallelogram_quad4_exact, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_parallelogram_quad4_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_checked_n(size_t n, const double *const x[15],
                                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_parallelogram_quad4_exact, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_parallelogram_quad4_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_over_n(const double *const nodes[4], size_t n,
@@ -1270,14 +1271,15 @@ FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_over_n(const double *con
                                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                                int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_parallelogram_quad4_exact, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_parallelogram_quad4_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_parallelogram_quad4_exact(const double *const *x, double zero, double at[3],
-                                                                                int *region)
+FOOTPOINT_PART int footpoint_parallelogram_quad4_exact_detail_closest(const double *const *x, double zero, double at[3],
+                                                                      int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_parallelogram_quad4_exact(
+    unsigned long long flaw = footpoint_parallelogram_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PARALLELOGRAM_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1290,7 +1292,7 @@ FOOTPOINT_FN int footpoint_parallelogram_quad4_exact_closest(const double xA[3],
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_parallelogram_quad4_exact, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_parallelogram_quad4_exact_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1299,29 +1301,19 @@ FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_closest_n(size_t n, cons
                                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_parallelogram_quad4_exact, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_parallelogram_quad4_exact_detail_closest, n, x, 1, xi, eta, dist,
+                                     region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_parallelogram_quad4_exact_closest_of(size_t n, const double *const *x, const double xS[3],
                                                                 double loc[2],
                                                                 double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_parallelogram_quad4_exact, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_parallelogram_quad4_exact_detail_closest, n, x, xS, 1, loc,
+                                             dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_parallelogram_quad4_exact_points[][19] = {
-    {0, 0, 0, 1.3989071038251364, 0, 0, 4.0795711663251364, 2.859375, 0, 2.6806640625, 2.859375, 0, 3.1561008307451757, 2.725341796875, -0.19080464379523993, -0.14062500000000017, 0.90625, 5.5478820673149787e-15, 3.3895516083895106e-15},
-    {0, 0, 0, 1.7777777777777777, 0, 0, 1.5668402777777777, 2.25, 0, -0.2109375, 2.25, 0, 0.6082763671875, 1.51171875, 0.17456896551724138, -0.15624999999999994, 0.34375, 7.8821159126526767e-16, 9.9488424315448351e-16},
-    {0, 0, 0, 4.0634920634920633, 0, 0, 4.0481112041170633, 0.984375, 0, -0.015380859375, 0.984375, 0, 0.97619622851174981, 0.507568359375, -0.3435857121800226, -0.515625, 0.03125, 5.4520218305054658e-16, 8.1884276318609501e-16},
-    {0, 0, 0, 1.3473684210526315, 0, 0, 0.74434107730263155, 2.96875, 0, -0.60302734375, 2.96875, 0, -0.060807519210012317, 1.646728515625, 0.28237177044432593, -0.59375, 0.109375, 5.9965472939755889e-16, 9.146240272767801e-16},
-    {0, 0, 0, 1.0078740157480315, 0, 0, -1.1005244217519685, 3.96875, 0, -2.1083984375, 3.96875, 0, 0.34329698217196725, 1.147216796875, 0.30454882571075403, 0.890625, -0.421875, 2.3074395754816189e-15, 6.641526216189306e-16},
-    {0, 0, 0, 2.1333333333333333, 0, 0, 1.4888020833333333, 1.875, 0, -0.64453125, 1.875, 0, 0.39716796874999999, 1.171875, 0.44048856548856552, -0.25, 0.25, 8.1276877047206898e-16, 1.1574530407151248e-15},
-    {0, 0, 0, 1.4797687861271678, 0, 0, 2.8313312861271678, 2.703125, 0, 1.3515625, 2.703125, 0, 1.0590344026598628, -0.1478271484375, 0.063502688230086576, 0.53125, -1.109375, 1.8161269437345065e-15, 6.0241415654300542e-16},
-    {0, 0, 0, 2.9767441860465116, 0, 0, 4.2575059047965116, 1.34375, 0, 1.28076171875, 1.34375, 0, 2.5514241595600926, 0.871337890625, 0.27123633305298572, 0.15624999999999997, 0.296875, 2.5253801532910961e-15, 3.7558809110062746e-15},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

@@ -1188,9 +1188,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_plane_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_plane_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1209,13 +1208,12 @@ footpoint_detail_footpoint_plane_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_plane_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_plane_quad4_fast(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_plane_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_plane_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double xi, double eta,
-                                                double *gap)
+footpoint_plane_quad4_fast_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1227,19 +1225,20 @@ footpoint_detail_gap_footpoint_plane_quad4_fast(const double xA[3], const double
     const double b[3] = {t14, t8, t6};
     const double c[3] = {-(xA[0] - xB[0] + (xC[0] - xD[0])), -(xA[1] - xB[1] + (xC[1] - xD[1])), -(xA[2] - xB[2] + (xC[2] - xD[2]))};
     const double d[3] = {t15, t12, t11};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.25, 0.25, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.25, unit = 0.25;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_plane_quad4_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_plane_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_plane_quad4_fast(
+    unsigned long long flaw = footpoint_plane_quad4_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_plane_quad4_fast(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_plane_quad4_fast_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1249,8 +1248,8 @@ FOOTPOINT_FN int footpoint_plane_quad4_fast(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_plane_quad4_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_plane_quad4_fast, x, 4, 5, loc, gap);
+    if (footpoint_plane_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_plane_quad4_fast_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1260,14 +1259,14 @@ FOOTPOINT_FN int footpoint_plane_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_plane_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_plane_quad4_fast, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_plane_quad4_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_fast_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_plane_quad4_fast, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_plane_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_fast_over_n(const double *const nodes[4], size_t n,
@@ -1275,14 +1274,15 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_fast_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_plane_quad4_fast, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_plane_quad4_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_plane_quad4_fast(const double *const *x, double zero, double at[3],
-                                                                       int *region)
+FOOTPOINT_PART int footpoint_plane_quad4_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                             int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_plane_quad4_fast(
+    unsigned long long flaw = footpoint_plane_quad4_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PLANE_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1294,7 +1294,7 @@ FOOTPOINT_FN int footpoint_plane_quad4_fast_closest(const double xA[3], const do
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_plane_quad4_fast, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_plane_quad4_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1303,29 +1303,17 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_fast_closest_n(size_t n, const double 
                                                          double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_plane_quad4_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_plane_quad4_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_plane_quad4_fast_closest_of(size_t n, const double *const *x, const double xS[3],
                                                        double loc[2],
                                                        double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_plane_quad4_fast, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_plane_quad4_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_plane_quad4_fast_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0, 1.1196372791402083, 0.80983574688434601, -0.13083598551257697, -0.51987361907958995, -0.20699501037597656, 1.3269739156917453e-15, 4.9034609048828457e-16},
-    {0, 0, 0, 1.6845321655273438, 0.62158203125, 0, 2.3892886513157894, 2.375, 0, 0.70539976421155437, 2.99658203125, 0, 0.99986800075949811, 0.88348239660263062, -0.043775116411947937, -0.014743804931640576, -0.51773357391357422, 1.4878395487713615e-16, 5.0209070315252702e-16},
-    {0, 0, 0, 4.7169798489274646, 0.134521484375, 0, 4.5978751346982758, 0.90625, 0, 0.487268776729189, 1.040771484375, 0, 2.7496846884585402, 0.8616771399974823, 0.39582469585527646, 0.1041412353515625, 0.75319480895996094, 2.5192600390573245e-16, 8.6026227913806275e-16},
-    {0, 0, 0, 2.4367986825796275, -0.38720703125, 0, 3.6548978365384617, 1.625, 0, 1.1686195960411658, 1.23779296875, 0, 0.98887790266710973, 0.31440889835357666, -0.24252807617187502, -0.48960685729980474, -0.37475395202636719, 8.6054491755760507e-16, 8.9075805614366318e-16},
-    {0, 0, 0, 0.88217939366948428, -0.45941162109375, 0, 4.1064541673413215, 3.015625, 0, 2.3357838200781629, 2.55621337890625, 0, 0.51047920027067351, -0.53000117838382721, 0.04592870869788656, 0.52204132080078103, -1.1991596221923828, 4.1810647917951848e-15, 2.2591365775835795e-15},
-    {0, 0, 0, 2.765408582465593, -0.0997314453125, 0, 4.2575059047965116, 1.34375, 0, 1.0694261151690814, 1.2440185546875, 0, 3.3741327029880308, 0.87662471830844879, -0.20867583176185345, 0.74468421936035156, 0.37896251678466797, 1.5401413533169607e-15, 1.7878641988007605e-15},
-    {0, 0, 0, 1.1733509804965196, -0.55377197265625, 0, 2.8617076421800949, 3.296875, 0, 1.6085183383164248, 2.74310302734375, 0, 1.0118609462374759, 1.6950368732213974, 0.38937755585029965, -0.92440414428710949, 0.19623756408691406, 1.0815532000701964e-15, 2.4183975440786414e-16},
-    {0, 0, 0, 4.885663666596284, 0.017343749999999991, 0, 5.7522804054054051, 0.73999999999999999, 0, -0.1728667388091214, 0.75734374999999998, 0, 3.762928229570389, 0.68260951995849606, -0.19639335885317594, 0.3715496063232423, 0.82145309448242176, 4.9565703464363425e-16, 2.1522038740587985e-15},
-};
-#endif
 
 /* footpoint_plane_quad4_coarse
  *   operations:     45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
@@ -1340,9 +1328,8 @@ static const double footpoint_plane_quad4_fast_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_plane_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_plane_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xB[2], t3 = xA[1] - xB[1], t4 = 0.5 * (xD[0] - xC[0] - t1);
     const double t5 = 0.5 * (xD[2] - xC[2] - t2), t6 = 0.5 * (xD[1] - xC[1] - t3), t7 = t2 + t5;
@@ -1364,13 +1351,12 @@ footpoint_detail_footpoint_plane_quad4_coarse(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_plane_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_plane_quad4_coarse(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_plane_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_plane_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double xi, double eta,
-                                                  double *gap)
+footpoint_plane_quad4_coarse_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xB[2], t3 = xA[1] - xB[1], t4 = 0.5 * (xD[0] - xC[0] - t1);
     const double t5 = 0.5 * (xD[2] - xC[2] - t2), t6 = 0.5 * (xD[1] - xC[1] - t3), t7 = t2 + t5;
@@ -1382,19 +1368,20 @@ footpoint_detail_gap_footpoint_plane_quad4_coarse(const double xA[3], const doub
     const double b[3] = {t8, t11, t9};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t1), 0.5 * (xD[1] - xC[1] - t3), 0.5 * (xD[2] - xC[2] - t2)};
     const double d[3] = {t15, -t12, -t10};
-    return footpoint_detail_quad4_over(a, b, c, d, t22 + t19 + footpoint_detail_dot(c, c),
-        1, -0.5, 1, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
+    const double size = t22 + t19 + footpoint_detail_dot(c, c);
+    const double ratio = 1, per = -0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_plane_quad4_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_plane_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_plane_quad4_coarse(
+    unsigned long long flaw = footpoint_plane_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_plane_quad4_coarse(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_plane_quad4_coarse_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1404,8 +1391,8 @@ FOOTPOINT_FN int footpoint_plane_quad4_coarse(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_plane_quad4_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_plane_quad4_coarse, x, 4, 5, loc, gap);
+    if (footpoint_plane_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_plane_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1416,14 +1403,14 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_plane_quad4_coarse, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_plane_quad4_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_plane_quad4_coarse, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_plane_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_over_n(const double *const nodes[4], size_t n,
@@ -1431,14 +1418,15 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_plane_quad4_coarse, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_plane_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_plane_quad4_coarse(const double *const *x, double zero, double at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_plane_quad4_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_plane_quad4_coarse(
+    unsigned long long flaw = footpoint_plane_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PLANE_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1450,7 +1438,7 @@ FOOTPOINT_FN int footpoint_plane_quad4_coarse_closest(const double xA[3], const 
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_plane_quad4_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_plane_quad4_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1459,29 +1447,17 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_closest_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_plane_quad4_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_plane_quad4_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_plane_quad4_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                          double loc[2],
                                                          double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_plane_quad4_coarse, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_plane_quad4_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_plane_quad4_coarse_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0, 1.1196372791402083, 0.80983574688434601, -0.13083598551257697, -0.51562040229675632, -0.23440462964312644, 1.7414092018436427e-15, 6.837378968431543e-16},
-    {0, 0, 0, 1.6845321655273438, 0.62158203125, 0, 2.3892886513157894, 2.375, 0, 0.70539976421155437, 2.99658203125, 0, 0.99986800075949811, 0.88348239660263062, -0.043775116411947937, -0.015625214547157939, -0.51562448661930049, 1.6909062771999212e-16, 6.9209425291162229e-16},
-    {0, 0, 0, 4.7169798489274646, 0.134521484375, 0, 4.5978751346982758, 0.90625, 0, 0.487268776729189, 1.040771484375, 0, 2.7496846884585402, 0.8616771399974823, 0.39582469585527646, 0.10937066273371709, 0.76561469899257817, 3.7534014666243953e-16, 1.1684618058822012e-15},
-    {0, 0, 0, 2.4367986825796275, -0.38720703125, 0, 3.6548978365384617, 1.625, 0, 1.1686195960411658, 1.23779296875, 0, 0.98887790266710973, 0.31440889835357666, -0.24252807617187502, -0.46863768145762902, -0.42212875670683819, 1.1808453185317026e-15, 1.1971819973159348e-15},
-    {0, 0, 0, 0.88217939366948428, -0.45941162109375, 0, 4.1064541673413215, 3.015625, 0, 2.3357838200781629, 2.55621337890625, 0, 0.51047920027067351, -0.53000117838382721, 0.04592870869788656, 0.53126217835809619, -1.1092562610085608, 4.6438825703141792e-15, 2.2661175319333343e-15},
-    {0, 0, 0, 2.765408582465593, -0.0997314453125, 0, 4.2575059047965116, 1.34375, 0, 1.0694261151690814, 1.2440185546875, 0, 3.3741327029880308, 0.87662471830844879, -0.20867583176185345, 0.73438237143245166, 0.35938900572165827, 2.0533901211430902e-15, 1.8560006507509826e-15},
-    {0, 0, 0, 1.1733509804965196, -0.55377197265625, 0, 2.8617076421800949, 3.296875, 0, 1.6085183383164248, 2.74310302734375, 0, 1.0118609462374759, 1.6950368732213974, 0.38937755585029965, -0.9683403779492068, 0.23402272503631777, 1.9525164706489074e-15, 4.5475682311123398e-16},
-    {0, 0, 0, 4.885663666596284, 0.017343749999999991, 0, 5.7522804054054051, 0.73999999999999999, 0, -0.1728667388091214, 0.75734374999999998, 0, 3.762928229570389, 0.68260951995849606, -0.19639335885317594, 0.3437330959174652, 0.82812905697980832, 7.3758747661198449e-16, 2.482314669159127e-15},
-};
-#endif
 
 /* footpoint_plane_quad4_exact
  *   operations:     50 mul, 1 div, 52 add, 1 sqrt, 1 compare; 38 temporaries
@@ -1496,9 +1472,8 @@ static const double footpoint_plane_quad4_coarse_points[][19] = {
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_plane_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double zero, double *xi,
-                                             double *eta)
+footpoint_plane_quad4_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] + u1;
@@ -1521,13 +1496,12 @@ footpoint_detail_footpoint_plane_quad4_exact(const double xA[3], const double xB
 FOOTPOINT_FN void footpoint_plane_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_plane_quad4_exact(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_plane_quad4_exact_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_plane_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double xi, double eta,
-                                                 double *gap)
+footpoint_plane_quad4_exact_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] + u1;
@@ -1539,19 +1513,20 @@ footpoint_detail_gap_footpoint_plane_quad4_exact(const double xA[3], const doubl
     const double b[3] = {t13, t10, t7};
     const double c[3] = {0.5 * t6, 0.5 * t4, 0.5 * t3};
     const double d[3] = {t14, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.5, 1, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_plane_quad4_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_plane_quad4_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_plane_quad4_exact(
+    unsigned long long flaw = footpoint_plane_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_plane_quad4_exact(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_plane_quad4_exact_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1561,8 +1536,8 @@ FOOTPOINT_FN int footpoint_plane_quad4_exact(const double xA[3], const double xB
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_plane_quad4_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_plane_quad4_exact, x, 4, 5, loc, gap);
+    if (footpoint_plane_quad4_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_plane_quad4_exact_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1572,14 +1547,14 @@ FOOTPOINT_FN int footpoint_plane_quad4_exact(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_plane_quad4_exact_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_plane_quad4_exact, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_plane_quad4_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_exact_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_plane_quad4_exact, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_plane_quad4_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_exact_over_n(const double *const nodes[4], size_t n,
@@ -1587,14 +1562,15 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_exact_over_n(const double *const nodes
                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_plane_quad4_exact, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_plane_quad4_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_plane_quad4_exact(const double *const *x, double zero, double at[3],
-                                                                        int *region)
+FOOTPOINT_PART int footpoint_plane_quad4_exact_detail_closest(const double *const *x, double zero, double at[3],
+                                                              int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_plane_quad4_exact(
+    unsigned long long flaw = footpoint_plane_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PLANE_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1606,7 +1582,7 @@ FOOTPOINT_FN int footpoint_plane_quad4_exact_closest(const double xA[3], const d
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_plane_quad4_exact, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_plane_quad4_exact_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1615,29 +1591,17 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_exact_closest_n(size_t n, const double
                                                           double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_plane_quad4_exact, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_plane_quad4_exact_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_plane_quad4_exact_closest_of(size_t n, const double *const *x, const double xS[3],
                                                         double loc[2],
                                                         double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_plane_quad4_exact, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_plane_quad4_exact_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_plane_quad4_exact_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0, 1.1196372791402083, 0.80983574688434601, -0.13083598551257697, -0.51562500000000011, -0.234375, 1.5487707735614348e-15, 6.8958077859561412e-16},
-    {0, 0, 0, 1.6845321655273438, 0.62158203125, 0, 2.3892886513157894, 2.375, 0, 0.70539976421155437, 2.99658203125, 0, 0.99986800075949811, 0.88348239660263062, -0.043775116411947937, -0.01562499999999995, -0.515625, 1.6418752051448982e-16, 6.9256837567031279e-16},
-    {0, 0, 0, 4.7169798489274646, 0.134521484375, 0, 4.5978751346982758, 0.90625, 0, 0.487268776729189, 1.040771484375, 0, 2.7496846884585402, 0.8616771399974823, 0.39582469585527646, 0.10937499999999999, 0.765625, 3.401624261768895e-16, 1.1714013346616503e-15},
-    {0, 0, 0, 2.4367986825796275, -0.38720703125, 0, 3.6548978365384617, 1.625, 0, 1.1686195960411658, 1.23779296875, 0, 0.98887790266710973, 0.31440889835357666, -0.24252807617187502, -0.46875000000000006, -0.421875, 1.0145681859142117e-15, 1.2056872432059053e-15},
-    {0, 0, 0, 0.88217939366948428, -0.45941162109375, 0, 4.1064541673413215, 3.015625, 0, 2.3357838200781629, 2.55621337890625, 0, 0.51047920027067351, -0.53000117838382721, 0.04592870869788656, 0.53124999999999989, -1.109375, 4.4740733815540125e-15, 2.288357753085732e-15},
-    {0, 0, 0, 2.765408582465593, -0.0997314453125, 0, 4.2575059047965116, 1.34375, 0, 1.0694261151690814, 1.2440185546875, 0, 3.3741327029880308, 0.87662471830844879, -0.20867583176185345, 0.734375, 0.359375, 1.817687931372611e-15, 1.8606198914955476e-15},
-    {0, 0, 0, 1.1733509804965196, -0.55377197265625, 0, 2.8617076421800949, 3.296875, 0, 1.6085183383164248, 2.74310302734375, 0, 1.0118609462374759, 1.6950368732213974, 0.38937755585029965, -0.96875000000000011, 0.234375, 1.5895736115926175e-15, 4.6666684141824621e-16},
-    {0, 0, 0, 4.885663666596284, 0.017343749999999991, 0, 5.7522804054054051, 0.73999999999999999, 0, -0.1728667388091214, 0.75734374999999998, 0, 3.762928229570389, 0.68260951995849606, -0.19639335885317594, 0.34375000000000011, 0.82812499999999989, 6.3462415442427273e-16, 2.4837739532667627e-15},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

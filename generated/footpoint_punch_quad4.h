@@ -1188,9 +1188,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_punch_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_punch_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1209,13 +1208,12 @@ footpoint_detail_footpoint_punch_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_punch_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_punch_quad4_fast(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_punch_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_punch_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double xi, double eta,
-                                                double *gap)
+footpoint_punch_quad4_fast_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1227,19 +1225,20 @@ footpoint_detail_gap_footpoint_punch_quad4_fast(const double xA[3], const double
     const double b[3] = {t14, t8, t6};
     const double c[3] = {-(xA[0] - xB[0] + (xC[0] - xD[0])), -(xA[1] - xB[1] + (xC[1] - xD[1])), -(xA[2] - xB[2] + (xC[2] - xD[2]))};
     const double d[3] = {t15, t12, t11};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.25, 0.25, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.25, unit = 0.25;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_punch_quad4_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_punch_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_fast(
+    unsigned long long flaw = footpoint_punch_quad4_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_punch_quad4_fast(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_punch_quad4_fast_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1249,8 +1248,8 @@ FOOTPOINT_FN int footpoint_punch_quad4_fast(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_punch_quad4_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_punch_quad4_fast, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_punch_quad4_fast_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1260,14 +1259,14 @@ FOOTPOINT_FN int footpoint_punch_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_punch_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_punch_quad4_fast, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_punch_quad4_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fast_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_punch_quad4_fast, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fast_over_n(const double *const nodes[4], size_t n,
@@ -1275,14 +1274,15 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fast_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_punch_quad4_fast, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_punch_quad4_fast(const double *const *x, double zero, double at[3],
-                                                                       int *region)
+FOOTPOINT_PART int footpoint_punch_quad4_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                             int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_fast(
+    unsigned long long flaw = footpoint_punch_quad4_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1294,7 +1294,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_fast_closest(const double xA[3], const do
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_punch_quad4_fast, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_punch_quad4_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1303,29 +1303,17 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fast_closest_n(size_t n, const double 
                                                          double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_punch_quad4_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_punch_quad4_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_fast_closest_of(size_t n, const double *const *x, const double xS[3],
                                                        double loc[2],
                                                        double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_punch_quad4_fast, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_punch_quad4_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_punch_quad4_fast_points[][19] = {
-    {0, 0, 0, 1.7750412580621149, -0.299835205078125, 0.012935981517364735, 3.2814689810949424, 2.046875, 0, 1.1481132925921722, 1.747039794921875, 0.012935981517364735, 1.2519103638539035, 0.76549564234757483, -0.061638174996608459, -0.23457038196673119, -0.10555041721000322, 6.3566085645844713e-16, 4.3826500274902597e-16},
-    {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.035566119326364831, -1.0927896815874825, 3.7823264107789594e-16, 1.3242822150639523e-15},
-    {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.64170280838888782, 0.82179607646192321, 9.6580880400331293e-16, 8.8276908613618957e-16},
-    {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0897237404477205, 0.057496797916546362, 1.0916079637505431e-15, 7.2137194121301445e-17},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.15567160832182969, 0.28811331541340973, 3.0194033602073125e-16, 3.0909444495136071e-16},
-    {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.61058778996339114, -1.0275961332928034, 7.7440983430896044e-16, 1.2699631566470716e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.37524604747776757, 0.84416793211946961, 7.518420694929159e-16, 1.0287808854992643e-15},
-    {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 0.96090132213221724, -0.64998822494316888, 1.3790564299436623e-15, 9.3351347128750878e-16},
-};
-#endif
 
 /* footpoint_punch_quad4_coarse
  *   operations:     45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
@@ -1339,9 +1327,8 @@ static const double footpoint_punch_quad4_fast_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_punch_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_punch_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1363,13 +1350,12 @@ footpoint_detail_footpoint_punch_quad4_coarse(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_punch_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_punch_quad4_coarse(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_punch_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_punch_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double xi, double eta,
-                                                  double *gap)
+footpoint_punch_quad4_coarse_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1381,19 +1367,20 @@ footpoint_detail_gap_footpoint_punch_quad4_coarse(const double xA[3], const doub
     const double b[3] = {t13, t10, t8};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t14, t11, t9};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.5, 1, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_punch_quad4_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_punch_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_coarse(
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_punch_quad4_coarse(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_punch_quad4_coarse_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1403,8 +1390,8 @@ FOOTPOINT_FN int footpoint_punch_quad4_coarse(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_punch_quad4_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_punch_quad4_coarse, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_punch_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1415,14 +1402,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_punch_quad4_coarse, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_punch_quad4_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_punch_quad4_coarse, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_over_n(const double *const nodes[4], size_t n,
@@ -1430,14 +1417,15 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_punch_quad4_coarse, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_punch_quad4_coarse(const double *const *x, double zero, double at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_punch_quad4_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_coarse(
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1449,7 +1437,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_coarse_closest(const double xA[3], const 
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_punch_quad4_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_punch_quad4_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1458,29 +1446,17 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_closest_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_punch_quad4_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_punch_quad4_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                          double loc[2],
                                                          double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_punch_quad4_coarse, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_punch_quad4_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_punch_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1.7750412580621149, -0.299835205078125, 0.012935981517364735, 3.2814689810949424, 2.046875, 0, 1.1481132925921722, 1.747039794921875, 0.012935981517364735, 1.2519103638539035, 0.76549564234757483, -0.061638174996608459, -0.23437024025704448, -0.10930307426662959, 6.0114809968623616e-16, 3.5917779342740889e-16},
-    {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.030210871534781514, -1.0933703711070517, 3.3125143270797287e-16, 2.0420129943998998e-15},
-    {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.6232634669737791, 0.88904543926996671, 1.059805550464006e-15, 1.6346082527759896e-15},
-    {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0935365800949621, 0.061572592022218577, 1.4674317908762662e-15, 1.2472930892620718e-16},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.1537199167394219, 0.29538780222056604, 2.4041345136532744e-16, 5.2657386054214672e-16},
-    {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.6704771750964742, -0.96770674815972035, 1.208504753399071e-15, 1.8821861670124148e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.34362443976254758, 0.82807974573804188, 6.6559343846169412e-16, 1.54500533078379e-15},
-    {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 1.1214192250937447, -0.66895852256589483, 2.2638994455291455e-15, 1.4966418673098796e-15},
-};
-#endif
 
 /* footpoint_punch_quad4_gauss2
  *   operations:     58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
@@ -1495,9 +1471,8 @@ static const double footpoint_punch_quad4_coarse_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_punch_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_punch_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1522,13 +1497,12 @@ footpoint_detail_footpoint_punch_quad4_gauss2(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_punch_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_punch_quad4_gauss2(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_punch_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_punch_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double xi, double eta,
-                                                  double *gap)
+footpoint_punch_quad4_gauss2_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1541,19 +1515,20 @@ footpoint_detail_gap_footpoint_punch_quad4_gauss2(const double xA[3], const doub
     const double b[3] = {t14, t10, t8};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t15, t12, t11};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t26,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t26;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_punch_quad4_gauss2(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_punch_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_gauss2(
+    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_punch_quad4_gauss2(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_punch_quad4_gauss2_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1563,8 +1538,8 @@ FOOTPOINT_FN int footpoint_punch_quad4_gauss2(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_punch_quad4_gauss2(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_punch_quad4_gauss2, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_punch_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1575,14 +1550,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_punch_quad4_gauss2, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_punch_quad4_gauss2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_punch_quad4_gauss2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_over_n(const double *const nodes[4], size_t n,
@@ -1590,14 +1565,15 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_punch_quad4_gauss2, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_punch_quad4_gauss2(const double *const *x, double zero, double at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_punch_quad4_gauss2_detail_closest(const double *const *x, double zero, double at[3],
+                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_gauss2(
+    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1609,7 +1585,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_gauss2_closest(const double xA[3], const 
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_punch_quad4_gauss2, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_punch_quad4_gauss2_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1618,29 +1594,17 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_closest_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_punch_quad4_gauss2, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_punch_quad4_gauss2_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_gauss2_closest_of(size_t n, const double *const *x, const double xS[3],
                                                          double loc[2],
                                                          double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_punch_quad4_gauss2, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_punch_quad4_gauss2_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_punch_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1.7750412580621149, -0.299835205078125, 0.012935981517364735, 3.2814689810949424, 2.046875, 0, 1.1481132925921722, 1.747039794921875, 0.012935981517364735, 1.2519103638539035, 0.76549564234757483, -0.061638174996608459, -0.2343723492751898, -0.10937633084499801, 6.4382864996686656e-16, 4.0009651706922457e-16},
-    {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.031249833026776769, -1.0937532895531032, 6.1431047908562603e-16, 1.6806894423616736e-15},
-    {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.62481660687713358, 0.89082877822104978, 1.0408065408577946e-15, 1.3124331264295944e-15},
-    {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0937409180018849, 0.062494434428940406, 1.3647393064697221e-15, 1.8243601356871169e-16},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.15618372534749292, 0.29685135318925532, 3.1401954354758525e-16, 4.4729778775031532e-16},
-    {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.67232771822737658, -0.96834020143287736, 1.2204792343070366e-15, 1.4945348499345712e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.34380436732255704, 0.82815438546705356, 7.7625939574832719e-16, 1.2396145853358692e-15},
-    {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 1.1239582730352151, -0.67129428539115277, 2.2648052456583461e-15, 1.2699222749940781e-15},
-};
-#endif
 
 /* footpoint_punch_quad4_medium
  *   operations:     66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
@@ -1655,9 +1619,8 @@ static const double footpoint_punch_quad4_gauss2_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_punch_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_punch_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -1683,13 +1646,12 @@ footpoint_detail_footpoint_punch_quad4_medium(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_punch_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_punch_quad4_medium(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_punch_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_punch_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double xi, double eta,
-                                                  double *gap)
+footpoint_punch_quad4_medium_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -1702,19 +1664,20 @@ footpoint_detail_gap_footpoint_punch_quad4_medium(const double xA[3], const doub
     const double b[3] = {t13, t9, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t15, t11, t12};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t29,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t29;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_punch_quad4_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_punch_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_medium(
+    unsigned long long flaw = footpoint_punch_quad4_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_punch_quad4_medium(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_punch_quad4_medium_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1724,8 +1687,8 @@ FOOTPOINT_FN int footpoint_punch_quad4_medium(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_punch_quad4_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_punch_quad4_medium, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_punch_quad4_medium_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1736,14 +1699,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_medium_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_punch_quad4_medium, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_punch_quad4_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_medium_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_punch_quad4_medium, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_medium_over_n(const double *const nodes[4], size_t n,
@@ -1751,14 +1714,15 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_medium_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_punch_quad4_medium, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_punch_quad4_medium(const double *const *x, double zero, double at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_punch_quad4_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_medium(
+    unsigned long long flaw = footpoint_punch_quad4_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1770,7 +1734,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_medium_closest(const double xA[3], const 
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_punch_quad4_medium, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_punch_quad4_medium_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1779,29 +1743,17 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_medium_closest_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_punch_quad4_medium, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_punch_quad4_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_medium_closest_of(size_t n, const double *const *x, const double xS[3],
                                                          double loc[2],
                                                          double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_punch_quad4_medium, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_punch_quad4_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_punch_quad4_medium_points[][19] = {
-    {0, 0, 0, 1.7750412580621149, -0.299835205078125, 0.012935981517364735, 3.2814689810949424, 2.046875, 0, 1.1481132925921722, 1.747039794921875, 0.012935981517364735, 1.2519103638539035, 0.76549564234757483, -0.061638174996608459, -0.23437486564959151, -0.10937505922841274, 6.4379157566271827e-16, 3.9972889230191904e-16},
-    {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.031249314252553596, -1.0937483127919982, 6.1456699050244858e-16, 1.6809330851534594e-15},
-    {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.62499002993720487, 0.89062243534939356, 1.0401452975332895e-15, 1.3024334760981091e-15},
-    {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0937481258097341, 0.062499380456916512, 1.3651716153737479e-15, 1.8296904087439016e-16},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.15623277222129439, 0.29685738218339386, 3.1538332570790835e-16, 4.4785964891849498e-16},
-    {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.67187766499277191, -0.96874568970868724, 1.2119077551762382e-15, 1.4993920797276692e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.34375024688025513, 0.82812491728155668, 7.7329829226871464e-16, 1.2383627559015633e-15},
-    {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 1.1249189716815604, -0.67178192337803588, 2.2922785246547638e-15, 1.3216427525386473e-15},
-};
-#endif
 
 /* footpoint_punch_quad4_balanced
  *   operations:     78 mul, 2 div, 72 add, 0 sqrt, 0 compare; 49 temporaries
@@ -1817,9 +1769,8 @@ static const double footpoint_punch_quad4_medium_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_punch_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_punch_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1849,13 +1800,12 @@ footpoint_detail_footpoint_punch_quad4_balanced(const double xA[3], const double
 FOOTPOINT_FN void footpoint_punch_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_punch_quad4_balanced(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_punch_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_punch_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double xi, double eta,
-                                                    double *gap)
+footpoint_punch_quad4_balanced_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1868,19 +1818,20 @@ footpoint_detail_gap_footpoint_punch_quad4_balanced(const double xA[3], const do
     const double b[3] = {t13, t10, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t14, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t22 + t39,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    const double size = t18 + t22 + t39;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_punch_quad4_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_punch_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_balanced(
+    unsigned long long flaw = footpoint_punch_quad4_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_punch_quad4_balanced(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_punch_quad4_balanced_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1890,8 +1841,8 @@ FOOTPOINT_FN int footpoint_punch_quad4_balanced(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_punch_quad4_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_punch_quad4_balanced, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_punch_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1902,14 +1853,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_punch_quad4_balanced, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_punch_quad4_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_punch_quad4_balanced, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_over_n(const double *const nodes[4], size_t n,
@@ -1917,14 +1868,15 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_over_n(const double *const no
                                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_punch_quad4_balanced, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_punch_quad4_balanced(const double *const *x, double zero, double at[3],
-                                                                           int *region)
+FOOTPOINT_PART int footpoint_punch_quad4_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                                 int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_balanced(
+    unsigned long long flaw = footpoint_punch_quad4_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1936,7 +1888,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_balanced_closest(const double xA[3], cons
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_punch_quad4_balanced, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_punch_quad4_balanced_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1945,29 +1897,17 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_closest_n(size_t n, const dou
                                                              double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_punch_quad4_balanced, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_punch_quad4_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
                                                            double loc[2],
                                                            double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_punch_quad4_balanced, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_punch_quad4_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_punch_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1.7750412580621149, -0.299835205078125, 0.012935981517364735, 3.2814689810949424, 2.046875, 0, 1.1481132925921722, 1.747039794921875, 0.012935981517364735, 1.2519103638539035, 0.76549564234757483, -0.061638174996608459, -0.234374999825118, -0.10937500124140358, 6.538282179722602e-16, 4.0611599730201629e-16},
-    {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.031250157494513271, -1.0937501376593994, 6.1647660041558902e-16, 1.6976093703768305e-15},
-    {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.62499994965155858, 0.89062440583349922, 1.0485847971868984e-15, 1.3113249079378455e-15},
-    {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0937499056688393, 0.062499966488600171, 1.3659715316929909e-15, 1.7899941441030382e-16},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.1562499529419131, 0.29687418124985676, 3.1921808849434876e-16, 4.5425269527917811e-16},
-    {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.67187485350828613, -0.96875007125013812, 1.219356876607592e-15, 1.5031096484197842e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.3437499980023892, 0.8281249899958758, 7.93810009107245e-16, 1.2524484367116419e-15},
-    {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 1.1249956209014471, -0.67187325972824097, 2.3751355564671391e-15, 1.4096300646440754e-15},
-};
-#endif
 
 /* footpoint_punch_quad4_fine
  *   operations:     89 mul, 3 div, 87 add, 0 sqrt, 0 compare; 53 temporaries
@@ -1984,9 +1924,8 @@ static const double footpoint_punch_quad4_balanced_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_punch_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_punch_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2019,13 +1958,12 @@ footpoint_detail_footpoint_punch_quad4_fine(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_punch_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_punch_quad4_fine(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_punch_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_punch_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double xi, double eta,
-                                                double *gap)
+footpoint_punch_quad4_fine_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2038,19 +1976,20 @@ footpoint_detail_gap_footpoint_punch_quad4_fine(const double xA[3], const double
     const double b[3] = {t13, t9, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t14, t11, t12};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t24,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t24;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_punch_quad4_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_punch_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_fine(
+    unsigned long long flaw = footpoint_punch_quad4_fine_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_punch_quad4_fine(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_punch_quad4_fine_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2060,8 +1999,8 @@ FOOTPOINT_FN int footpoint_punch_quad4_fine(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_punch_quad4_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_punch_quad4_fine, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_punch_quad4_fine_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2071,14 +2010,14 @@ FOOTPOINT_FN int footpoint_punch_quad4_fine(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_punch_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_punch_quad4_fine, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_punch_quad4_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fine_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_punch_quad4_fine, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fine_over_n(const double *const nodes[4], size_t n,
@@ -2086,14 +2025,15 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fine_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_punch_quad4_fine, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_fine_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_punch_quad4_fine(const double *const *x, double zero, double at[3],
-                                                                       int *region)
+FOOTPOINT_PART int footpoint_punch_quad4_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                             int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_fine(
+    unsigned long long flaw = footpoint_punch_quad4_fine_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -2105,7 +2045,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_fine_closest(const double xA[3], const do
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_punch_quad4_fine, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_punch_quad4_fine_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2114,29 +2054,17 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fine_closest_n(size_t n, const double 
                                                          double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_punch_quad4_fine, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_punch_quad4_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_fine_closest_of(size_t n, const double *const *x, const double xS[3],
                                                        double loc[2],
                                                        double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_punch_quad4_fine, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_punch_quad4_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_punch_quad4_fine_points[][19] = {
-    {0, 0, 0, 1.7750412580621149, -0.299835205078125, 0.012935981517364735, 3.2814689810949424, 2.046875, 0, 1.1481132925921722, 1.747039794921875, 0.012935981517364735, 1.2519103638539035, 0.76549564234757483, -0.061638174996608459, -0.23437499999998554, -0.10937499999996317, 6.4362299795786497e-16, 4.0134581474392753e-16},
-    {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.031250000000001388, -1.0937500000000657, 6.1534620039024517e-16, 1.6815035169067068e-15},
-    {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.62499999999621336, 0.89062500000596678, 1.0482639956424979e-15, 1.3108100164938482e-15},
-    {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0937500000000211, 0.062500000000024841, 1.3644606549369605e-15, 1.789129265910665e-16},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.15624999996108149, 0.29687499991928978, 3.1646842604572075e-16, 4.4907625571148438e-16},
-    {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.67187499999720879, -0.9687499999994521, 1.219204953426291e-15, 1.5028446652069458e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.34375000000010453, 0.82812500000003175, 7.9086249560878313e-16, 1.2454305310264225e-15},
-    {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 1.1250000027208957, -0.67187499859025901, 2.3736569115922733e-15, 1.4087464789126119e-15},
-};
-#endif
 
 /* footpoint_punch_quad4_accurate
  *   operations:     95 mul, 3 div, 87 add, 0 sqrt, 0 compare; 61 temporaries
@@ -2153,9 +2081,8 @@ static const double footpoint_punch_quad4_fine_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_punch_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_punch_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -2189,13 +2116,12 @@ footpoint_detail_footpoint_punch_quad4_accurate(const double xA[3], const double
 FOOTPOINT_FN void footpoint_punch_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_punch_quad4_accurate(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_punch_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_punch_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double xi, double eta,
-                                                    double *gap)
+footpoint_punch_quad4_accurate_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -2207,19 +2133,20 @@ footpoint_detail_gap_footpoint_punch_quad4_accurate(const double xA[3], const do
     const double b[3] = {t13, t10, t8};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t14, t11, t9};
-    return footpoint_detail_quad4_over(a, b, c, d, t17 + t18 + t38,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    const double size = t17 + t18 + t38;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_punch_quad4_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_punch_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_accurate(
+    unsigned long long flaw = footpoint_punch_quad4_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_punch_quad4_accurate(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_punch_quad4_accurate_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2229,8 +2156,8 @@ FOOTPOINT_FN int footpoint_punch_quad4_accurate(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_punch_quad4_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_punch_quad4_accurate, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_punch_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2241,14 +2168,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_punch_quad4_accurate, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_punch_quad4_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_punch_quad4_accurate, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_over_n(const double *const nodes[4], size_t n,
@@ -2256,14 +2183,15 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_over_n(const double *const no
                                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_punch_quad4_accurate, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_punch_quad4_accurate(const double *const *x, double zero, double at[3],
-                                                                           int *region)
+FOOTPOINT_PART int footpoint_punch_quad4_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                                 int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_punch_quad4_accurate(
+    unsigned long long flaw = footpoint_punch_quad4_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -2275,7 +2203,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_accurate_closest(const double xA[3], cons
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_punch_quad4_accurate, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_punch_quad4_accurate_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2284,29 +2212,17 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_closest_n(size_t n, const dou
                                                              double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_punch_quad4_accurate, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_punch_quad4_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
                                                            double loc[2],
                                                            double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_punch_quad4_accurate, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_punch_quad4_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_punch_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1.7750412580621149, -0.299835205078125, 0.012935981517364735, 3.2814689810949424, 2.046875, 0, 1.1481132925921722, 1.747039794921875, 0.012935981517364735, 1.2519103638539035, 0.76549564234757483, -0.061638174996608459, -0.23437499999999994, -0.10937500000000001, 6.4362299223623494e-16, 4.013457849422167e-16},
-    {0, 0, 0, 2.2123997749110025, 0.03714752197265625, 0.012676069030775471, 2.6192315572290896, 2.11328125, 0, 1.0460490770569129, 2.1504287719726562, 0.012676069030775471, 1.1061564169250271, -0.079471586159820418, 0.17178539809145904, 0.031249999999930302, -1.0937499999999767, 6.1534598330407119e-16, 1.6815033840071018e-15},
-    {0, 0, 0, 2.0562503438221111, -0.2303619384765625, -0.021701317610396686, 1.9094626174080789, 1.90234375, 0, -0.23962584780471774, 1.6719818115234375, -0.021701317610396686, 0.17748905756409855, 1.6176602206776496, -0.22529237545434302, -0.62499999999998068, 0.89062499999999234, 1.0482636192209306e-15, 1.3108096803553015e-15},
-    {0, 0, 0, 1.8077274536926473, 0.140960693359375, -0.0062751069068290788, 1.5908014694316275, 2.328125, 0, -0.037712687613980167, 2.469085693359375, -0.0062751069068290788, 1.7726823470968878, 1.3014727130044172, 0.3131910948180559, 1.0937499999999993, 0.062499999999999181, 1.3644606292266761e-15, 1.7891291674790756e-16},
-    {0, 0, 0, 1.6417270561272952, 0.349090576171875, -0.028215822621480435, 1.1199154870911738, 2.1796875, 0, -0.90860835283887864, 2.528778076171875, -0.028215822621480435, 0.50306625604716937, 1.5783875341810207, 0.39402029016895801, 0.15624999999981884, 0.2968749999999305, 3.164676048038439e-16, 4.4907506326984649e-16},
-    {0, 0, 0, 1.7022018401825121, -0.1943511962890625, 0.019255884067147802, 2.0381636390826801, 2.1171875, 0, -0.038232306712667752, 1.9228363037109375, 0.019255884067147802, 1.4258382922285509, -0.12638869237245981, 0.15246576256105157, 0.67187500000006317, -0.96874999999999756, 1.2192037453080631e-15, 1.5028426579690564e-15},
-    {0, 0, 0, 1.5953888325464158, -0.130096435546875, 0.0021763877556391967, 0.89811280957695572, 2.296875, 0, -0.9894915551555401, 2.166778564453125, 0.0021763877556391967, 0.34676860481168703, 2.0528633917700159, -0.14546156543292618, 0.34374999999999961, 0.82812499999999989, 7.9086233545311122e-16, 1.245430478611541e-15},
-    {0, 0, 0, 1.4820452617802737, 0.05345916748046875, -0.011703292229469931, 1.5214880552274177, 2.10546875, 0, -0.7960956254783943, 2.1589279174804688, -0.011703292229469931, 1.5875803992915574, 0.39519901099732807, -0.43617907272319129, 1.1249999999979112, -0.67187499999647016, 2.3735948281532099e-15, 1.4086750005534656e-15},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

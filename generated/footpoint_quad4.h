@@ -1190,8 +1190,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1210,12 +1210,12 @@ footpoint_detail_footpoint_quad4_fast(const double xA[3], const double xB[3], co
 FOOTPOINT_FN void footpoint_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
                                           const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_fast(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double xi, double eta, double *gap)
+footpoint_quad4_fast_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1227,18 +1227,19 @@ footpoint_detail_gap_footpoint_quad4_fast(const double xA[3], const double xB[3]
     const double b[3] = {t14, t8, t6};
     const double c[3] = {-(xA[0] - xB[0] + (xC[0] - xD[0])), -(xA[1] - xB[1] + (xC[1] - xD[1])), -(xA[2] - xB[2] + (xC[2] - xD[2]))};
     const double d[3] = {t15, t12, t11};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.25, 0.25, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.25, unit = 0.25;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_fast(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_fast(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_fast_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1248,8 +1249,8 @@ FOOTPOINT_FN int footpoint_quad4_fast(const double xA[3], const double xB[3], co
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_fast, x, 4, 5, loc, gap);
+    if (footpoint_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_fast_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1259,14 +1260,14 @@ FOOTPOINT_FN int footpoint_quad4_fast(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_fast, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_fast_checked_n(size_t n, const double *const x[15],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_fast, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_fast_over_n(const double *const nodes[4], size_t n,
@@ -1274,14 +1275,15 @@ FOOTPOINT_LOOP void footpoint_quad4_fast_over_n(const double *const nodes[4], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_fast, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_fast(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad4_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_fast(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1292,7 +1294,7 @@ FOOTPOINT_FN int footpoint_quad4_fast_closest(const double xA[3], const double x
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_fast, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1301,28 +1303,16 @@ FOOTPOINT_LOOP void footpoint_quad4_fast_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_fast, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_fast_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.23403011843525659, -0.10349169913105931, 9.7412255291916072e-16, 4.2078521945612015e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.029141697819300431, -1.0921640798288106, 1.1137679100951701e-15, 1.4890004408154479e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.6139573629574786, 0.78252791502393271, 1.5254666855104552e-15, 1.2363839027415434e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0829733147496599, 0.056816619554972761, 1.6546360564111571e-15, 1.1691988326089626e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.10014812092927253, 0.27671178375922884, 2.2439153400707538e-15, 5.578875316338131e-16},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.587584560285491, -1.0647306091515694, 9.3026079759094689e-16, 1.2277720443076084e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.37600857135056565, 0.85487094651987217, 8.4547215493110704e-15, 1.8658839894768132e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 0.86583491831191228, -0.65908747625740516, 2.6937467056713848e-15, 1.1406102641385745e-15},
-};
-#endif
 
 /* footpoint_quad4_coarse
  *   operations:     45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
@@ -1336,8 +1326,8 @@ static const double footpoint_quad4_fast_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1359,13 +1349,12 @@ footpoint_detail_footpoint_quad4_coarse(const double xA[3], const double xB[3], 
 FOOTPOINT_FN void footpoint_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_coarse(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double xi, double eta,
-                                            double *gap)
+footpoint_quad4_coarse_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1377,19 +1366,20 @@ footpoint_detail_gap_footpoint_quad4_coarse(const double xA[3], const double xB[
     const double b[3] = {t13, t10, t8};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t14, t11, t9};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_dot(c, c),
-        -1, 0.5, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_coarse(
+    unsigned long long flaw = footpoint_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_coarse(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_coarse_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1399,8 +1389,8 @@ FOOTPOINT_FN int footpoint_quad4_coarse(const double xA[3], const double xB[3], 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_coarse, x, 4, 5, loc, gap);
+    if (footpoint_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1410,14 +1400,14 @@ FOOTPOINT_FN int footpoint_quad4_coarse(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_quad4_coarse_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_coarse, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_coarse_checked_n(size_t n, const double *const x[15],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_coarse, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_coarse_over_n(const double *const nodes[4], size_t n,
@@ -1425,14 +1415,15 @@ FOOTPOINT_LOOP void footpoint_quad4_coarse_over_n(const double *const nodes[4], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_coarse, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_coarse(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_quad4_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_coarse(
+    unsigned long long flaw = footpoint_quad4_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1444,7 +1435,7 @@ FOOTPOINT_FN int footpoint_quad4_coarse_closest(const double xA[3], const double
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1453,29 +1444,17 @@ FOOTPOINT_LOOP void footpoint_quad4_coarse_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_coarse, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_coarse_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.23313439337387784, -0.10926414952661116, 9.4278115623920158e-16, 4.5432216644929512e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.022662978633268781, -1.0922607771300947, 8.7226247265067997e-16, 2.1938156591293549e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.59942338819424024, 0.88426573836660161, 1.7507968402233363e-15, 2.1693290028979045e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0899790716764408, 0.060968179215287431, 2.0525811599111905e-15, 1.76103027793111e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.098947213004108373, 0.28238880304182307, 1.6946300530384708e-15, 8.630910308436185e-16},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.65807240272992096, -0.96906853726270026, 1.335470194626749e-15, 1.8826201329108074e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.33693783711486558, 0.82773849218952489, 6.9083697194221664e-15, 2.2938981218419441e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.0765611453744102, -0.67032620836740509, 4.0116949594131161e-15, 1.7183257475051905e-15},
-};
-#endif
 
 /* footpoint_quad4_gauss2
  *   operations:     58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
@@ -1490,8 +1469,8 @@ static const double footpoint_quad4_coarse_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1516,13 +1495,12 @@ footpoint_detail_footpoint_quad4_gauss2(const double xA[3], const double xB[3], 
 FOOTPOINT_FN void footpoint_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_gauss2(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double xi, double eta,
-                                            double *gap)
+footpoint_quad4_gauss2_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1535,19 +1513,20 @@ footpoint_detail_gap_footpoint_quad4_gauss2(const double xA[3], const double xB[
     const double b[3] = {t14, t10, t8};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t15, t12, t11};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t26,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t26;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_gauss2(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_gauss2(
+    unsigned long long flaw = footpoint_quad4_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_gauss2(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_gauss2_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1557,8 +1536,8 @@ FOOTPOINT_FN int footpoint_quad4_gauss2(const double xA[3], const double xB[3], 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_gauss2(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_gauss2, x, 4, 5, loc, gap);
+    if (footpoint_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1568,14 +1547,14 @@ FOOTPOINT_FN int footpoint_quad4_gauss2(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_quad4_gauss2_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_gauss2, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_gauss2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_gauss2_checked_n(size_t n, const double *const x[15],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_gauss2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_gauss2_over_n(const double *const nodes[4], size_t n,
@@ -1583,14 +1562,15 @@ FOOTPOINT_LOOP void footpoint_quad4_gauss2_over_n(const double *const nodes[4], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_gauss2, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_gauss2(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_quad4_gauss2_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_gauss2(
+    unsigned long long flaw = footpoint_quad4_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1602,7 +1582,7 @@ FOOTPOINT_FN int footpoint_quad4_gauss2_closest(const double xA[3], const double
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_gauss2, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_gauss2_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1611,29 +1591,17 @@ FOOTPOINT_LOOP void footpoint_quad4_gauss2_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_gauss2, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_gauss2_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_gauss2_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_gauss2, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_gauss2_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.23423693334430851, -0.10940623327764476, 1.1445013115036501e-15, 4.6052526495586686e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.031238932375637889, -1.0937453314821444, 1.4942368556118009e-15, 1.8465001180543818e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.62115544545750001, 0.89098727095729058, 2.0160188759012268e-15, 1.8521244241789782e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0935798492865123, 0.062467878489160515, 2.1065471178693072e-15, 2.2012226799718748e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.15051841741865726, 0.29495223124039549, 3.6990336914244412e-15, 1.2811230377426107e-15},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.67465878344319608, -0.96700238033738284, 4.0441943712937531e-15, 2.0386800304401085e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.34405708029098769, 0.82821412965412833, 8.8065670975728158e-15, 1.7544186599586742e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.1260729566832068, -0.66946814801011234, 5.1590013819687729e-15, 1.5068019740137961e-15},
-};
-#endif
 
 /* footpoint_quad4_medium
  *   operations:     66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
@@ -1648,8 +1616,8 @@ static const double footpoint_quad4_gauss2_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -1675,13 +1643,12 @@ footpoint_detail_footpoint_quad4_medium(const double xA[3], const double xB[3], 
 FOOTPOINT_FN void footpoint_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_medium(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double xi, double eta,
-                                            double *gap)
+footpoint_quad4_medium_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -1694,19 +1661,20 @@ footpoint_detail_gap_footpoint_quad4_medium(const double xA[3], const double xB[
     const double b[3] = {t13, t9, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t15, t11, t12};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t29,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t29;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_medium(
+    unsigned long long flaw = footpoint_quad4_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_medium(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_medium_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1716,8 +1684,8 @@ FOOTPOINT_FN int footpoint_quad4_medium(const double xA[3], const double xB[3], 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_medium, x, 4, 5, loc, gap);
+    if (footpoint_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_medium_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1727,14 +1695,14 @@ FOOTPOINT_FN int footpoint_quad4_medium(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_quad4_medium_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_medium, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_medium_checked_n(size_t n, const double *const x[15],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_medium, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_medium_over_n(const double *const nodes[4], size_t n,
@@ -1742,14 +1710,15 @@ FOOTPOINT_LOOP void footpoint_quad4_medium_over_n(const double *const nodes[4], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_medium, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_medium(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_quad4_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_medium(
+    unsigned long long flaw = footpoint_quad4_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1761,7 +1730,7 @@ FOOTPOINT_FN int footpoint_quad4_medium_closest(const double xA[3], const double
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_medium, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_medium_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1770,29 +1739,17 @@ FOOTPOINT_LOOP void footpoint_quad4_medium_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_medium, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_medium_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_medium, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_medium_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.23437222320133136, -0.1093733869060169, 1.1445829516665166e-15, 4.5881112601893904e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.031233644751886676, -1.093733375903654, 1.4953236201651555e-15, 1.8465483548097539e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.62459805934163193, 0.89013344220351065, 2.0202195918120884e-15, 1.8174432828604767e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0936943910880648, 0.062489285583543559, 2.1095298314915023e-15, 2.208511046126176e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.15142900763496464, 0.29521443667363306, 3.7462586884712362e-15, 1.2972630063893712e-15},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.67198026219815565, -0.96869700196019637, 3.7493212752409068e-15, 1.9282377033520703e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.34371868384564119, 0.8281259296861897, 8.8328313062363527e-15, 1.7594236599306765e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.1257114762512115, -0.67101982233898705, 5.0947423024494889e-15, 1.51180050420008e-15},
-};
-#endif
 
 /* footpoint_quad4_balanced
  *   operations:     75 mul, 3 div, 78 add, 0 sqrt, 0 compare; 50 temporaries
@@ -1809,9 +1766,8 @@ static const double footpoint_quad4_medium_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double zero, double *xi,
-                                          double *eta)
+footpoint_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[1] - xB[1], t2 = xA[0] - xB[0], t3 = xA[2] - xB[2], t4 = xC[1] - xD[1] + t1;
     const double t5 = xC[0] - xD[0] + t2, t6 = xC[2] - xD[2] + t3, u1 = 0.5 * t4, t7 = xA[1] - xD[1] - u1;
@@ -1841,13 +1797,12 @@ footpoint_detail_footpoint_quad4_balanced(const double xA[3], const double xB[3]
 FOOTPOINT_FN void footpoint_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_balanced(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double xi, double eta,
-                                              double *gap)
+footpoint_quad4_balanced_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[1] - xB[1], t2 = xA[0] - xB[0], t3 = xA[2] - xB[2], t4 = xC[1] - xD[1] + t1;
     const double t5 = xC[0] - xD[0] + t2, t6 = xC[2] - xD[2] + t3, u1 = 0.5 * t4, t7 = xA[1] - xD[1] - u1;
@@ -1859,19 +1814,20 @@ footpoint_detail_gap_footpoint_quad4_balanced(const double xA[3], const double x
     const double b[3] = {t10, t7, -t11};
     const double c[3] = {-0.5 * t5, -0.5 * t4, -0.5 * t6};
     const double d[3] = {t15, -t8, -t12};
-    return footpoint_detail_quad4_over(a, b, c, d, t17 + t18 + footpoint_detail_dot(c, c),
-        0.5, -1, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t17 + t18 + footpoint_detail_dot(c, c);
+    const double ratio = 0.5, per = -1, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_balanced(
+    unsigned long long flaw = footpoint_quad4_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_balanced(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_balanced_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1881,8 +1837,8 @@ FOOTPOINT_FN int footpoint_quad4_balanced(const double xA[3], const double xB[3]
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_balanced, x, 4, 5, loc, gap);
+    if (footpoint_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1892,14 +1848,14 @@ FOOTPOINT_FN int footpoint_quad4_balanced(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_quad4_balanced_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_balanced, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_balanced_checked_n(size_t n, const double *const x[15],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_balanced, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_balanced_over_n(const double *const nodes[4], size_t n,
@@ -1907,14 +1863,15 @@ FOOTPOINT_LOOP void footpoint_quad4_balanced_over_n(const double *const nodes[4]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_balanced, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_balanced(const double *const *x, double zero, double at[3],
-                                                                     int *region)
+FOOTPOINT_PART int footpoint_quad4_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_balanced(
+    unsigned long long flaw = footpoint_quad4_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1926,7 +1883,7 @@ FOOTPOINT_FN int footpoint_quad4_balanced_closest(const double xA[3], const doub
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_balanced, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_balanced_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1935,29 +1892,17 @@ FOOTPOINT_LOOP void footpoint_quad4_balanced_closest_n(size_t n, const double *c
                                                        double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_balanced, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
                                                      double loc[2],
                                                      double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_balanced, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_balanced_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.23437597854407002, -0.10937470146017288, 9.396911734052507e-16, 3.4985846678094669e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.031251084089457142, -1.0937508515591656, 1.7015208492008065e-15, 1.8515910398136876e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.62507148704769377, 0.8905718939877173, 2.0695989644574603e-15, 1.8486226577717014e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0937531548852621, 0.0625004993365188, 2.1821271724480456e-15, 2.2181706480926177e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.15607932861467691, 0.29682451136337484, 4.2851358121073039e-15, 1.4160918119914417e-15},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.67183429804320094, -0.96876329016802798, 3.6336612278191764e-15, 1.9152510662438896e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.34375472839186805, 0.82812555285443967, 8.3300092989342087e-15, 1.7196577269576211e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.124609627392964, -0.67201056368118461, 5.2503076274490798e-15, 1.5432203469211974e-15},
-};
-#endif
 
 /* footpoint_quad4_fine
  *   operations:     91 mul, 3 div, 88 add, 0 sqrt, 0 compare; 56 temporaries
@@ -1975,8 +1920,8 @@ static const double footpoint_quad4_balanced_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2011,12 +1956,12 @@ footpoint_detail_footpoint_quad4_fine(const double xA[3], const double xB[3], co
 FOOTPOINT_FN void footpoint_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
                                           const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_fine(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double xi, double eta, double *gap)
+footpoint_quad4_fine_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2029,18 +1974,19 @@ footpoint_detail_gap_footpoint_quad4_fine(const double xA[3], const double xB[3]
     const double b[3] = {t13, t10, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t14, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t32,
-        1, -0.5, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t32;
+    const double ratio = 1, per = -0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_fine(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_fine(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_fine_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2050,8 +1996,8 @@ FOOTPOINT_FN int footpoint_quad4_fine(const double xA[3], const double xB[3], co
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_fine, x, 4, 5, loc, gap);
+    if (footpoint_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_fine_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2061,14 +2007,14 @@ FOOTPOINT_FN int footpoint_quad4_fine(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_fine, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_fine_checked_n(size_t n, const double *const x[15],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_fine, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_fine_over_n(const double *const nodes[4], size_t n,
@@ -2076,14 +2022,15 @@ FOOTPOINT_LOOP void footpoint_quad4_fine_over_n(const double *const nodes[4], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_fine, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_fine_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_fine(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad4_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_fine(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -2094,7 +2041,7 @@ FOOTPOINT_FN int footpoint_quad4_fine_closest(const double xA[3], const double x
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_fine, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_fine_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2103,28 +2050,16 @@ FOOTPOINT_LOOP void footpoint_quad4_fine_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_fine, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_fine, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_fine_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.2343750056056198, -0.10937499817471234, 1.1405060096683889e-15, 4.5594556663509631e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.031250000070850929, -1.0937500000050731, 1.4978807556860978e-15, 1.84811199131899e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.62499999932355321, 0.89062499539388318, 2.0295132584557203e-15, 1.8204469433990005e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0937500000365712, 0.062500000032805078, 2.1140168379632e-15, 2.2175430496162462e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.15624345078415722, 0.2968718888380445, 4.0543630785266675e-15, 1.4186721591692865e-15},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.67187501399143379, -0.96875000755565266, 3.8297980595002128e-15, 1.9207358170662118e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.34374999997012967, 0.82812500000198841, 9.4042386515028891e-15, 1.7975230459905363e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.1250001984347149, -0.67187497241037986, 5.0499461091946802e-15, 1.4844604705678722e-15},
-};
-#endif
 
 /* footpoint_quad4_precise
  *   operations:     98 mul, 3 div, 93 add, 0 sqrt, 0 compare; 61 temporaries
@@ -2142,8 +2077,8 @@ static const double footpoint_quad4_fine_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad4_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                               const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -2177,13 +2112,12 @@ footpoint_detail_footpoint_quad4_precise(const double xA[3], const double xB[3],
 FOOTPOINT_FN void footpoint_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3],
                                              const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_precise(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double xi, double eta,
-                                             double *gap)
+footpoint_quad4_precise_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -2196,19 +2130,20 @@ footpoint_detail_gap_footpoint_quad4_precise(const double xA[3], const double xB
     const double b[3] = {t14, t11, t8};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t15, t12, t9};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t31,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t31;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_precise(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_precise(
+    unsigned long long flaw = footpoint_quad4_precise_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_precise(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_precise_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2218,8 +2153,8 @@ FOOTPOINT_FN int footpoint_quad4_precise(const double xA[3], const double xB[3],
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_precise(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_precise, x, 4, 5, loc, gap);
+    if (footpoint_quad4_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_precise_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2229,14 +2164,14 @@ FOOTPOINT_FN int footpoint_quad4_precise(const double xA[3], const double xB[3],
 FOOTPOINT_LOOP void footpoint_quad4_precise_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                               double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_precise, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_precise_checked_n(size_t n, const double *const x[15],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_precise, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_precise_over_n(const double *const nodes[4], size_t n,
@@ -2244,14 +2179,15 @@ FOOTPOINT_LOOP void footpoint_quad4_precise_over_n(const double *const nodes[4],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_precise, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_precise(const double *const *x, double zero, double at[3],
-                                                                    int *region)
+FOOTPOINT_PART int footpoint_quad4_precise_detail_closest(const double *const *x, double zero, double at[3],
+                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_precise(
+    unsigned long long flaw = footpoint_quad4_precise_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -2263,7 +2199,7 @@ FOOTPOINT_FN int footpoint_quad4_precise_closest(const double xA[3], const doubl
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_precise, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_precise_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2272,29 +2208,17 @@ FOOTPOINT_LOOP void footpoint_quad4_precise_closest_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_precise, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_precise_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_precise_closest_of(size_t n, const double *const *x, const double xS[3],
                                                     double loc[2],
                                                     double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_precise, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_precise_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_precise_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.23437500000001746, -0.10937500000016991, 1.1573533727134061e-15, 4.6722543171859929e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.031249999998534783, -1.0937499999995901, 1.5693120536681688e-15, 1.9814466558478035e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.62500000001311895, 0.89062499997679667, 2.0098092389498727e-15, 1.8941405868217981e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.093750000005294, 0.062500000001965317, 2.2395379102193227e-15, 2.3033520382767064e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.15624994171534065, 0.29687496394665069, 4.2591052435532938e-15, 1.5021016531690014e-15},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.67187500010525136, -0.96874999993830802, 4.1043553842803304e-15, 2.0463769868660616e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.34374999999996309, 0.82812500000001243, 8.5686751829806402e-15, 1.8293473415018801e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.1250002957543046, -0.67187496072277408, 4.9578780526868322e-15, 1.5486888563949841e-15},
-};
-#endif
 
 /* footpoint_quad4_accurate
  *   operations:     118 mul, 5 div, 112 add, 0 sqrt, 0 compare; 74 temporaries
@@ -2314,9 +2238,8 @@ static const double footpoint_quad4_precise_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double zero, double *xi,
-                                          double *eta)
+footpoint_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2357,13 +2280,12 @@ footpoint_detail_footpoint_quad4_accurate(const double xA[3], const double xB[3]
 FOOTPOINT_FN void footpoint_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_accurate(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double xi, double eta,
-                                              double *gap)
+footpoint_quad4_accurate_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2376,19 +2298,20 @@ footpoint_detail_gap_footpoint_quad4_accurate(const double xA[3], const double x
     const double b[3] = {t13, t10, t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
     const double d[3] = {t14, t11, t8};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t28,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t28;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_accurate(
+    unsigned long long flaw = footpoint_quad4_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_accurate(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_accurate_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2398,8 +2321,8 @@ FOOTPOINT_FN int footpoint_quad4_accurate(const double xA[3], const double xB[3]
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_accurate, x, 4, 5, loc, gap);
+    if (footpoint_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2409,14 +2332,14 @@ FOOTPOINT_FN int footpoint_quad4_accurate(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_quad4_accurate_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_accurate, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_accurate_checked_n(size_t n, const double *const x[15],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_accurate, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_accurate_over_n(const double *const nodes[4], size_t n,
@@ -2424,14 +2347,15 @@ FOOTPOINT_LOOP void footpoint_quad4_accurate_over_n(const double *const nodes[4]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_accurate, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_accurate(const double *const *x, double zero, double at[3],
-                                                                     int *region)
+FOOTPOINT_PART int footpoint_quad4_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_accurate(
+    unsigned long long flaw = footpoint_quad4_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -2443,7 +2367,7 @@ FOOTPOINT_FN int footpoint_quad4_accurate_closest(const double xA[3], const doub
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_accurate, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_accurate_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2452,29 +2376,17 @@ FOOTPOINT_LOOP void footpoint_quad4_accurate_closest_n(size_t n, const double *c
                                                        double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_accurate, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
                                                      double loc[2],
                                                      double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_accurate, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_accurate_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.234375, -0.10937500000000001, 1.1404532575579709e-15, 4.559039485797971e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.03125000000000009, -1.09375, 1.4978650629708051e-15, 1.8481086081468531e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.62499999999999989, 0.89062500000000011, 2.0294907109617836e-15, 1.8203315257670322e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0937500000000002, 0.062500000000000111, 2.1140165910318393e-15, 2.2175331940066073e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.15624999999998274, 0.29687499999999406, 4.0490580308206456e-15, 1.4177527492025956e-15},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.67187499999999989, -0.96875, 3.8286233600883892e-15, 1.9203364085114978e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.34375000000000044, 0.82812499999999989, 9.404166877702593e-15, 1.7975002207496112e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.1250000000000031, -0.67187499999999534, 5.0495337443161814e-15, 1.4842811352700771e-15},
-};
-#endif
 
 /* footpoint_quad4_full
  *   operations:     138 mul, 5 div, 124 add, 0 sqrt, 0 compare; 86 temporaries
@@ -2494,8 +2406,8 @@ static const double footpoint_quad4_accurate_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad4_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -2538,12 +2450,12 @@ footpoint_detail_footpoint_quad4_full(const double xA[3], const double xB[3], co
 FOOTPOINT_FN void footpoint_quad4_full_at(const double xA[3], const double xB[3], const double xC[3],
                                           const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_full(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_quad4_full(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double xi, double eta, double *gap)
+footpoint_quad4_full_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xS[3], double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -2556,18 +2468,19 @@ footpoint_detail_gap_footpoint_quad4_full(const double xA[3], const double xB[3]
     const double b[3] = {-t13, -t9, -t7};
     const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
     const double d[3] = {t14, t15, t12};
-    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t31,
-        -1, 0.5, 1, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
+    const double size = t18 + t17 + t31;
+    const double ratio = -1, per = 0.5, unit = 1;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad4_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad4_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_full(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_full_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_quad4_full(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_quad4_full_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -2577,8 +2490,8 @@ FOOTPOINT_FN int footpoint_quad4_full(const double xA[3], const double xB[3], co
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad4_full, x, 4, 5, loc, gap);
+    if (footpoint_quad4_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad4_full_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2588,14 +2501,14 @@ FOOTPOINT_FN int footpoint_quad4_full(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_quad4_full, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_quad4_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_full_checked_n(size_t n, const double *const x[15],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_full, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_quad4_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_full_over_n(const double *const nodes[4], size_t n,
@@ -2603,14 +2516,15 @@ FOOTPOINT_LOOP void footpoint_quad4_full_over_n(const double *const nodes[4], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_quad4_full, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_quad4_full_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_full(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad4_full_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad4_full(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_full_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -2621,7 +2535,7 @@ FOOTPOINT_FN int footpoint_quad4_full_closest(const double xA[3], const double x
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_quad4_full, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_quad4_full_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2630,28 +2544,16 @@ FOOTPOINT_LOOP void footpoint_quad4_full_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_full, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_quad4_full_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_full_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_full, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_quad4_full_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad4_full_points[][19] = {
-    {0, 0, 0, 0.84074948003383287, -0.6478271484375, 0.07705572153269305, 4.0795711663251364, 2.859375, 0, 2.1225064387086965, 2.2115478515625, 0.07705572153269305, 1.4583003343590106, 0.95781313717981365, -0.11595759136409603, -0.234375, -0.10937500000000001, 1.1673204835726955e-15, 4.6812594335403809e-16},
-    {0, 0, 0, 1.6034406718641225, 0.0123291015625, 0.072410295866265642, 2.4016040764232676, 3.15625, 0, 1.4703912829408552, 3.1685791015625, 0.072410295866265642, 0.76791654844431101, -0.13928188769859168, 0.16464356561636617, 0.03125000000000009, -1.09375, 1.520024233341987e-15, 1.9728052984094606e-15},
-    {0, 0, 0, 1.9658624353543135, -0.4246826171875, -0.1359855532450476, 0.69344190140845074, 2.21875, 0, -0.94632946605413748, 1.7940673828125, -0.1359855532450476, -0.55924109052963367, 1.7651505971359254, -0.43626216267605272, -0.62499999999999989, 0.89062500000000011, 2.0858117816749485e-15, 1.9155282507458965e-15},
-    {0, 0, 0, 0.98472758910665092, 0.2548828125, -0.032430033725815037, -0.61217466624760541, 4.078125, 0, -1.5891329008957435, 4.3330078125, -0.032430033725815037, 0.18171341841275457, 2.2823565445613117, 0.26488750203390327, 1.0937500000000002, 0.062500000000000111, 2.2348323895190422e-15, 2.284441421503315e-16},
-    {0, 0, 0, 0.46994434703480126, 0.6982421875, -0.15621141022474683, -2.0053089488636364, 3.4375, 0, -3.8626373291015628, 4.1357421875, -0.15621141022474683, -1.7296747401296837, 2.5434694720861746, 0.33861585651453285, 0.15624999999999983, 0.296875, 4.0590605403884391e-15, 1.4487963890024355e-15},
-    {0, 0, 0, 1.196719146127184, -0.4708251953125, 0.11102911812199398, 0.76547827509236455, 3.171875, 0, -0.55997006646518055, 2.7010498046875, 0.11102911812199398, 0.98489666356350858, -0.3380712981075672, 0.18972594503740145, 0.67187499999999989, -0.96875, 3.7883361554670856e-15, 2.0176683918500332e-15},
-    {0, 0, 0, 1.2575373573908728, -0.384521484375, 0.011040456639295013, -2.9216269841269842, 3.9375, 0, -3.6958356584821432, 3.552978515625, 0.011040456639295013, -2.8320200165795604, 3.4595164337734983, -0.23547647492622478, 0.34375000000000044, 0.82812499999999989, 9.3587128756998897e-15, 1.8836918803748889e-15},
-    {0, 0, 0, 0.87448242187500014, 0.048828125, -0.067395005675368894, -0.67312499999999997, 3.125, 0, -2.358642578125, 3.173828125, -0.067395005675368894, 0.65845317218974619, 0.55708988084780442, -0.61647759393178914, 1.1249999999999998, -0.671875, 5.2350090985997687e-15, 1.5613671877661059e-15},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

@@ -316,8 +316,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_place(const double *const *x, double xi, double eta,
-                                       double *const *row, size_t step, int always, int again)
+footpoint_quad4_place_detail(const double *const *x, double xi, double eta,
+                             double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xS = x[4];
     double *const phi = row[0];
@@ -379,14 +379,14 @@ footpoint_detail_footpoint_quad4_place(const double *const *x, double xi, double
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad4_place_again(const double *const *x, double xi, double eta,
-                                                                double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad4_place_detail_again(const double *const *x, double xi, double eta,
+                                                      double *const *row, size_t step)
 {
+    const int nodes = 4, vectors = 5, rows = 5, first = 1, degree = 1;
     const int shape[10] = {4, 0, 3, 1, 3, 1, 3, 0, 1, 1};
     double space[14];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad4_place,
-        footpoint_detail_footpoint_quad4_place, 1, 1,
-        x, 4, 5, xi, eta, row, step, 5, shape, space);
+    return footpoint_detail_place_again(footpoint_quad4_place_detail, footpoint_quad4_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad4_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -395,8 +395,8 @@ FOOTPOINT_FN int footpoint_quad4_place(const double xA[3], const double xB[3], c
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_detail_footpoint_quad4_place(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad4_place_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad4_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad4_place_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -418,7 +418,7 @@ FOOTPOINT_LOOP void footpoint_quad4_place_n(size_t n, const double *const x[15],
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad4_place(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad4_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -426,7 +426,7 @@ FOOTPOINT_LOOP void footpoint_quad4_place_n(size_t n, const double *const x[15],
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
             double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-            status[i] = footpoint_detail_footpoint_quad4_place_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad4_place_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -439,14 +439,14 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[5] = {xA, xB, xC, xD, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad4_place(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad4_place_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad4_place_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad4_place_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -471,8 +471,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad4_place(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad4_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -488,7 +488,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad4_place_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad4_place_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -505,8 +505,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_gradients(const double *const *x, double xi, double eta,
-                                           double *const *row, size_t step, int always, int again)
+footpoint_quad4_gradients_detail(const double *const *x, double xi, double eta,
+                                 double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xS = x[4];
     double *const phi = row[0];
@@ -626,14 +626,14 @@ footpoint_detail_footpoint_quad4_gradients(const double *const *x, double xi, do
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad4_gradients_again(const double *const *x, double xi, double eta,
-                                                                    double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad4_gradients_detail_again(const double *const *x, double xi, double eta,
+                                                          double *const *row, size_t step)
 {
+    const int nodes = 4, vectors = 5, rows = 8, first = 1, degree = 1;
     const int shape[16] = {4, 0, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0};
     double space[59];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad4_gradients,
-        footpoint_detail_footpoint_quad4_place, 1, 1,
-        x, 4, 5, xi, eta, row, step, 8, shape, space);
+    return footpoint_detail_place_again(footpoint_quad4_gradients_detail, footpoint_quad4_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad4_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -643,8 +643,8 @@ FOOTPOINT_FN int footpoint_quad4_gradients(const double xA[3], const double xB[3
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_detail_footpoint_quad4_gradients(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad4_gradients_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad4_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad4_gradients_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -669,7 +669,7 @@ FOOTPOINT_LOOP void footpoint_quad4_gradients_n(size_t n, const double *const x[
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad4_gradients(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad4_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -677,7 +677,7 @@ FOOTPOINT_LOOP void footpoint_quad4_gradients_n(size_t n, const double *const x[
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
             double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-            status[i] = footpoint_detail_footpoint_quad4_gradients_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad4_gradients_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -691,14 +691,14 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[5] = {xA, xB, xC, xD, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad4_gradients(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad4_gradients_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad4_gradients_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad4_gradients_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -726,8 +726,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad4_gradients(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad4_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -743,7 +743,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad4_gradients_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad4_gradients_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -760,8 +760,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad4_hessian(const double *const *x, double xi, double eta,
-                                         double *const *row, size_t step, int always, int again)
+footpoint_quad4_hessian_detail(const double *const *x, double xi, double eta,
+                               double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xS = x[4];
     double *const gap = row[0];
@@ -1074,14 +1074,14 @@ footpoint_detail_footpoint_quad4_hessian(const double *const *x, double xi, doub
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad4_hessian_again(const double *const *x, double xi, double eta,
-                                                                  double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad4_hessian_detail_again(const double *const *x, double xi, double eta,
+                                                        double *const *row, size_t step)
 {
+    const int nodes = 4, vectors = 5, rows = 6, first = 1, degree = 1;
     const int shape[12] = {1, 1, 15, -1, 15, -1, 15, 0, 45, -1, 120, -1};
     double space[211];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad4_hessian,
-        footpoint_detail_footpoint_quad4_place, 1, 1,
-        x, 4, 5, xi, eta, row, step, 6, shape, space);
+    return footpoint_detail_place_again(footpoint_quad4_hessian_detail, footpoint_quad4_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad4_hessian(const double xA[3], const double xB[3], const double xC[3],
@@ -1091,8 +1091,8 @@ FOOTPOINT_FN int footpoint_quad4_hessian(const double xA[3], const double xB[3],
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_detail_footpoint_quad4_hessian(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad4_hessian_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad4_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad4_hessian_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -1115,7 +1115,7 @@ FOOTPOINT_LOOP void footpoint_quad4_hessian_n(size_t n, const double *const x[15
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad4_hessian(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad4_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1123,7 +1123,7 @@ FOOTPOINT_LOOP void footpoint_quad4_hessian_n(size_t n, const double *const x[15
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
             double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-            status[i] = footpoint_detail_footpoint_quad4_hessian_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad4_hessian_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -1136,14 +1136,14 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[5] = {xA, xB, xC, xD, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad4_hessian(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad4_hessian_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad4_hessian_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad4_hessian_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -1169,8 +1169,8 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[15], \
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad4_hessian(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad4_hessian_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -1186,7 +1186,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[15], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad4_hessian_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad4_hessian_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 

@@ -1290,8 +1290,8 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_closest_of(footpoint_detail_f_neares
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3],
-                                            const float xD[3], const float xS[3], float zero, float *xi, float *eta)
+footpoint_quad4_float_fast_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                  const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1317,13 +1317,13 @@ footpoint_detail_footpoint_quad4_float_fast(const float xA[3], const float xB[3]
 FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float xB[3], const float xC[3],
                                                 const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_fast(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_fast_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_fast(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_fast_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fast(
+    unsigned int flaw = footpoint_quad4_float_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -1334,8 +1334,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fast(const float xA[3], const float xB[3]
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_fast(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_fast, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_fast_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_fast_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1357,14 +1357,14 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_sure(const float xA[3], const float 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
                                                  float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_fast, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_checked_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                          float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_fast, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_over_n(const float *const nodes[4], size_t n,
@@ -1372,14 +1372,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_over_n(const float *const nodes[4
                                                       float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_fast, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fast(const float *const *x, float zero, float at[3],
-                                                                       int *region)
+FOOTPOINT_PART int footpoint_quad4_float_fast_detail_closest(const float *const *x, float zero, float at[3],
+                                                             int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fast(
+    unsigned int flaw = footpoint_quad4_float_fast_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -1391,7 +1392,7 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest(const float xA[3], const flo
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_fast, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1400,15 +1401,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_closest_n(size_t n, const float *
                                                          float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *const *x, const float xS[3],
                                                        float loc[2],
                                                        float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_fast, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_coarse
@@ -1423,8 +1425,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *co
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_coarse(const float xA[3], const float xB[3], const float xC[3],
-                                              const float xD[3], const float xS[3], float zero, float *xi, float *eta)
+footpoint_quad4_float_coarse_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                    const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1452,13 +1454,13 @@ footpoint_detail_footpoint_quad4_float_coarse(const float xA[3], const float xB[
 FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float xB[3], const float xC[3],
                                                   const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_coarse(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_coarse_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_coarse(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_coarse_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_coarse(
+    unsigned int flaw = footpoint_quad4_float_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -1469,8 +1471,8 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse(const float xA[3], const float xB[
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_coarse(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_coarse, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_coarse_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_coarse_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1492,14 +1494,14 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_sure(const float xA[3], const floa
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
                                                    float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_coarse, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_checked_n(size_t n, const float *const x[15],
                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_coarse, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_over_n(const float *const nodes[4], size_t n,
@@ -1507,14 +1509,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_over_n(const float *const nodes
                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_coarse, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_coarse(const float *const *x, float zero, float at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_quad4_float_coarse_detail_closest(const float *const *x, float zero, float at[3],
+                                                               int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_coarse(
+    unsigned int flaw = footpoint_quad4_float_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -1526,7 +1529,7 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest(const float xA[3], const f
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1535,15 +1538,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_closest_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *const *x, const float xS[3],
                                                          float loc[2],
                                                          float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_coarse, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_gauss2
@@ -1559,8 +1563,8 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_gauss2(const float xA[3], const float xB[3], const float xC[3],
-                                              const float xD[3], const float xS[3], float zero, float *xi, float *eta)
+footpoint_quad4_float_gauss2_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                    const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1592,13 +1596,13 @@ footpoint_detail_footpoint_quad4_float_gauss2(const float xA[3], const float xB[
 FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float xB[3], const float xC[3],
                                                   const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_gauss2(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_gauss2_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_gauss2(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_gauss2_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_gauss2(
+    unsigned int flaw = footpoint_quad4_float_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -1609,8 +1613,8 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2(const float xA[3], const float xB[
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_gauss2(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_gauss2, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_gauss2_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_gauss2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1632,14 +1636,14 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_sure(const float xA[3], const floa
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
                                                    float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_gauss2, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_gauss2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_checked_n(size_t n, const float *const x[15],
                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_gauss2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_over_n(const float *const nodes[4], size_t n,
@@ -1647,14 +1651,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_over_n(const float *const nodes
                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_gauss2, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_gauss2(const float *const *x, float zero, float at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_quad4_float_gauss2_detail_closest(const float *const *x, float zero, float at[3],
+                                                               int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_gauss2(
+    unsigned int flaw = footpoint_quad4_float_gauss2_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -1666,7 +1671,7 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest(const float xA[3], const f
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_gauss2, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_gauss2_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1675,15 +1680,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_closest_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_gauss2, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_gauss2_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *const *x, const float xS[3],
                                                          float loc[2],
                                                          float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_gauss2, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_gauss2_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_medium
@@ -1699,8 +1705,8 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_medium(const float xA[3], const float xB[3], const float xC[3],
-                                              const float xD[3], const float xS[3], float zero, float *xi, float *eta)
+footpoint_quad4_float_medium_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                    const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1733,13 +1739,13 @@ footpoint_detail_footpoint_quad4_float_medium(const float xA[3], const float xB[
 FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float xB[3], const float xC[3],
                                                   const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_medium(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_medium_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_medium(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_medium_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_medium(
+    unsigned int flaw = footpoint_quad4_float_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -1750,8 +1756,8 @@ FOOTPOINT_FN int footpoint_quad4_float_medium(const float xA[3], const float xB[
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_medium(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_medium, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_medium_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_medium_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1773,14 +1779,14 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_sure(const float xA[3], const floa
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
                                                    float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_medium, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_checked_n(size_t n, const float *const x[15],
                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_medium, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_over_n(const float *const nodes[4], size_t n,
@@ -1788,14 +1794,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_over_n(const float *const nodes
                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_medium, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_medium(const float *const *x, float zero, float at[3],
-                                                                         int *region)
+FOOTPOINT_PART int footpoint_quad4_float_medium_detail_closest(const float *const *x, float zero, float at[3],
+                                                               int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_medium(
+    unsigned int flaw = footpoint_quad4_float_medium_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -1807,7 +1814,7 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest(const float xA[3], const f
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_medium, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_medium_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1816,15 +1823,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_closest_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_medium, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *const *x, const float xS[3],
                                                          float loc[2],
                                                          float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_medium, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_balanced
@@ -1842,9 +1850,8 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_balanced(const float xA[3], const float xB[3], const float xC[3],
-                                                const float xD[3], const float xS[3], float zero, float *xi,
-                                                float *eta)
+footpoint_quad4_float_balanced_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                      const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1881,13 +1888,13 @@ footpoint_detail_footpoint_quad4_float_balanced(const float xA[3], const float x
 FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const float xB[3], const float xC[3],
                                                     const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_balanced(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_balanced_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_balanced(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_balanced_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_balanced(
+    unsigned int flaw = footpoint_quad4_float_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -1898,8 +1905,8 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced(const float xA[3], const float x
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_balanced(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_balanced, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_balanced_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_balanced_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1922,14 +1929,14 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_n(size_t n, const float *cons
                                                      float *FOOTPOINT_RESTRICT xi,
                                                      float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_balanced, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_checked_n(size_t n, const float *const x[15],
                                                              float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                              float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_balanced, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_over_n(const float *const nodes[4], size_t n,
@@ -1937,14 +1944,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_over_n(const float *const nod
                                                           float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_balanced, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_balanced(const float *const *x, float zero, float at[3],
-                                                                           int *region)
+FOOTPOINT_PART int footpoint_quad4_float_balanced_detail_closest(const float *const *x, float zero, float at[3],
+                                                                 int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_balanced(
+    unsigned int flaw = footpoint_quad4_float_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -1956,7 +1964,7 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest(const float xA[3], const
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_balanced, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_balanced_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1965,15 +1973,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_closest_n(size_t n, const flo
                                                              float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_balanced, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float *const *x, const float xS[3],
                                                            float loc[2],
                                                            float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_balanced, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_fine
@@ -1991,8 +2000,8 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3],
-                                            const float xD[3], const float xS[3], float zero, float *xi, float *eta)
+footpoint_quad4_float_fine_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                  const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -2034,13 +2043,13 @@ footpoint_detail_footpoint_quad4_float_fine(const float xA[3], const float xB[3]
 FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float xB[3], const float xC[3],
                                                 const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_fine(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_fine_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_fine(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_fine_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fine(
+    unsigned int flaw = footpoint_quad4_float_fine_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -2051,8 +2060,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fine(const float xA[3], const float xB[3]
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_fine(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_fine, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_fine_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_fine_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2074,14 +2083,14 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_sure(const float xA[3], const float 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
                                                  float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_fine, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_checked_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                          float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_fine, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_over_n(const float *const nodes[4], size_t n,
@@ -2089,14 +2098,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_over_n(const float *const nodes[4
                                                       float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_fine, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_fine_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fine(const float *const *x, float zero, float at[3],
-                                                                       int *region)
+FOOTPOINT_PART int footpoint_quad4_float_fine_detail_closest(const float *const *x, float zero, float at[3],
+                                                             int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fine(
+    unsigned int flaw = footpoint_quad4_float_fine_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -2108,7 +2118,7 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest(const float xA[3], const flo
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_fine, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_fine_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2117,15 +2127,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_closest_n(size_t n, const float *
                                                          float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_fine, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *const *x, const float xS[3],
                                                        float loc[2],
                                                        float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_fine, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_precise
@@ -2143,9 +2154,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_precise(const float xA[3], const float xB[3], const float xC[3],
-                                               const float xD[3], const float xS[3], float zero, float *xi,
-                                               float *eta)
+footpoint_quad4_float_precise_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                     const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -2186,13 +2196,13 @@ footpoint_detail_footpoint_quad4_float_precise(const float xA[3], const float xB
 FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const float xB[3], const float xC[3],
                                                    const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_precise(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_precise_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_precise(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_precise_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_precise(
+    unsigned int flaw = footpoint_quad4_float_precise_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -2203,8 +2213,8 @@ FOOTPOINT_FN int footpoint_quad4_float_precise(const float xA[3], const float xB
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_precise(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_precise, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_precise_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_precise_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2226,14 +2236,14 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_sure(const float xA[3], const flo
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
                                                     float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_precise, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_checked_n(size_t n, const float *const x[15],
                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                             float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_precise, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_over_n(const float *const nodes[4], size_t n,
@@ -2241,14 +2251,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_over_n(const float *const node
                                                          float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_precise, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_precise(const float *const *x, float zero, float at[3],
-                                                                          int *region)
+FOOTPOINT_PART int footpoint_quad4_float_precise_detail_closest(const float *const *x, float zero, float at[3],
+                                                                int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_precise(
+    unsigned int flaw = footpoint_quad4_float_precise_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -2260,7 +2271,7 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest(const float xA[3], const 
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_precise, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_precise_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2269,15 +2280,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_closest_n(size_t n, const floa
                                                             float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_precise, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_precise_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float *const *x, const float xS[3],
                                                           float loc[2],
                                                           float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_precise, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_precise_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_accurate
@@ -2297,9 +2309,8 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float 
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
-footpoint_detail_footpoint_quad4_float_accurate(const float xA[3], const float xB[3], const float xC[3],
-                                                const float xD[3], const float xS[3], float zero, float *xi,
-                                                float *eta)
+footpoint_quad4_float_accurate_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                      const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -2348,13 +2359,13 @@ footpoint_detail_footpoint_quad4_float_accurate(const float xA[3], const float x
 FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const float xB[3], const float xC[3],
                                                     const float xD[3], const float xS[3], float *xi, float *eta)
 {
-    (void)footpoint_detail_footpoint_quad4_float_accurate(xA, xB, xC, xD, xS, 0.0f, xi, eta);
+    (void)footpoint_quad4_float_accurate_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
 FOOTPOINT_PART unsigned int
-footpoint_detail_checked_footpoint_quad4_float_accurate(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+footpoint_quad4_float_accurate_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_accurate(
+    unsigned int flaw = footpoint_quad4_float_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
@@ -2365,8 +2376,8 @@ FOOTPOINT_FN int footpoint_quad4_float_accurate(const float xA[3], const float x
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad4_float_accurate(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_accurate, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_accurate_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_quad4_float_accurate_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2389,14 +2400,14 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_n(size_t n, const float *cons
                                                      float *FOOTPOINT_RESTRICT xi,
                                                      float *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_accurate, n, x, xi, eta);
+    footpoint_detail_f_quad4_n(footpoint_quad4_float_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_checked_n(size_t n, const float *const x[15],
                                                              float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                              float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_accurate, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_over_n(const float *const nodes[4], size_t n,
@@ -2404,14 +2415,15 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_over_n(const float *const nod
                                                           float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_accurate, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                    status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_accurate(const float *const *x, float zero, float at[3],
-                                                                           int *region)
+FOOTPOINT_PART int footpoint_quad4_float_accurate_detail_closest(const float *const *x, float zero, float at[3],
+                                                                 int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_detail_footpoint_quad4_float_accurate(
+    unsigned int flaw = footpoint_quad4_float_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
@@ -2423,7 +2435,7 @@ FOOTPOINT_FN int footpoint_quad4_float_accurate_closest(const float xA[3], const
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];
     int where;
-    const int status = footpoint_detail_f_quad4_closest(footpoint_detail_closest_footpoint_quad4_float_accurate, x, 1, at, &where);
+    const int status = footpoint_detail_f_quad4_closest(footpoint_quad4_float_accurate_detail_closest, x, 1, at, &where);
     return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2432,15 +2444,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_closest_n(size_t n, const flo
                                                              float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_accurate, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                       status);
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_accurate_closest_of(size_t n, const float *const *x, const float xS[3],
                                                            float loc[2],
                                                            float *dist, int *region, size_t *which)
 {
-    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_accurate, n, x, xS, 1, loc, dist, region,
-                                               which);
+    return footpoint_detail_f_quad4_closest_of(footpoint_quad4_float_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                               region, which);
 }
 
 #ifndef FOOTPOINT_DETAIL_ALONG_F

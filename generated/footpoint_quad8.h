@@ -1250,9 +1250,9 @@ FOOTPOINT_PART int footpoint_detail_quad8_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad8_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                            const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xS[2] - xF[2] - (xH[2] - xC[2]) + (xS[2] - xG[2]) - (xE[2] - xA[2]);
     const double t2 = 0.5 * (xD[0] - xA[0] - (xC[0] - xB[0])), t3 = 0.5 * (xD[2] - xA[2] - (xC[2] - xB[2]));
@@ -1277,13 +1277,13 @@ FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3]
                                           const double xG[3], const double xH[3], const double xS[3], double *xi,
                                           double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_fast(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_fast(
+    unsigned long long flaw = footpoint_quad8_fast_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -1295,8 +1295,8 @@ FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], co
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_fast, x, 8, 9, loc, gap);
+    if (footpoint_quad8_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_fast_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1306,14 +1306,14 @@ FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad8_fast_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_fast, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_fast_checked_n(size_t n, const double *const x[27],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_fast, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_fast_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_fast_over_n(const double *const nodes[8], size_t n,
@@ -1321,14 +1321,15 @@ FOOTPOINT_LOOP void footpoint_quad8_fast_over_n(const double *const nodes[8], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_fast, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_fast_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_fast(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad8_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_fast(
+    unsigned long long flaw = footpoint_quad8_fast_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -1341,7 +1342,7 @@ FOOTPOINT_FN int footpoint_quad8_fast_closest(const double xA[3], const double x
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_fast, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1350,28 +1351,16 @@ FOOTPOINT_LOOP void footpoint_quad8_fast_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_fast, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_fast_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.73211821143975631, 0.14697271641867021, 1.8130141711018662e-15, 5.5951007336967288e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.13907579852214336, 0.29610303495088264, 7.2399541628716094e-16, 4.5071251261989317e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.63285893056585441, 0.94339033875220035, 1.3472010858261692e-15, 1.2634411665093109e-15},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.894627878701026, -0.66234804657625279, 2.2557560534879833e-15, 5.0872660660060188e-15},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.4881119669133771, -0.85658335399694407, 7.8508599094983708e-16, 1.8796427384076068e-15},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.65479833621173511, 0.5673738337437374, 2.474191882511596e-15, 2.4647528678676908e-15},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.19941474002530196, 0.88143357247972443, 6.0740585011234592e-16, 9.9801008730410987e-16},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.02827779714363203, 0.41646843852897258, 6.5494536848104356e-16, 1.2326604796170484e-15},
-};
-#endif
 
 /* footpoint_quad8_coarse
  *   operations:     90 mul, 2 div, 136 add, 0 sqrt, 0 compare; 79 temporaries
@@ -1387,10 +1376,9 @@ static const double footpoint_quad8_fast_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xS[3], double zero,
-                                        double *xi, double *eta)
+footpoint_quad8_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xD[2] - xB[2], t2 = xC[2] - xA[2], t3 = xH[2] - xD[2], t4 = xF[2] - xC[2], t5 = xD[1] - xB[1];
     const double t6 = xC[1] - xA[1], t7 = xH[1] - xD[1], t8 = xF[1] - xC[1], t9 = xG[2] - xE[2], t10 = xH[2] - xF[2];
@@ -1431,13 +1419,13 @@ FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[
                                             const double xG[3], const double xH[3], const double xS[3], double *xi,
                                             double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_coarse(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_coarse(
+    unsigned long long flaw = footpoint_quad8_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -1450,8 +1438,8 @@ FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], 
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_coarse, x, 8, 9, loc, gap);
+    if (footpoint_quad8_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_coarse_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1461,14 +1449,14 @@ FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_quad8_coarse_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_coarse, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_coarse_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_coarse, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_coarse_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_coarse_over_n(const double *const nodes[8], size_t n,
@@ -1476,14 +1464,15 @@ FOOTPOINT_LOOP void footpoint_quad8_coarse_over_n(const double *const nodes[8], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_coarse, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_coarse_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_coarse(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_quad8_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_coarse(
+    unsigned long long flaw = footpoint_quad8_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -1496,7 +1485,7 @@ FOOTPOINT_FN int footpoint_quad8_coarse_closest(const double xA[3], const double
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1505,29 +1494,17 @@ FOOTPOINT_LOOP void footpoint_quad8_coarse_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_coarse, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_coarse_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.56624664216354192, 0.097392741276645226, 2.8738244439426016e-15, 9.900895859349794e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.16293044776384069, 0.29772005481227121, 1.6215658610954637e-15, 3.6051302326737545e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.75667568073199742, 1.1574197457553637, 1.8008565960730442e-15, 1.8243972593863683e-15},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.84976726729523588, -0.9001624404776255, 1.7319188646477371e-15, 4.1439870414890139e-15},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.43692051268459048, -0.78212123819288448, 7.0578439307571592e-16, 1.0362293810241724e-15},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.67448202058555595, 0.63241049183105713, 1.186683649329579e-15, 1.2658921688667003e-15},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.16513931295053874, 0.76253192200659581, 1.0467557160413456e-15, 1.0123369343206505e-15},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.061973925436250688, 0.42073637043487166, 3.5303397814395225e-16, 5.5583741673177091e-16},
-};
-#endif
 
 /* footpoint_quad8_medium
  *   operations:     129 mul, 3 div, 178 add, 0 sqrt, 0 compare; 118 temporaries
@@ -1545,10 +1522,9 @@ static const double footpoint_quad8_coarse_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xS[3], double zero,
-                                        double *xi, double *eta)
+footpoint_quad8_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                              const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xH[2] - xA[2], t2 = xF[2] - xC[2], t3 = xH[1] - xA[1], t4 = xF[1] - xC[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xA[2], t10 = xC[2] - xB[2];
@@ -1601,13 +1577,13 @@ FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[
                                             const double xG[3], const double xH[3], const double xS[3], double *xi,
                                             double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_medium(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_medium(
+    unsigned long long flaw = footpoint_quad8_medium_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -1620,8 +1596,8 @@ FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], 
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_medium, x, 8, 9, loc, gap);
+    if (footpoint_quad8_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_medium_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1631,14 +1607,14 @@ FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_quad8_medium_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_medium, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_medium_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_medium, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_medium_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_medium_over_n(const double *const nodes[8], size_t n,
@@ -1646,14 +1622,15 @@ FOOTPOINT_LOOP void footpoint_quad8_medium_over_n(const double *const nodes[8], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_medium, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_medium_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_medium(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_quad8_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_medium(
+    unsigned long long flaw = footpoint_quad8_medium_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -1666,7 +1643,7 @@ FOOTPOINT_FN int footpoint_quad8_medium_closest(const double xA[3], const double
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_medium, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_medium_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1675,29 +1652,17 @@ FOOTPOINT_LOOP void footpoint_quad8_medium_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_medium, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_medium_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_medium, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_medium_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.6025787495929984, 0.1130611926735986, 1.7635626394290898e-15, 4.4860905481574317e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.15568796018344455, 0.29679366795399653, 9.9586536753878316e-16, 2.4968896574117906e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.74999661330957179, 1.1718697850501127, 8.2659139367220079e-16, 9.291209219010497e-16},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.82872861752739113, -0.96616183503094411, 1.4559448729880231e-15, 2.8643616856731839e-15},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.43750342555530314, -0.7812542129601332, 4.7164915596643245e-16, 7.5556832046071111e-16},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.67231709607220091, 0.63951391755214582, 8.1951778376279222e-16, 8.1386072642899298e-16},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.195133625804009, 0.78655772107770905, 8.6141621903477572e-16, 7.5355632439664135e-16},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.062474182093947131, 0.4218304875793521, 2.7623883815968704e-16, 4.3172970462804747e-16},
-};
-#endif
 
 /* footpoint_quad8_balanced
  *   operations:     162 mul, 3 div, 203 add, 0 sqrt, 0 compare; 138 temporaries
@@ -1715,10 +1680,9 @@ static const double footpoint_quad8_medium_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xS[3], double zero,
-                                          double *xi, double *eta)
+footpoint_quad8_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xH[1] - xA[1], t2 = xF[1] - xC[1], t3 = xH[2] - xA[2], t4 = xF[2] - xC[2], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[1] - xA[1], t10 = xC[1] - xB[1];
@@ -1780,13 +1744,13 @@ FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double x
                                               const double xG[3], const double xH[3], const double xS[3], double *xi,
                                               double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_balanced(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_balanced(
+    unsigned long long flaw = footpoint_quad8_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -1799,8 +1763,8 @@ FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3]
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_balanced, x, 8, 9, loc, gap);
+    if (footpoint_quad8_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_balanced_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1810,14 +1774,14 @@ FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_balanced, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_balanced_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_balanced, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_balanced_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_balanced_over_n(const double *const nodes[8], size_t n,
@@ -1825,14 +1789,15 @@ FOOTPOINT_LOOP void footpoint_quad8_balanced_over_n(const double *const nodes[8]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_balanced, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_balanced_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_balanced(const double *const *x, double zero, double at[3],
-                                                                     int *region)
+FOOTPOINT_PART int footpoint_quad8_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_balanced(
+    unsigned long long flaw = footpoint_quad8_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -1845,7 +1810,7 @@ FOOTPOINT_FN int footpoint_quad8_balanced_closest(const double xA[3], const doub
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_balanced, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_balanced_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1854,29 +1819,17 @@ FOOTPOINT_LOOP void footpoint_quad8_balanced_closest_n(size_t n, const double *c
                                                        double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_balanced, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
                                                      double loc[2],
                                                      double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_balanced, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_balanced_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.59235327802824811, 0.10850967084723567, 1.2154594688067837e-15, 2.9852101609871958e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.1562656916210271, 0.2968741995887007, 4.6827932010495421e-16, 1.7681110547666519e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.75000504925398714, 1.1718678859687837, 8.3907541338534565e-16, 9.3680337623708589e-16},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.82849639333431013, -0.96778743999478523, 1.3041890508558786e-15, 2.2781484770497616e-15},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.43750027259304725, -0.78125864712679038, 4.6720138316074499e-16, 7.4942784420076303e-16},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.67187286861240658, 0.64062767760832817, 7.5952748705060024e-16, 5.6410381564284683e-16},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.20309048264454074, 0.78121533258333686, 6.7132711212995297e-16, 5.3134748089963029e-16},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.062500025871002549, 0.42187503673164539, 2.7188838895412023e-16, 4.2405049350919811e-16},
-};
-#endif
 
 /* footpoint_quad8_fine
  *   operations:     189 mul, 4 div, 226 add, 0 sqrt, 0 compare; 146 temporaries
@@ -1896,9 +1849,9 @@ static const double footpoint_quad8_balanced_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad8_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                            const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xH[2] - xA[2], t2 = xF[2] - xC[2], t3 = xH[1] - xA[1], t4 = xF[1] - xC[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xA[2], t10 = xC[2] - xB[2];
@@ -1966,13 +1919,13 @@ FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3]
                                           const double xG[3], const double xH[3], const double xS[3], double *xi,
                                           double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_fine(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_fine(
+    unsigned long long flaw = footpoint_quad8_fine_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -1984,8 +1937,8 @@ FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], co
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_fine, x, 8, 9, loc, gap);
+    if (footpoint_quad8_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_fine_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1995,14 +1948,14 @@ FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad8_fine_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_fine, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_fine_checked_n(size_t n, const double *const x[27],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_fine, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_fine_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_fine_over_n(const double *const nodes[8], size_t n,
@@ -2010,14 +1963,15 @@ FOOTPOINT_LOOP void footpoint_quad8_fine_over_n(const double *const nodes[8], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_fine, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_fine_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_fine(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad8_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_fine(
+    unsigned long long flaw = footpoint_quad8_fine_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -2030,7 +1984,7 @@ FOOTPOINT_FN int footpoint_quad8_fine_closest(const double xA[3], const double x
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_fine, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_fine_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2039,28 +1993,16 @@ FOOTPOINT_LOOP void footpoint_quad8_fine_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_fine, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_fine, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_fine_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.59376055457209531, 0.10937873316134623, 1.095832166699395e-15, 2.2810792205926011e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.15624999961809269, 0.29687499991287464, 4.4877826021697095e-16, 1.7196233954076952e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.75000009651903765, 1.171875030125163, 8.2924580474545113e-16, 9.3269289856385175e-16},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.82811805951413509, -0.96879537487041378, 1.3656995440671771e-15, 2.4379163799871442e-15},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.43749999979964027, -0.78125000054801019, 4.6638670924993594e-16, 7.4490114485069883e-16},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.67187498893119502, 0.64062503743875376, 7.5444924586713277e-16, 5.5121834822418349e-16},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.2031250010684621, 0.78124823497749085, 6.8339896886598011e-16, 5.3305774965910425e-16},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.062500000588093213, 0.42187500093224811, 2.7294652773582465e-16, 4.2585026512247456e-16},
-};
-#endif
 
 /* footpoint_quad8_accurate
  *   operations:     220 mul, 4 div, 243 add, 0 sqrt, 0 compare; 160 temporaries
@@ -2080,10 +2022,9 @@ static const double footpoint_quad8_fine_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xS[3], double zero,
-                                          double *xi, double *eta)
+footpoint_quad8_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xG[2] - xD[2], t2 = xE[2] - xB[2], t3 = xG[1] - xD[1], t4 = xE[1] - xB[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xC[2], t10 = xB[2] - xA[2];
@@ -2158,13 +2099,13 @@ FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double x
                                               const double xG[3], const double xH[3], const double xS[3], double *xi,
                                               double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_accurate(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_accurate(
+    unsigned long long flaw = footpoint_quad8_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -2177,8 +2118,8 @@ FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3]
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_accurate, x, 8, 9, loc, gap);
+    if (footpoint_quad8_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_accurate_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2188,14 +2129,14 @@ FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_accurate, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_accurate_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_accurate, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_accurate_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_accurate_over_n(const double *const nodes[8], size_t n,
@@ -2203,14 +2144,15 @@ FOOTPOINT_LOOP void footpoint_quad8_accurate_over_n(const double *const nodes[8]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_accurate, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_accurate_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_accurate(const double *const *x, double zero, double at[3],
-                                                                     int *region)
+FOOTPOINT_PART int footpoint_quad8_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_accurate(
+    unsigned long long flaw = footpoint_quad8_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -2223,7 +2165,7 @@ FOOTPOINT_FN int footpoint_quad8_accurate_closest(const double xA[3], const doub
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_accurate, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_accurate_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2232,29 +2174,17 @@ FOOTPOINT_LOOP void footpoint_quad8_accurate_closest_n(size_t n, const double *c
                                                        double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_accurate, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
                                                      double loc[2],
                                                      double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_accurate, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_accurate_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.5937602566422856, 0.10937862577799411, 7.5282483379013546e-16, 2.0327999162767929e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.15624894842818873, 0.29687475762982024, 5.0578036746736191e-16, 1.8511766913820209e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.75000002475409322, 1.1718749949828897, 1.25110988610105e-15, 1.1509368360599767e-15},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.8281387234289489, -0.96870693836795707, 1.5509896232903507e-15, 2.2855053087499142e-15},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.43750000007983214, -0.78124999938105377, 6.0808978989899763e-16, 8.0217395302466553e-16},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.67187526404220987, 0.64062436696729841, 1.1480314819398456e-15, 6.4275075204687524e-16},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.20312421196868916, 0.78124886499521962, 8.733636416207868e-16, 5.5101667422833147e-16},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.062500000238708234, 0.42187500037743025, 2.0311434990453407e-16, 2.4232003207250149e-16},
-};
-#endif
 
 /* footpoint_quad8_sharp
  *   operations:     311 mul, 6 div, 331 add, 0 sqrt, 0 compare; 213 temporaries
@@ -2279,9 +2209,9 @@ static const double footpoint_quad8_accurate_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                       const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad8_sharp_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                             const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                             const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xD[2] - xA[2], t2 = xC[2] - xB[2], t3 = xD[1] - xA[1], t4 = xC[1] - xB[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = t2 - t1, t10 = xH[2] - xA[2];
@@ -2378,13 +2308,13 @@ FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3
                                            const double xG[3], const double xH[3], const double xS[3], double *xi,
                                            double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_sharp(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_sharp(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_sharp_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_sharp(
+    unsigned long long flaw = footpoint_quad8_sharp_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -2396,8 +2326,8 @@ FOOTPOINT_FN int footpoint_quad8_sharp(const double xA[3], const double xB[3], c
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_sharp(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_sharp, x, 8, 9, loc, gap);
+    if (footpoint_quad8_sharp_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_sharp_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2407,14 +2337,14 @@ FOOTPOINT_FN int footpoint_quad8_sharp(const double xA[3], const double xB[3], c
 FOOTPOINT_LOOP void footpoint_quad8_sharp_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                             double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_sharp, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_sharp_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_sharp_checked_n(size_t n, const double *const x[27],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_sharp, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_sharp_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_sharp_over_n(const double *const nodes[8], size_t n,
@@ -2422,14 +2352,15 @@ FOOTPOINT_LOOP void footpoint_quad8_sharp_over_n(const double *const nodes[8], s
                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                  int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_sharp, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_sharp_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_sharp(const double *const *x, double zero, double at[3],
-                                                                  int *region)
+FOOTPOINT_PART int footpoint_quad8_sharp_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_sharp(
+    unsigned long long flaw = footpoint_quad8_sharp_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -2442,7 +2373,7 @@ FOOTPOINT_FN int footpoint_quad8_sharp_closest(const double xA[3], const double 
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_sharp, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_sharp_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2451,29 +2382,17 @@ FOOTPOINT_LOOP void footpoint_quad8_sharp_closest_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_sharp, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_sharp_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_sharp_closest_of(size_t n, const double *const *x, const double xS[3],
                                                   double loc[2],
                                                   double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_sharp, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_sharp_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_sharp_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.59374999999985312, 0.10937499999994633, 9.8346922228852387e-16, 1.7086834585335682e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.15625000000000022, 0.29687499999999994, 4.4438214491825502e-16, 1.7073339051264256e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.74999999999999989, 1.171875, 7.9703291984525697e-16, 9.0280698002947867e-16},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.82812500000000011, -0.96874999999999922, 1.214154422674567e-15, 1.877331735725443e-15},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.43750000000000011, -0.78125, 4.6459257698102513e-16, 7.3932762153812795e-16},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.67187500000000033, 0.64062499999999989, 7.4572875672485109e-16, 5.2226258765688487e-16},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.20312500000000006, 0.78124999999999989, 6.0582237775778497e-16, 4.8914575653296534e-16},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.062500000000000236, 0.42187500000000006, 2.6966244511731834e-16, 4.2016230711311898e-16},
-};
-#endif
 
 /* footpoint_quad8_full
  *   operations:     406 mul, 7 div, 423 add, 0 sqrt, 0 compare; 271 temporaries
@@ -2500,9 +2419,9 @@ static const double footpoint_quad8_sharp_points[][31] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad8_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                            const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xE[2] - xA[2], t2 = xG[2] - xC[2], t3 = xE[1] - xA[1], t4 = xG[1] - xC[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xC[2], t10 = xB[2] - xA[2];
@@ -2628,13 +2547,13 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
                                           const double xG[3], const double xH[3], const double xS[3], double *xi,
                                           double *eta)
 {
-    (void)footpoint_detail_footpoint_quad8_full(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+    (void)footpoint_quad8_full_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad8_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad8_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_full(
+    unsigned long long flaw = footpoint_quad8_full_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
@@ -2646,8 +2565,8 @@ FOOTPOINT_FN int footpoint_quad8_full(const double xA[3], const double xB[3], co
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad8_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad8_full, x, 8, 9, loc, gap);
+    if (footpoint_quad8_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad8_full_detail_checked, x, 8, 9, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2657,14 +2576,14 @@ FOOTPOINT_FN int footpoint_quad8_full(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad8_full_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_full, n, x, xi, eta);
+    footpoint_detail_quad8_n(footpoint_quad8_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_full_checked_n(size_t n, const double *const x[27],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_full, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_full_detail_checked, n, x, 8, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_full_over_n(const double *const nodes[8], size_t n,
@@ -2672,14 +2591,15 @@ FOOTPOINT_LOOP void footpoint_quad8_full_over_n(const double *const nodes[8], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_full, nodes, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_full_detail_checked, nodes, n, x, 8, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_full(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad8_full_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad8_full(
+    unsigned long long flaw = footpoint_quad8_full_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
@@ -2692,7 +2612,7 @@ FOOTPOINT_FN int footpoint_quad8_full_closest(const double xA[3], const double x
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_detail_closest_footpoint_quad8_full, x, 1, at, &where);
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_full_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2701,28 +2621,16 @@ FOOTPOINT_LOOP void footpoint_quad8_full_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_full, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad8_closest_n(footpoint_quad8_full_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad8_full_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_full, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_full_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad8_full_points[][31] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335769, 0.17893055671039138, -0.41516876220703125, 0.053711565049753607, 2.336732553288261, 0.975860595703125, 0.26855782524876826, 3.3747313379603914, 2.5067062377929688, 0.053711565049753607, 0.96774859606900998, 0.975860595703125, 0.26855782524876826, 1.3849156787998211, 1.1753643465828929, 0.87280985400932065, -0.59374999999999989, 0.10937500000000001, 6.5277757060557772e-16, 1.529744622660304e-16},
-    {0, 0, 0, 0.63406665508563687, 0.15869140625, 0.10371023052009906, -1.3220428466796874, 3.8720703125, -0.015479138883596866, -3.0363249558668874, 4.66552734375, -0.3947180415317203, 0.24906715979942895, 0.269775390625, -0.020896837492855775, -0.35646065932053794, 2.0074462890625, -0.092100876357401412, -2.2265187777005711, 4.332275390625, -0.020896837492855775, -1.3410760439359226, 2.0074462890625, -0.092100876357401412, -1.1929406582676803, 2.7257006146488245, 0.57892744092615078, 0.15625000000000022, 0.29687499999999994, 4.2160154371953469e-16, 1.689641979031006e-16},
-    {0, 0, 0, 1.2654586805813555, -0.638031005859375, 0.20793307784512005, 0.84031308445953512, 3.051177978515625, 0.15726031097530091, -0.56157879668157451, 2.6279296875, 0.19045970995897549, 0.58940900005580144, -0.1231842041015625, 0.06552512957304206, 0.90817725255293547, 1.4055633544921875, 0.0061156787601505946, 0.033500796930801435, 3.1111907958984375, 0.06552512957304206, -0.3285377232924751, 1.4055633544921875, 0.0061156787601505946, -0.45945718635447541, 3.0005612494423985, 0.18740496339914375, -0.74999999999999989, 1.171875, 9.2221777750172862e-16, 9.6490478493845395e-16},
-    {0, 0, 0, 5.7012723456037806, -0.207977294921875, 0.18453181304792127, 5.0233029609030861, 0.715728759765625, 0.29070080137686227, 0.63389445365743402, 0.5794677734375, 0.16178131554886249, 2.7227212773992657, -0.0322723388671875, 0.23508847415694079, 5.8624297811629926, 0.24383544921875, 0.23508847415694079, 3.1013833867742657, 0.7021026611328125, 0.23508847415694079, 0.41562127052469444, 0.24383544921875, 0.23508847415694079, 0.4771342942639567, 0.10900185912587594, -0.0094599284049602383, -0.828125, -0.96874999999999989, 7.4870788483024648e-15, 2.5403910589592865e-14},
-    {0, 0, 0, 4.0510045667237877, -0.35198974609375, 0.21124861878453041, 2.9040846854825562, 1.3681793212890625, 0.010475138121546962, 0.86241168915470934, 0.9293975830078125, 0.054121546961325998, 2.1625673393659954, -0.16333770751953125, -0.09514917127071823, 3.7943962570987169, 0.53340911865234375, 0.15974585635359118, 1.9504091362409954, 1.0710372924804688, -0.09514917127071823, 0.55388992798479286, 0.53340911865234375, 0.15974585635359118, 1.3446967135106442, 0.063319916635860021, -0.093624465837396781, -0.43750000000000011, -0.78125, 5.7450540134490281e-16, 7.8188083737339369e-16},
-    {0, 0, 0, 3.0190316600564082, -0.0531463623046875, -0.058247984310307199, 4.1910871517511055, 1.1877593994140625, -0.38125953366746568, 1.40652581203131, 1.16180419921875, -0.27711919808237084, 1.4007622253747631, 0.00803375244140625, -0.42273915885813906, 3.794401878192101, 0.57534027099609375, -0.31683373283939853, 2.7850395691247631, 1.2736587524414062, -0.42273915885813906, 0.63390805103160708, 0.57534027099609375, -0.31683373283939853, 3.5586299358319997, 1.0084473420764257, -0.21264834160462079, 0.67187500000000022, 0.640625, 1.0261958133896049e-15, 5.9778963756722363e-16},
-    {0, 0, 0, 1.8061927041889707, 0.1878662109375, -0.091207656939101059, 1.8875385213781284, 2.553497314453125, -0.33442807544337061, 0.41223510695092469, 2.602935791015625, 0.04560382846955055, 0.9775944168185009, 0.0902252197265625, 0.026602233273904485, 1.7003370508735562, 1.3632659912109375, -0.23181946138688186, 1.2148991043185009, 2.6214752197265625, 0.026602233273904485, 0.12009013729330931, 1.3632659912109375, -0.23181946138688186, 0.93977790798321292, 2.5077764041150115, -0.63989582401646727, -0.20312500000000006, 0.78124999999999989, 7.1739899290963798e-16, 5.185375665538059e-16},
-    {0, 0, 0, 1.5960129391063345, -0.649566650390625, -0.009451976322322031, 3.5968373712867194, 1.46832275390625, 0.098300553752148107, 0.15007089846061916, 1.139007568359375, -0.06994462478518243, 0.74414158589912194, -0.1737213134765625, 0.042533893450448668, 2.4661927632611209, 0.4788665771484375, 0.29962764941760539, 1.976807601524122, 1.3731536865234375, 0.042533893450448668, -0.11966582259746517, 0.4788665771484375, 0.29962764941760539, 1.3955361695272421, 0.89930415126384433, 0.25065555375671328, -0.062500000000000236, 0.42187500000000006, 1.9991664174895264e-16, 2.399942171156618e-16},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

@@ -317,8 +317,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_place(const double *const *x, double xi, double eta,
-                                       double *const *row, size_t step, int always, int again)
+footpoint_quad8_place_detail(const double *const *x, double xi, double eta,
+                             double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -402,14 +402,14 @@ footpoint_detail_footpoint_quad8_place(const double *const *x, double xi, double
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad8_place_again(const double *const *x, double xi, double eta,
-                                                                double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad8_place_detail_again(const double *const *x, double xi, double eta,
+                                                      double *const *row, size_t step)
 {
+    const int nodes = 8, vectors = 9, rows = 5, first = 1, degree = 2;
     const int shape[10] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1};
     double space[18];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad8_place,
-        footpoint_detail_footpoint_quad8_place, 1, 2,
-        x, 8, 9, xi, eta, row, step, 5, shape, space);
+    return footpoint_detail_place_again(footpoint_quad8_place_detail, footpoint_quad8_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad8_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -419,8 +419,8 @@ FOOTPOINT_FN int footpoint_quad8_place(const double xA[3], const double xB[3], c
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_detail_footpoint_quad8_place(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad8_place_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad8_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad8_place_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -443,7 +443,7 @@ FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27],
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad8_place(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad8_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -452,7 +452,7 @@ FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27],
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-            status[i] = footpoint_detail_footpoint_quad8_place_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad8_place_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -466,14 +466,14 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad8_place(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad8_place_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad8_place_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad8_place_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -499,8 +499,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad8_place(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad8_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -517,7 +517,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad8_place_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad8_place_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -534,8 +534,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_gradients(const double *const *x, double xi, double eta,
-                                           double *const *row, size_t step, int always, int again)
+footpoint_quad8_gradients_detail(const double *const *x, double xi, double eta,
+                                 double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -728,14 +728,14 @@ footpoint_detail_footpoint_quad8_gradients(const double *const *x, double xi, do
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad8_gradients_again(const double *const *x, double xi, double eta,
-                                                                    double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad8_gradients_detail_again(const double *const *x, double xi, double eta,
+                                                          double *const *row, size_t step)
 {
+    const int nodes = 8, vectors = 9, rows = 8, first = 1, degree = 2;
     const int shape[16] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0};
     double space[99];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad8_gradients,
-        footpoint_detail_footpoint_quad8_place, 1, 2,
-        x, 8, 9, xi, eta, row, step, 8, shape, space);
+    return footpoint_detail_place_again(footpoint_quad8_gradients_detail, footpoint_quad8_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad8_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -747,8 +747,8 @@ FOOTPOINT_FN int footpoint_quad8_gradients(const double xA[3], const double xB[3
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_detail_footpoint_quad8_gradients(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad8_gradients_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad8_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad8_gradients_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -774,7 +774,7 @@ FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad8_gradients(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad8_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -783,7 +783,7 @@ FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-            status[i] = footpoint_detail_footpoint_quad8_gradients_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad8_gradients_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -798,14 +798,14 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad8_gradients(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad8_gradients_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad8_gradients_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad8_gradients_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -834,8 +834,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad8_gradients(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad8_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -852,7 +852,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad8_gradients_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad8_gradients_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -869,8 +869,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad8_hessian(const double *const *x, double xi, double eta,
-                                         double *const *row, size_t step, int always, int again)
+footpoint_quad8_hessian_detail(const double *const *x, double xi, double eta,
+                               double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -1600,14 +1600,14 @@ footpoint_detail_footpoint_quad8_hessian(const double *const *x, double xi, doub
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad8_hessian_again(const double *const *x, double xi, double eta,
-                                                                  double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad8_hessian_detail_again(const double *const *x, double xi, double eta,
+                                                        double *const *row, size_t step)
 {
+    const int nodes = 8, vectors = 9, rows = 6, first = 1, degree = 2;
     const int shape[12] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1};
     double space[541];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad8_hessian,
-        footpoint_detail_footpoint_quad8_place, 1, 2,
-        x, 8, 9, xi, eta, row, step, 6, shape, space);
+    return footpoint_detail_place_again(footpoint_quad8_hessian_detail, footpoint_quad8_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad8_hessian(const double xA[3], const double xB[3], const double xC[3],
@@ -1618,8 +1618,8 @@ FOOTPOINT_FN int footpoint_quad8_hessian(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_detail_footpoint_quad8_hessian(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad8_hessian_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad8_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad8_hessian_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -1643,7 +1643,7 @@ FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad8_hessian(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad8_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1652,7 +1652,7 @@ FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
             double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-            status[i] = footpoint_detail_footpoint_quad8_hessian_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad8_hessian_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -1666,14 +1666,14 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad8_hessian(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad8_hessian_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad8_hessian_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad8_hessian_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -1700,8 +1700,8 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[27], \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad8_hessian(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad8_hessian_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -1718,7 +1718,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[27], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad8_hessian_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad8_hessian_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 

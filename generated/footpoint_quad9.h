@@ -1251,9 +1251,9 @@ FOOTPOINT_PART int footpoint_detail_quad9_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                            const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2], t2 = xE[1] - xG[1], t3 = xF[2] - xH[2], t4 = xF[1] - xH[1], t5 = xE[0] - xG[0];
     const double t6 = xF[0] - xH[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1272,13 +1272,13 @@ FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3]
                                           const double xG[3], const double xH[3], const double xI[3],
                                           const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_fast(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_fast(
+    unsigned long long flaw = footpoint_quad9_fast_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -1290,8 +1290,8 @@ FOOTPOINT_FN int footpoint_quad9_fast(const double xA[3], const double xB[3], co
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_fast, x, 9, 10, loc, gap);
+    if (footpoint_quad9_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_fast_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1301,14 +1301,14 @@ FOOTPOINT_FN int footpoint_quad9_fast(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad9_fast_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_fast, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_fast_checked_n(size_t n, const double *const x[30],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_fast, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_fast_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_fast_over_n(const double *const nodes[9], size_t n,
@@ -1316,14 +1316,15 @@ FOOTPOINT_LOOP void footpoint_quad9_fast_over_n(const double *const nodes[9], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_fast, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_fast_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_fast(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad9_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_fast(
+    unsigned long long flaw = footpoint_quad9_fast_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -1336,7 +1337,7 @@ FOOTPOINT_FN int footpoint_quad9_fast_closest(const double xA[3], const double x
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_fast, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1345,28 +1346,16 @@ FOOTPOINT_LOOP void footpoint_quad9_fast_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_fast, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_fast_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.96967627111944554, -0.78505754835744823, 4.1879289212147026e-15, 1.8359144767789656e-15},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 1.1391028413707349, -0.93014526067933767, 2.0603702879160894e-15, 1.5515574803723488e-15},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.19928696019568526, -0.083326393974409385, 2.0672472551787887e-16, 1.4940051593652172e-16},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 0.81677281782987521, -0.36317072560802238, 1.2560851134929404e-15, 4.839732313276718e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.072930896481963922, -0.39500976752658801, 3.4285374682841249e-16, 4.2947056308509838e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -1.0233537201906271, -0.76121461672101776, 1.783091471433186e-15, 2.6806121941357082e-15},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -1.090431969659609, -1.4054638867044178, 1.4398748815985258e-15, 1.6344958943842735e-15},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.74870380445737417, -0.5692455658934058, 1.0597306868755671e-15, 7.305833635249095e-16},
-};
-#endif
 
 /* footpoint_quad9_coarse
  *   operations:     101 mul, 2 div, 141 add, 0 sqrt, 0 compare; 89 temporaries
@@ -1382,10 +1371,9 @@ static const double footpoint_quad9_fast_points[][34] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xI[3],
-                                        const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                              const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xF[2] - xH[2], t2 = xF[1] - xH[1], t3 = xE[2] - xG[2], t4 = xE[1] - xG[1], t5 = xF[0] - xH[0];
     const double t6 = xE[0] - xG[0], t7 = t3 * t1 + t4 * t2 + t6 * t5, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1427,13 +1415,13 @@ FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[
                                             const double xG[3], const double xH[3], const double xI[3],
                                             const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_coarse(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_coarse(
+    unsigned long long flaw = footpoint_quad9_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -1446,8 +1434,8 @@ FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], 
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_coarse, x, 9, 10, loc, gap);
+    if (footpoint_quad9_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_coarse_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1457,14 +1445,14 @@ FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_quad9_coarse_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_coarse, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_coarse_checked_n(size_t n, const double *const x[30],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_coarse, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_coarse_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_coarse_over_n(const double *const nodes[9], size_t n,
@@ -1472,14 +1460,15 @@ FOOTPOINT_LOOP void footpoint_quad9_coarse_over_n(const double *const nodes[9], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_coarse, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_coarse_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_coarse(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_quad9_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_coarse(
+    unsigned long long flaw = footpoint_quad9_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -1492,7 +1481,7 @@ FOOTPOINT_FN int footpoint_quad9_coarse_closest(const double xA[3], const double
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1501,29 +1490,17 @@ FOOTPOINT_LOOP void footpoint_quad9_coarse_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_coarse, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_coarse_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.85233790685187427, -0.62531469193624911, 3.5406503996798033e-15, 5.6959821150216112e-16},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 0.60165236525521559, -0.60398277270040057, 2.3256065711834663e-15, 3.5226539484494925e-15},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.20310700940014928, -0.093186494904375375, 2.1948198177148132e-16, 9.2862508651681947e-17},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 1.0019510251103263, -0.27628258964230251, 2.8747041654546288e-15, 7.0500573397451728e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.022207826076775402, -0.41759732980925979, 4.39235825985347e-16, 3.3818809826811981e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -0.74198031711719548, -0.43744774568274325, 1.9212384268149381e-15, 2.4672254037362962e-15},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -1.0525880489249726, -1.081696472653527, 3.0433595419874498e-15, 1.5610565935222095e-15},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.43609895453151692, -0.59943285300980576, 1.1029925249684437e-15, 7.9550280575840959e-16},
-};
-#endif
 
 /* footpoint_quad9_medium
  *   operations:     139 mul, 3 div, 190 add, 0 sqrt, 0 compare; 136 temporaries
@@ -1541,10 +1518,9 @@ static const double footpoint_quad9_coarse_points[][34] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xI[3],
-                                        const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                              const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2], t2 = xE[1] - xG[1], t3 = xF[2] - xH[2], t4 = xF[1] - xH[1], t5 = xE[0] - xG[0];
     const double t6 = xF[0] - xH[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1600,13 +1576,13 @@ FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[
                                             const double xG[3], const double xH[3], const double xI[3],
                                             const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_medium(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_medium(
+    unsigned long long flaw = footpoint_quad9_medium_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -1619,8 +1595,8 @@ FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], 
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_medium, x, 9, 10, loc, gap);
+    if (footpoint_quad9_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_medium_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1630,14 +1606,14 @@ FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_quad9_medium_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_medium, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_medium_checked_n(size_t n, const double *const x[30],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_medium, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_medium_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_medium_over_n(const double *const nodes[9], size_t n,
@@ -1645,14 +1621,15 @@ FOOTPOINT_LOOP void footpoint_quad9_medium_over_n(const double *const nodes[9], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_medium, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_medium_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_medium(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_quad9_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_medium(
+    unsigned long long flaw = footpoint_quad9_medium_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -1665,7 +1642,7 @@ FOOTPOINT_FN int footpoint_quad9_medium_closest(const double xA[3], const double
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_medium, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_medium_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1674,29 +1651,17 @@ FOOTPOINT_LOOP void footpoint_quad9_medium_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_medium, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_medium_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_medium, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_medium_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.86334014280594606, -0.62508720903912485, 3.5862735825313173e-15, 5.8200557016696347e-16},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 0.64352304134261473, -0.88033122938011588, 3.1594781688498484e-15, 4.625645447143349e-15},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.2031184856608696, -0.093634700664846457, 1.475606925488793e-16, 8.4988605268067181e-17},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 1.0130834255203407, -0.25106625218086448, 2.0167071556248533e-15, 5.5485009437805853e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.016441772827217552, -0.42144507244716034, 3.6862063625564696e-16, 3.0348170505666279e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -0.67987380145648424, -0.63278536269039654, 1.0274247077176155e-15, 4.4038312402643104e-15},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -0.99246052146835573, -1.0979735198792928, 2.3684571175772847e-15, 8.987054683117138e-16},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.47957136442729853, -0.61176475787172935, 1.0251729357289462e-15, 5.6865531911968656e-16},
-};
-#endif
 
 /* footpoint_quad9_balanced
  *   operations:     177 mul, 3 div, 218 add, 0 sqrt, 0 compare; 151 temporaries
@@ -1714,10 +1679,9 @@ static const double footpoint_quad9_medium_points[][34] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xI[3],
-                                          const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xC[2] - xB[2], t2 = xD[2] - xA[2], t3 = xC[1] - xB[1], t4 = xD[1] - xA[1], t5 = xG[2] - xE[2];
     const double t6 = xG[1] - xE[1], t7 = xH[2] - xF[2], t8 = xH[1] - xF[1], t9 = xC[0] - xB[0], t10 = xD[0] - xA[0];
@@ -1783,13 +1747,13 @@ FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double x
                                               const double xG[3], const double xH[3], const double xI[3],
                                               const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_balanced(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_balanced(
+    unsigned long long flaw = footpoint_quad9_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -1802,8 +1766,8 @@ FOOTPOINT_FN int footpoint_quad9_balanced(const double xA[3], const double xB[3]
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_balanced, x, 9, 10, loc, gap);
+    if (footpoint_quad9_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_balanced_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1813,14 +1777,14 @@ FOOTPOINT_FN int footpoint_quad9_balanced(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_quad9_balanced_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_balanced, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_balanced_checked_n(size_t n, const double *const x[30],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_balanced, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_balanced_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_balanced_over_n(const double *const nodes[9], size_t n,
@@ -1828,14 +1792,15 @@ FOOTPOINT_LOOP void footpoint_quad9_balanced_over_n(const double *const nodes[9]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_balanced, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_balanced_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_balanced(const double *const *x, double zero, double at[3],
-                                                                     int *region)
+FOOTPOINT_PART int footpoint_quad9_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_balanced(
+    unsigned long long flaw = footpoint_quad9_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -1848,7 +1813,7 @@ FOOTPOINT_FN int footpoint_quad9_balanced_closest(const double xA[3], const doub
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_balanced, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_balanced_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1857,29 +1822,17 @@ FOOTPOINT_LOOP void footpoint_quad9_balanced_closest_n(size_t n, const double *c
                                                        double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_balanced, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
                                                      double loc[2],
                                                      double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_balanced, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_balanced_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.8749667476710683, -0.6249907285386016, 2.3851196706744248e-15, 5.3416035947330392e-16},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 0.58898649574798578, -0.77237022844168313, 1.0056262488477795e-15, 1.5435703819768204e-15},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.20312512050194603, -0.093750727332503281, 1.2639834287034537e-16, 8.499271622448176e-17},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 1.0088769802289992, -0.25165233705178341, 2.205954291600607e-15, 6.1729276679066773e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.015714461007052573, -0.42184679974454803, 4.2624606012064335e-16, 3.371742304781561e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -0.68512078250759689, -0.56703143674179379, 7.9242077536546666e-16, 1.1868852918237041e-15},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -0.98662140724647773, -1.0937118604558611, 1.3016565631480579e-15, 8.6489194117388753e-16},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.46937527236045934, -0.60922084756113137, 5.8517368957045767e-16, 5.6319863181947337e-16},
-};
-#endif
 
 /* footpoint_quad9_fine
  *   operations:     208 mul, 4 div, 246 add, 0 sqrt, 0 compare; 169 temporaries
@@ -1900,9 +1853,9 @@ static const double footpoint_quad9_balanced_points[][34] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                            const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2], t2 = xE[1] - xG[1], t3 = xF[2] - xH[2], t4 = xF[1] - xH[1], t5 = xE[0] - xG[0];
     const double t6 = xF[0] - xH[0], t7 = t2 * t4 - t1 * t3 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1975,13 +1928,13 @@ FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3]
                                           const double xG[3], const double xH[3], const double xI[3],
                                           const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_fine(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_fine(
+    unsigned long long flaw = footpoint_quad9_fine_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -1993,8 +1946,8 @@ FOOTPOINT_FN int footpoint_quad9_fine(const double xA[3], const double xB[3], co
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_fine, x, 9, 10, loc, gap);
+    if (footpoint_quad9_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_fine_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2004,14 +1957,14 @@ FOOTPOINT_FN int footpoint_quad9_fine(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad9_fine_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_fine, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_fine_checked_n(size_t n, const double *const x[30],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_fine, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_fine_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_fine_over_n(const double *const nodes[9], size_t n,
@@ -2019,14 +1972,15 @@ FOOTPOINT_LOOP void footpoint_quad9_fine_over_n(const double *const nodes[9], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_fine, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_fine_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_fine(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad9_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_fine(
+    unsigned long long flaw = footpoint_quad9_fine_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -2039,7 +1993,7 @@ FOOTPOINT_FN int footpoint_quad9_fine_closest(const double xA[3], const double x
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_fine, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_fine_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2048,28 +2002,16 @@ FOOTPOINT_LOOP void footpoint_quad9_fine_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_fine, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_fine, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_fine_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.87499922196839952, -0.62500028232956673, 2.8514277701811389e-15, 5.6764795384558671e-16},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 0.59427264949978909, -0.78253207259415991, 1.0240074485309185e-15, 1.4781007841292156e-15},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.20312500073233933, -0.093750018677971864, 1.4840749917130252e-16, 7.9111718254199705e-17},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 1.0156303465227667, -0.24999916018459517, 1.9583415246048445e-15, 5.1183414578516482e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.015623354675823303, -0.42187538878827313, 3.7236393386053966e-16, 3.028082883713087e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -0.68728179501015019, -0.56358364176441, 8.1162514121795413e-16, 1.3265060818417773e-15},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -0.98467345144582008, -1.0937484333510064, 1.3879027345554706e-15, 8.1335085428189059e-16},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.46872582717138728, -0.60937577635127538, 5.5643342582216141e-16, 5.5240029815189967e-16},
-};
-#endif
 
 /* footpoint_quad9_accurate
  *   operations:     237 mul, 4 div, 263 add, 0 sqrt, 0 compare; 184 temporaries
@@ -2088,10 +2030,9 @@ static const double footpoint_quad9_fine_points[][34] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xI[3],
-                                          const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2], t2 = xG[1] - xE[1], t3 = xH[2] - xF[2], t4 = xH[1] - xF[1];
     const double t5 = xI[2] - xG[2] + (xI[2] - xE[2]), t6 = xI[1] - xG[1] + (xI[1] - xE[1]), t7 = xG[0] - xE[0];
@@ -2169,13 +2110,13 @@ FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double x
                                               const double xG[3], const double xH[3], const double xI[3],
                                               const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_accurate(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_accurate(
+    unsigned long long flaw = footpoint_quad9_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -2188,8 +2129,8 @@ FOOTPOINT_FN int footpoint_quad9_accurate(const double xA[3], const double xB[3]
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_accurate, x, 9, 10, loc, gap);
+    if (footpoint_quad9_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_accurate_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2199,14 +2140,14 @@ FOOTPOINT_FN int footpoint_quad9_accurate(const double xA[3], const double xB[3]
 FOOTPOINT_LOOP void footpoint_quad9_accurate_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                                double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_accurate, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_accurate_checked_n(size_t n, const double *const x[30],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_accurate, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_accurate_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_accurate_over_n(const double *const nodes[9], size_t n,
@@ -2214,14 +2155,15 @@ FOOTPOINT_LOOP void footpoint_quad9_accurate_over_n(const double *const nodes[9]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_accurate, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_accurate_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_accurate(const double *const *x, double zero, double at[3],
-                                                                     int *region)
+FOOTPOINT_PART int footpoint_quad9_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_accurate(
+    unsigned long long flaw = footpoint_quad9_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -2234,7 +2176,7 @@ FOOTPOINT_FN int footpoint_quad9_accurate_closest(const double xA[3], const doub
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_accurate, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_accurate_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2243,29 +2185,17 @@ FOOTPOINT_LOOP void footpoint_quad9_accurate_closest_n(size_t n, const double *c
                                                        double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_accurate, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
                                                      double loc[2],
                                                      double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_accurate, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_accurate_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.87498842389103826, -0.6249981934089881, 2.5483862800311954e-15, 5.5438517745509271e-16},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 0.59428750102870531, -0.78258804570356932, 9.992757441108178e-16, 1.4899295813725127e-15},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.20312499960023775, -0.093749981851467004, 1.2679575161271256e-16, 8.9689334253498934e-17},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 1.0156250740040751, -0.25001127443790438, 2.1902050102681783e-15, 5.7117632709207393e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.015622963177122773, -0.4218755192378687, 4.376114447053438e-16, 3.4284899004441886e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -0.68728108836258095, -0.56356390811754808, 7.4588388228543713e-16, 1.2327283871440643e-15},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -0.98380091528007518, -1.0936420411322036, 1.4413441581790417e-15, 8.4780052026287212e-16},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.46876808887339466, -0.60937187676548199, 5.4198824698001403e-16, 5.7427820686820619e-16},
-};
-#endif
 
 /* footpoint_quad9_sharp
  *   operations:     324 mul, 6 div, 355 add, 0 sqrt, 0 compare; 244 temporaries
@@ -2290,9 +2220,9 @@ static const double footpoint_quad9_accurate_points[][34] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                       const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_sharp_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                             const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                             const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2], t2 = xG[1] - xE[1], t3 = xH[2] - xF[2], t4 = xH[1] - xF[1], t5 = xG[0] - xE[0];
     const double t6 = xH[0] - xF[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -2395,13 +2325,13 @@ FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3
                                            const double xG[3], const double xH[3], const double xI[3],
                                            const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_sharp(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_sharp(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_sharp_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_sharp(
+    unsigned long long flaw = footpoint_quad9_sharp_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -2413,8 +2343,8 @@ FOOTPOINT_FN int footpoint_quad9_sharp(const double xA[3], const double xB[3], c
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_sharp(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_sharp, x, 9, 10, loc, gap);
+    if (footpoint_quad9_sharp_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_sharp_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2424,14 +2354,14 @@ FOOTPOINT_FN int footpoint_quad9_sharp(const double xA[3], const double xB[3], c
 FOOTPOINT_LOOP void footpoint_quad9_sharp_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                             double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_sharp, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_sharp_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_sharp_checked_n(size_t n, const double *const x[30],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_sharp, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_sharp_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_sharp_over_n(const double *const nodes[9], size_t n,
@@ -2439,14 +2369,15 @@ FOOTPOINT_LOOP void footpoint_quad9_sharp_over_n(const double *const nodes[9], s
                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                  int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_sharp, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_sharp_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_sharp(const double *const *x, double zero, double at[3],
-                                                                  int *region)
+FOOTPOINT_PART int footpoint_quad9_sharp_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_sharp(
+    unsigned long long flaw = footpoint_quad9_sharp_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -2459,7 +2390,7 @@ FOOTPOINT_FN int footpoint_quad9_sharp_closest(const double xA[3], const double 
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_sharp, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_sharp_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2468,29 +2399,17 @@ FOOTPOINT_LOOP void footpoint_quad9_sharp_closest_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_sharp, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_sharp_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_sharp_closest_of(size_t n, const double *const *x, const double xS[3],
                                                   double loc[2],
                                                   double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_sharp, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_sharp_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_sharp_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.87499999999999989, -0.625, 2.7970696770829974e-15, 5.7903327582746585e-16},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 0.59374999937688899, -0.78124999900614545, 7.6004090553230998e-16, 9.9976999825189574e-16},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.20312499999999986, -0.093749999999999903, 1.2593292188743518e-16, 8.4222200682735314e-17},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 1.0156249999999993, -0.25000000000000022, 1.8754496516451361e-15, 4.779829044956827e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.015625000000000038, -0.42187500000000006, 4.2201907614600183e-16, 3.3808700366224074e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -0.68750000000275957, -0.56249999997127242, 5.0527844689614224e-16, 7.0464954763601087e-16},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -0.98437499993045663, -1.0937499999923985, 1.2213761234501191e-15, 8.4841995093148301e-16},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.46874999999999611, -0.60937499999999811, 4.8908455637572256e-16, 5.3959225816575664e-16},
-};
-#endif
 
 /* footpoint_quad9_full
  *   operations:     441 mul, 7 div, 465 add, 0 sqrt, 0 compare; 315 temporaries
@@ -2517,9 +2436,9 @@ static const double footpoint_quad9_sharp_points[][34] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+footpoint_quad9_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                            const double xI[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2], t2 = xG[1] - xE[1], t3 = xH[2] - xF[2], t4 = xH[1] - xF[1], t5 = xG[0] - xE[0];
     const double t6 = xH[0] - xF[0], t7 = t1 * t1 + t2 * t2 + t5 * t5, t8 = t2 * t4 - t1 * t3 + t5 * t6;
@@ -2655,13 +2574,13 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
                                           const double xG[3], const double xH[3], const double xI[3],
                                           const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_quad9_full(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+    (void)footpoint_quad9_full_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_quad9_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_quad9_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_full(
+    unsigned long long flaw = footpoint_quad9_full_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
@@ -2673,8 +2592,8 @@ FOOTPOINT_FN int footpoint_quad9_full(const double xA[3], const double xB[3], co
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_quad9_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_quad9_full, x, 9, 10, loc, gap);
+    if (footpoint_quad9_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_quad9_full_detail_checked, x, 9, 10, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2684,14 +2603,14 @@ FOOTPOINT_FN int footpoint_quad9_full(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_quad9_full_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad9_n(footpoint_detail_footpoint_quad9_full, n, x, xi, eta);
+    footpoint_detail_quad9_n(footpoint_quad9_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_full_checked_n(size_t n, const double *const x[30],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_detail_checked_footpoint_quad9_full, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_full_detail_checked, n, x, 9, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_full_over_n(const double *const nodes[9], size_t n,
@@ -2699,14 +2618,15 @@ FOOTPOINT_LOOP void footpoint_quad9_full_over_n(const double *const nodes[9], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_detail_checked_footpoint_quad9_full, nodes, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_full_detail_checked, nodes, n, x, 9, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad9_full(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_quad9_full_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_quad9_full(
+    unsigned long long flaw = footpoint_quad9_full_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
@@ -2719,7 +2639,7 @@ FOOTPOINT_FN int footpoint_quad9_full_closest(const double xA[3], const double x
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_detail_closest_footpoint_quad9_full, x, 1, at, &where);
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_full_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2728,28 +2648,16 @@ FOOTPOINT_LOOP void footpoint_quad9_full_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_closest_n(footpoint_detail_closest_footpoint_quad9_full, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad9_closest_n(footpoint_quad9_full_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_quad9_full_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad9_closest_of(footpoint_detail_closest_footpoint_quad9_full, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_full_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_quad9_full_points[][34] = {
-    {0, 0, 0, 0.46621601594323159, -0.701934814453125, 0.038235351391349981, 4.2331589861987116, 2.7763519287109375, -0.047339006484528712, 2.2546040769566829, 2.0173492431640625, 0.078291433801335797, 0.21680199653707111, -0.42943572998046875, 0.011834751621132122, 2.321338381996767, 0.93733978271484375, 0.22303954978287535, 3.4126027777870709, 2.4924392700195312, 0.011834751621132122, 0.95235442477751575, 0.93733978271484375, 0.22303954978287535, 1.6832039713222078, 0.96016693115234375, 0.25945417015558969, 1.0924958375680895, -0.18675308090111581, 0.82952301592468114, 0.875, -0.625, 2.7889800863659215e-15, 5.75848123736921e-16},
-    {0, 0, 0, 2.4977775896628072, 0.2538604736328125, 0.24413311598437537, 3.7173819767208549, 1.8429107666015625, 0.50389075139175088, 2.1467257972777358, 2.03863525390625, 0.34178636237812554, 0.93782023182065455, -0.151153564453125, 0.21483714206625032, 2.8995945472416915, 0.988311767578125, 0.52732753052625092, 2.7361600755706545, 1.833221435546875, 0.21483714206625032, 0.88384651574562845, 0.988311767578125, 0.52732753052625092, 1.656776285546971, 0.779022216796875, 0.49607849168025087, 1.9684897992518449, -0.14385628403340539, 0.9562099575606281, 0.59375, -0.78125, 7.5005571836972614e-16, 9.7477525873651511e-16},
-    {0, 0, 0, 2.9664575304303851, 0.45074462890625, -0.22199774478481488, 3.808951677594866, 1.28173828125, -0.15786506295809055, -0.77192148481096567, 1.54876708984375, -0.11675436947942117, 1.4645376069205147, 0.3113555908203125, -0.19568690095846647, 3.2393068177359443, 0.8817291259765625, -0.16608720165382446, 1.7037954194205147, 1.4051055908203125, -0.19568690095846647, -0.41783603940691272, 0.8817291259765625, -0.16608720165382446, 1.2907087189810615, 0.8881378173828125, -0.26804172148092464, 1.6451509151088279, 0.84256869567805737, 0.035874357385533462, 0.20312499999999986, -0.093749999999999903, 1.2585327546232307e-16, 8.3175512756238376e-17},
-    {0, 0, 0, 1.7932748240093848, 0.557708740234375, -0.38117523039818557, 3.7762947393018145, 3.18878173828125, -0.42581737449887391, 2.9623982740003005, 3.497161865234375, -0.33309907521282878, 1.2590398616568983, 0.48717498779296875, -0.22149371496110781, 2.9787173066028325, 1.9404983520507812, -0.063529205066364267, 3.8310613460318983, 3.8465499877929688, -0.22149371496110781, 1.7880196321842279, 1.9404983520507812, -0.063529205066364267, 2.6826808591221649, 2.2357559204101562, 0.012019038796339185, 2.7019041521014007, 1.6257425922404312, -0.18406251527590212, 1.0156249999999996, -0.25000000000000022, 1.8761934654787881e-15, 4.7824439453630298e-16},
-    {0, 0, 0, 1.5041767474824348, 0.88970947265625, -0.010050400237177626, 2.1918108357792407, 3.86920166015625, -0.11390453602134602, 1.4035793405718509, 4.496826171875, -0.083753335309813215, 0.79090070724487305, 0.348297119140625, 0.023450933886747682, 1.9237419398485032, 2.565673828125, -0.24790987251704716, 1.839240550994873, 3.879547119140625, 0.023450933886747682, 0.79099857701664478, 2.565673828125, -0.24790987251704716, 1.3167407069586019, 2.182891845703125, -0.20100800474355177, 1.0683824735066674, 1.4854527249139931, 0.39400861280911648, -0.015625000000000038, -0.42187500000000006, 4.1841628980885405e-16, 3.3569398443035403e-16},
-    {0, 0, 0, 5.2278855641682949, -0.3262939453125, 0.016691394658753744, 2.8283381991916237, 1.184326171875, -0.11350148367952523, 0.51832135518391942, 0.8162841796875, 0.083456973293768569, 2.925429979960124, -0.16204833984375, 0.096810089020771525, 4.1338677936130104, 0.46307373046875, -0.15689910979228489, 1.888320604960124, 0.96295166015625, 0.096810089020771525, 0.57831223805745502, 0.46307373046875, -0.15689910979228489, 2.6169438891940651, 0.41363525390625, -0.070103857566765584, 1.1923797943271499, -0.014547967999322481, -0.53924993575463143, -0.6875, -0.56249999999999989, 5.0391070152114324e-16, 6.9448367379549955e-16},
-    {0, 0, 0, 1.0330593274987263, 0.9742431640625, -0.043949044585987307, 0.80480459462041432, 2.824462890625, 0.18678343949044582, -1.0488432179326594, 3.6470947265625, -0.1648089171974523, 0.63917516625445814, 0.18389892578125, -0.020143312101910893, 0.96141276152237598, 2.02850341796875, -0.10437898089171981, -0.16941858374554186, 3.05889892578125, -0.020143312101910893, -0.42989158630371094, 2.02850341796875, -0.10437898089171981, 0.23332454847252881, 1.86846923828125, -0.15931528662420388, 0.042987835594490105, -0.15188509885635065, 1.0394934312614919, -0.98437500000000011, -1.09375, 1.2182366964889874e-15, 8.4202630233638243e-16},
-    {0, 0, 0, 1.2891584821221955, 0.257568359375, 0.10220014777111897, 0.57702072762765044, 2.8107147216796875, 0.20440029554223796, -0.40379142648235872, 3.3000946044921875, -0.01905426483868311, 0.78985145871673157, -0.2736663818359375, 0.36722764961825799, 1.043984873034943, 1.2202301025390625, 0.11086117724324773, 0.017146380591731625, 3.0232086181640625, 0.36722764961825799, -0.16928526914515191, 1.2202301025390625, 0.11086117724324773, 0.48120877641072218, 1.113983154296875, 0.43651588539528779, 0.24694826050132102, 0.1756174167694638, 0.58559942509226537, -0.46875, -0.609375, 4.8896523937473919e-16, 5.3938312247892798e-16},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

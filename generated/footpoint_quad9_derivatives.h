@@ -317,8 +317,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_place(const double *const *x, double xi, double eta,
-                                       double *const *row, size_t step, int always, int again)
+footpoint_quad9_place_detail(const double *const *x, double xi, double eta,
+                             double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xI = x[8], *const xS = x[9];
@@ -408,14 +408,14 @@ footpoint_detail_footpoint_quad9_place(const double *const *x, double xi, double
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad9_place_again(const double *const *x, double xi, double eta,
-                                                                double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad9_place_detail_again(const double *const *x, double xi, double eta,
+                                                      double *const *row, size_t step)
 {
+    const int nodes = 9, vectors = 10, rows = 5, first = 1, degree = 3;
     const int shape[10] = {9, 0, 3, 1, 3, 1, 3, 0, 1, 1};
     double space[19];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad9_place,
-        footpoint_detail_footpoint_quad9_place, 1, 3,
-        x, 9, 10, xi, eta, row, step, 5, shape, space);
+    return footpoint_detail_place_again(footpoint_quad9_place_detail, footpoint_quad9_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad9_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -425,8 +425,8 @@ FOOTPOINT_FN int footpoint_quad9_place(const double xA[3], const double xB[3], c
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_detail_footpoint_quad9_place(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad9_place_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad9_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad9_place_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -450,7 +450,7 @@ FOOTPOINT_LOOP void footpoint_quad9_place_n(size_t n, const double *const x[30],
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad9_place(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad9_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -460,7 +460,7 @@ FOOTPOINT_LOOP void footpoint_quad9_place_n(size_t n, const double *const x[30],
             {x[27][i], x[28][i], x[29][i]}};
             const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
             double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-            status[i] = footpoint_detail_footpoint_quad9_place_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad9_place_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -474,14 +474,14 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad9_place(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad9_place_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad9_place_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad9_place_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -508,8 +508,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad9_place(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad9_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -527,7 +527,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad9_place_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad9_place_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -544,8 +544,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_gradients(const double *const *x, double xi, double eta,
-                                           double *const *row, size_t step, int always, int again)
+footpoint_quad9_gradients_detail(const double *const *x, double xi, double eta,
+                                 double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xI = x[8], *const xS = x[9];
@@ -756,14 +756,14 @@ footpoint_detail_footpoint_quad9_gradients(const double *const *x, double xi, do
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad9_gradients_again(const double *const *x, double xi, double eta,
-                                                                    double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad9_gradients_detail_again(const double *const *x, double xi, double eta,
+                                                          double *const *row, size_t step)
 {
+    const int nodes = 9, vectors = 10, rows = 8, first = 1, degree = 3;
     const int shape[16] = {9, 0, 3, 1, 3, 1, 3, 0, 1, 1, 30, -1, 30, -1, 30, 0};
     double space[109];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad9_gradients,
-        footpoint_detail_footpoint_quad9_place, 1, 3,
-        x, 9, 10, xi, eta, row, step, 8, shape, space);
+    return footpoint_detail_place_again(footpoint_quad9_gradients_detail, footpoint_quad9_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad9_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -775,8 +775,8 @@ FOOTPOINT_FN int footpoint_quad9_gradients(const double xA[3], const double xB[3
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_detail_footpoint_quad9_gradients(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad9_gradients_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad9_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad9_gradients_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -803,7 +803,7 @@ FOOTPOINT_LOOP void footpoint_quad9_gradients_n(size_t n, const double *const x[
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad9_gradients(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad9_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -813,7 +813,7 @@ FOOTPOINT_LOOP void footpoint_quad9_gradients_n(size_t n, const double *const x[
             {x[27][i], x[28][i], x[29][i]}};
             const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
             double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-            status[i] = footpoint_detail_footpoint_quad9_gradients_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad9_gradients_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -828,14 +828,14 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad9_gradients(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad9_gradients_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad9_gradients_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad9_gradients_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -865,8 +865,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad9_gradients(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad9_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -884,7 +884,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad9_gradients_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad9_gradients_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -901,8 +901,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_quad9_hessian(const double *const *x, double xi, double eta,
-                                         double *const *row, size_t step, int always, int again)
+footpoint_quad9_hessian_detail(const double *const *x, double xi, double eta,
+                               double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xI = x[8], *const xS = x[9];
@@ -1773,14 +1773,14 @@ footpoint_detail_footpoint_quad9_hessian(const double *const *x, double xi, doub
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_quad9_hessian_again(const double *const *x, double xi, double eta,
-                                                                  double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_quad9_hessian_detail_again(const double *const *x, double xi, double eta,
+                                                        double *const *row, size_t step)
 {
+    const int nodes = 9, vectors = 10, rows = 6, first = 1, degree = 3;
     const int shape[12] = {1, 1, 30, -1, 30, -1, 30, 0, 90, -1, 465, -1};
     double space[646];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_quad9_hessian,
-        footpoint_detail_footpoint_quad9_place, 1, 3,
-        x, 9, 10, xi, eta, row, step, 6, shape, space);
+    return footpoint_detail_place_again(footpoint_quad9_hessian_detail, footpoint_quad9_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad9_hessian(const double xA[3], const double xB[3], const double xC[3],
@@ -1791,8 +1791,8 @@ FOOTPOINT_FN int footpoint_quad9_hessian(const double xA[3], const double xB[3],
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_detail_footpoint_quad9_hessian(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_quad9_hessian_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_quad9_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_quad9_hessian_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -1817,7 +1817,7 @@ FOOTPOINT_LOOP void footpoint_quad9_hessian_n(size_t n, const double *const x[30
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_quad9_hessian(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_quad9_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1827,7 +1827,7 @@ FOOTPOINT_LOOP void footpoint_quad9_hessian_n(size_t n, const double *const x[30
             {x[27][i], x[28][i], x[29][i]}};
             const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
             double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-            status[i] = footpoint_detail_footpoint_quad9_hessian_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_quad9_hessian_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -1842,14 +1842,14 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_quad9_hessian(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_quad9_hessian_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_quad9_hessian_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_quad9_hessian_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -1877,8 +1877,8 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[30], \
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_quad9_hessian(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
+        flaw |= footpoint_quad9_hessian_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -1896,7 +1896,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[30], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_quad9_hessian_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_quad9_hessian_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 

@@ -1188,9 +1188,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_rectangle_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double zero, double *xi,
-                                                 double *eta)
+footpoint_rectangle_quad4_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[2] - xD[2], t4 = xA[1] - xD[1], t5 = xA[0] - xB[0];
     const double t6 = xA[0] - xD[0], t7 = t3 * t3 + t4 * t4 + t6 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1205,31 +1204,31 @@ footpoint_detail_footpoint_rectangle_quad4_exact(const double xA[3], const doubl
 FOOTPOINT_FN void footpoint_rectangle_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3],
                                                      const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_rectangle_quad4_exact(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_rectangle_quad4_exact_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_rectangle_quad4_exact(const double xA[3], const double xB[3], const double xC[3],
-                                                     const double xD[3], const double xS[3], double xi, double eta,
-                                                     double *gap)
+footpoint_rectangle_quad4_exact_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
     const double a[3] = {(xB[0] - xA[0] + (xC[0] - xD[0])), (xB[1] - xA[1] + (xC[1] - xD[1])), (xB[2] - xA[2] + (xC[2] - xD[2]))};
     const double b[3] = {(xD[0] - xA[0] + (xC[0] - xB[0])), (xD[1] - xA[1] + (xC[1] - xB[1])), (xD[2] - xA[2] + (xC[2] - xB[2]))};
     const double c[3] = {(xA[0] - xB[0] + (xC[0] - xD[0])), (xA[1] - xB[1] + (xC[1] - xD[1])), (xA[2] - xB[2] + (xC[2] - xD[2]))};
     const double d[3] = {(xS[0] - xA[0] + (xS[0] - xB[0]) + (xS[0] - xC[0] + (xS[0] - xD[0]))), (xS[1] - xA[1] + (xS[1] - xB[1]) + (xS[1] - xC[1] + (xS[1] - xD[1]))), (xS[2] - xA[2] + (xS[2] - xB[2]) + (xS[2] - xC[2] + (xS[2] - xD[2])))};
-    return footpoint_detail_quad4_over(a, b, c, d, footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c),
-        1, 0.25, 0.25, xi, eta, FOOTPOINT_RECTANGLE_QUAD4_LEAST, gap);
+    const double size = footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c);
+    const double ratio = 1, per = 0.25, unit = 0.25;
+    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_RECTANGLE_QUAD4_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_rectangle_quad4_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_rectangle_quad4_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_rectangle_quad4_exact(
+    unsigned long long flaw = footpoint_rectangle_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_RECTANGLE_QUAD4_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_rectangle_quad4_exact(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_rectangle_quad4_exact_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1239,8 +1238,8 @@ FOOTPOINT_FN int footpoint_rectangle_quad4_exact(const double xA[3], const doubl
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_rectangle_quad4_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_rectangle_quad4_exact, x, 4, 5, loc, gap);
+    if (footpoint_rectangle_quad4_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_rectangle_quad4_exact_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1251,14 +1250,14 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT xi,
                                                       double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_rectangle_quad4_exact, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_rectangle_quad4_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_checked_n(size_t n, const double *const x[15],
                                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                               double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_rectangle_quad4_exact, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_rectangle_quad4_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_over_n(const double *const nodes[4], size_t n,
@@ -1266,14 +1265,15 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_over_n(const double *const n
                                                            double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_rectangle_quad4_exact, nodes, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_over_n(footpoint_rectangle_quad4_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
+                                  status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_rectangle_quad4_exact(const double *const *x, double zero, double at[3],
-                                                                            int *region)
+FOOTPOINT_PART int footpoint_rectangle_quad4_exact_detail_closest(const double *const *x, double zero, double at[3],
+                                                                  int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_rectangle_quad4_exact(
+    unsigned long long flaw = footpoint_rectangle_quad4_exact_detail(
         x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_RECTANGLE_QUAD4_LEAST, xi, eta, at, region);
 }
@@ -1285,7 +1285,7 @@ FOOTPOINT_FN int footpoint_rectangle_quad4_exact_closest(const double xA[3], con
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_quad4_closest(footpoint_detail_closest_footpoint_rectangle_quad4_exact, x, 1, at, &where);
+    const int status = footpoint_detail_quad4_closest(footpoint_rectangle_quad4_exact_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1294,29 +1294,17 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_closest_n(size_t n, const do
                                                               double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                               int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_rectangle_quad4_exact_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
 }
 
 FOOTPOINT_FN int footpoint_rectangle_quad4_exact_closest_of(size_t n, const double *const *x, const double xS[3],
                                                             double loc[2],
                                                             double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, xS, 1, loc, dist, region,
-                                             which);
+    return footpoint_detail_quad4_closest_of(footpoint_rectangle_quad4_exact_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_rectangle_quad4_exact_points[][19] = {
-    {0, 0, 0, 1.3689839572192513, 0, 0, 1.3689839572192513, 2.921875, 0, 0, 2.921875, 0, 1.4545454545454546, 1.2554931640625, 0.28039257686990043, 1.1250000000000002, -0.140625, 1.6653345369378977e-15, 4.1286418765246419e-16},
-    {0, 0, 0, 2.098360655737705, 0, 0, 2.098360655737705, 1.90625, 0, 0, 1.90625, 0, 0.80327868852459017, 0.848876953125, -0.050722783676602268, -0.23437500000000003, -0.109375, 5.6205040621654387e-16, 4.1980308156606523e-16},
-    {0, 0, 0, 1.248780487804878, 0, 0, 1.248780487804878, 3.203125, 0, 0, 3.203125, 0, 0.89756097560975612, -0.0750732421875, -0.0035097330890787376, 0.43750000000000006, -1.046875, 1.054711873394008e-15, 2.5326962762024946e-16},
-    {0, 0, 0, 2.098360655737705, 0, 0, 2.098360655737705, 1.90625, 0, 0, 1.90625, 0, 1.0819672131147542, -0.08935546875, 0.078035051810157338, 0.031250000000000035, -1.09375, 6.9388939039080034e-16, 2.8449465021206673e-16},
-    {0, 0, 0, 1.7297297297297298, 0, 0, 1.7297297297297298, 2.3125, 0, 0, 2.3125, 0, 0.35135135135135132, 1.28271484375, 0.25125365649811948, -0.59375000000000011, 0.109375, 4.0245584642665149e-16, 5.1694759631124232e-16},
-    {0, 0, 0, 1.003921568627451, 0, 0, 1.003921568627451, 3.984375, 0, 0, 3.984375, 0, 0.18823529411764706, 3.7664794921875, -0.11276394501836406, -0.625, 0.890625, 3.8857805861883501e-16, 1.0373646395081972e-15},
-    {0, 0, 0, 0.97709923664122134, 0, 0, 0.97709923664122134, 4.09375, 0, 0, 4.09375, 0, 0.25954198473282442, 1.183349609375, -0.067789434068777341, -0.46875, -0.421875, 4.5796699765791839e-16, 3.5041414243005358e-16},
-    {0, 0, 0, 1.3061224489795917, 0, 0, 1.3061224489795917, 3.0625, 0, 0, 3.0625, 0, 1.3673469387755102, 1.626953125, 0.18598540145985401, 1.0937500000000002, 0.0625, 1.6375789613222672e-15, 4.8572257371942559e-16},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

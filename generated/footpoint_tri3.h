@@ -1180,8 +1180,8 @@ FOOTPOINT_PART int footpoint_detail_tri3_closest_of(footpoint_detail_nearest *ne
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
-                                      double zero, double *xi, double *eta)
+footpoint_tri3_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                            double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2], t2 = xA[1] - xC[1], t3 = xA[2] - xB[2], t4 = xA[1] - xB[1], t5 = xA[0] - xC[0];
     const double t6 = xA[0] - xB[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1197,12 +1197,12 @@ footpoint_detail_footpoint_tri3_exact(const double xA[3], const double xB[3], co
 FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3],
                                           const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri3_exact(xA, xB, xC, xS, 0.0, xi, eta);
+    (void)footpoint_tri3_exact_detail(xA, xB, xC, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_gap_footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xS[3], double xi, double eta, double *gap)
+footpoint_tri3_exact_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                                double xi, double eta, double *gap)
 {
     const double t1 = xA[2] - xC[2], t2 = xA[1] - xC[1], t3 = xA[2] - xB[2], t4 = xA[1] - xB[1], t5 = xA[0] - xC[0];
     const double t6 = xA[0] - xB[0], t8 = t1 * t1 + t2 * t2 + t5 * t5, t9 = t3 * t3 + t4 * t4 + t6 * t6;
@@ -1210,18 +1210,19 @@ footpoint_detail_gap_footpoint_tri3_exact(const double xA[3], const double xB[3]
     const double a[3] = {t6, t4, t3};
     const double b[3] = {t5, t2, t1};
     const double d[3] = {t13, t11, t10};
-    return footpoint_detail_tri3_over(a, b, d, t9 + t8,
-        -1, 1, xi, eta, FOOTPOINT_TRI3_LEAST, gap);
+    const double size = t9 + t8;
+    const double per = -1, unit = 1;
+    return footpoint_detail_tri3_over(a, b, d, size, per, unit, xi, eta, FOOTPOINT_TRI3_LEAST, gap);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri3_exact(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri3_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri3_exact(x[0], x[1], x[2], x[3], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri3_exact_detail(x[0], x[1], x[2], x[3], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_tri3_gap(x, *xi, *eta, FOOTPOINT_TRI3_LEAST, gap);
     {
-        const unsigned long long doubt = footpoint_detail_gap_footpoint_tri3_exact(x[0], x[1], x[2], x[3], *xi, *eta, gap);
+        const unsigned long long doubt = footpoint_tri3_exact_detail_gap(x[0], x[1], x[2], x[3], *xi, *eta, gap);
         return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
@@ -1231,8 +1232,8 @@ FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], co
 {
     const double *const x[4] = {xA, xB, xC, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri3_exact(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri3_exact, x, 3, 4, loc, gap);
+    if (footpoint_tri3_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri3_exact_detail_checked, x, 3, 4, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1242,14 +1243,14 @@ FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], co
 FOOTPOINT_LOOP void footpoint_tri3_exact_n(size_t n, const double *const x[12], double *FOOTPOINT_RESTRICT xi,
                                            double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri3_n(footpoint_detail_footpoint_tri3_exact, n, x, xi, eta);
+    footpoint_detail_tri3_n(footpoint_tri3_exact_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri3_exact_checked_n(size_t n, const double *const x[12],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri3_checked_n(footpoint_detail_checked_footpoint_tri3_exact, n, x, 3, xi, eta, gap, status);
+    footpoint_detail_tri3_checked_n(footpoint_tri3_exact_detail_checked, n, x, 3, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri3_exact_over_n(const double *const nodes[3], size_t n,
@@ -1257,14 +1258,15 @@ FOOTPOINT_LOOP void footpoint_tri3_exact_over_n(const double *const nodes[3], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri3_over_n(footpoint_detail_checked_footpoint_tri3_exact, nodes, n, x, 3, xi, eta, gap, status);
+    footpoint_detail_tri3_over_n(footpoint_tri3_exact_detail_checked, nodes, n, x, 3, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri3_exact(const double *const *x, double zero, double at[3],
-                                                                 int *region)
+FOOTPOINT_PART int footpoint_tri3_exact_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri3_exact(x[0], x[1], x[2], x[3], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri3_exact_detail(x[0], x[1], x[2], x[3], zero, &xi, &eta);
     return footpoint_detail_tri3_nearest(x, flaw, FOOTPOINT_TRI3_LEAST, xi, eta, at, region);
 }
 
@@ -1274,7 +1276,7 @@ FOOTPOINT_FN int footpoint_tri3_exact_closest(const double xA[3], const double x
     const double *const x[4] = {xA, xB, xC, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri3_closest(footpoint_detail_closest_footpoint_tri3_exact, x, 1, at, &where);
+    const int status = footpoint_detail_tri3_closest(footpoint_tri3_exact_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1283,28 +1285,16 @@ FOOTPOINT_LOOP void footpoint_tri3_exact_closest_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri3_closest_n(footpoint_detail_closest_footpoint_tri3_exact, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri3_closest_n(footpoint_tri3_exact_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri3_exact_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                  double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri3_closest_of(footpoint_detail_closest_footpoint_tri3_exact, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri3_closest_of(footpoint_tri3_exact_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri3_exact_points[][16] = {
-    {0, 0, 0, 0.69945355191256842, 0, 0, 1.34033203125, 1.4296875, 0, 1.5780504153725881, 1.3626708984375, -0.097236981934112648, 0.42968750000000011, 0.953125, 2.806033417955787e-15, 1.6999799745758292e-15},
-    {0, 0, 0, 0.88888888888888895, 0, 0, -0.10546875, 1.125, 0, 0.30413818359375, 0.755859375, 0.087284482758620691, 0.42187499999999994, 0.671875, 4.2359609472422841e-16, 5.3387131455498196e-16},
-    {0, 0, 0, 2.0317460317460316, 0, 0, -0.0076904296875, 0.49218750000000006, 0, 0.4880981142558749, 0.2537841796875, -0.1733405394782096, 0.24218750000000003, 0.51562499999999989, 2.4289353360856211e-16, 6.3494940967201008e-16},
-    {0, 0, 0, 0.67368421052631577, 0, 0, -0.301513671875, 1.484375, 0, -0.030403759605006159, 0.8233642578125, 0.14118588522216297, 0.20312500000000003, 0.5546875, 2.5645927779935157e-16, 5.0675163269807361e-16},
-    {0, 0, 0, 0.50393700787401574, 0, 0, -1.05419921875, 1.984375, 0, 0.17164849108598368, 0.5736083984375, 0.15227441285537702, 0.94531250000000011, 0.2890625, 1.1597913199066969e-15, 3.1733116124185103e-16},
-    {0, 0, 0, 1.0666666666666667, 0, 0, -0.322265625, 0.93750000000000011, 0, 0.19858398437499997, 0.5859375, 0.22024428274428276, 0.37499999999999994, 0.62499999999999989, 4.8563156893039748e-16, 8.3672598001623508e-16},
-    {0, 0, 0, 0.73988439306358389, 0, 0, 0.67578125, 1.3515625, 0, 0.52951720132993141, -0.073913574218749944, 0.031751344115043288, 0.765625, -0.054687499999999958, 9.3962982222049778e-16, 1.9018477580898122e-16},
-    {0, 0, 0, 1.4883720930232558, 0, 0, 0.640380859375, 0.671875, 0, 1.2757120797800463, 0.4356689453125, 0.13561816652649286, 0.578125, 0.6484375, 1.3095276104888418e-15, 1.9169717336972646e-15},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

@@ -313,8 +313,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri3_place(const double *const *x, double xi, double eta,
-                                      double *const *row, size_t step, int always, int again)
+footpoint_tri3_place_detail(const double *const *x, double xi, double eta,
+                            double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xS = x[3];
     double *const phi = row[0];
@@ -368,14 +368,14 @@ footpoint_detail_footpoint_tri3_place(const double *const *x, double xi, double 
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_tri3_place_again(const double *const *x, double xi, double eta,
-                                                               double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_tri3_place_detail_again(const double *const *x, double xi, double eta,
+                                                     double *const *row, size_t step)
 {
+    const int nodes = 3, vectors = 4, rows = 5, first = 1, degree = 0;
     const int shape[10] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1};
     double space[13];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_tri3_place,
-        footpoint_detail_footpoint_tri3_place, 1, 0,
-        x, 3, 4, xi, eta, row, step, 5, shape, space);
+    return footpoint_detail_place_again(footpoint_tri3_place_detail, footpoint_tri3_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri3_place(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
@@ -384,8 +384,8 @@ FOOTPOINT_FN int footpoint_tri3_place(const double xA[3], const double xB[3], co
 {
     const double *const x[4] = {xA, xB, xC, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_detail_footpoint_tri3_place(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_tri3_place_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_tri3_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_tri3_place_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -407,7 +407,7 @@ FOOTPOINT_LOOP void footpoint_tri3_place_n(size_t n, const double *const x[12],
         const double *const y[4] = {p[0], p[1], p[2], p[3]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_tri3_place(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_tri3_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -415,7 +415,7 @@ FOOTPOINT_LOOP void footpoint_tri3_place_n(size_t n, const double *const x[12],
             {x[9][i], x[10][i], x[11][i]}};
             const double *const y[4] = {p[0], p[1], p[2], p[3]};
             double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-            status[i] = footpoint_detail_footpoint_tri3_place_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_tri3_place_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -428,14 +428,14 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[4] = {xA, xB, xC, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_tri3_place(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_tri3_place_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_tri3_place_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_tri3_place_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -460,8 +460,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_tri3_place(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
+        flaw |= footpoint_tri3_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -477,7 +477,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_tri3_place_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_tri3_place_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -494,8 +494,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri3_gradients(const double *const *x, double xi, double eta,
-                                          double *const *row, size_t step, int always, int again)
+footpoint_tri3_gradients_detail(const double *const *x, double xi, double eta,
+                                double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xS = x[3];
     double *const phi = row[0];
@@ -594,14 +594,14 @@ footpoint_detail_footpoint_tri3_gradients(const double *const *x, double xi, dou
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_tri3_gradients_again(const double *const *x, double xi, double eta,
-                                                                   double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_tri3_gradients_detail_again(const double *const *x, double xi, double eta,
+                                                         double *const *row, size_t step)
 {
+    const int nodes = 3, vectors = 4, rows = 8, first = 1, degree = 0;
     const int shape[16] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1, 12, -1, 12, -1, 12, 0};
     double space[49];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_tri3_gradients,
-        footpoint_detail_footpoint_tri3_place, 1, 0,
-        x, 3, 4, xi, eta, row, step, 8, shape, space);
+    return footpoint_detail_place_again(footpoint_tri3_gradients_detail, footpoint_tri3_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri3_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -611,8 +611,8 @@ FOOTPOINT_FN int footpoint_tri3_gradients(const double xA[3], const double xB[3]
 {
     const double *const x[4] = {xA, xB, xC, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_detail_footpoint_tri3_gradients(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_tri3_gradients_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_tri3_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_tri3_gradients_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -637,7 +637,7 @@ FOOTPOINT_LOOP void footpoint_tri3_gradients_n(size_t n, const double *const x[1
         const double *const y[4] = {p[0], p[1], p[2], p[3]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_tri3_gradients(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_tri3_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -645,7 +645,7 @@ FOOTPOINT_LOOP void footpoint_tri3_gradients_n(size_t n, const double *const x[1
             {x[9][i], x[10][i], x[11][i]}};
             const double *const y[4] = {p[0], p[1], p[2], p[3]};
             double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-            status[i] = footpoint_detail_footpoint_tri3_gradients_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_tri3_gradients_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -658,14 +658,14 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[4] = {xA, xB, xC, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_tri3_gradients(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_tri3_gradients_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_tri3_gradients_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_tri3_gradients_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -693,8 +693,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_tri3_gradients(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
+        flaw |= footpoint_tri3_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -710,7 +710,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_tri3_gradients_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_tri3_gradients_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -727,8 +727,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri3_hessian(const double *const *x, double xi, double eta,
-                                        double *const *row, size_t step, int always, int again)
+footpoint_tri3_hessian_detail(const double *const *x, double xi, double eta,
+                              double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xS = x[3];
     double *const gap = row[0];
@@ -934,14 +934,14 @@ footpoint_detail_footpoint_tri3_hessian(const double *const *x, double xi, doubl
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_tri3_hessian_again(const double *const *x, double xi, double eta,
-                                                                 double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_tri3_hessian_detail_again(const double *const *x, double xi, double eta,
+                                                       double *const *row, size_t step)
 {
+    const int nodes = 3, vectors = 4, rows = 6, first = 1, degree = 0;
     const int shape[12] = {1, 1, 12, -1, 12, -1, 12, 0, 36, -1, 78, -1};
     double space[151];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_tri3_hessian,
-        footpoint_detail_footpoint_tri3_place, 1, 0,
-        x, 3, 4, xi, eta, row, step, 6, shape, space);
+    return footpoint_detail_place_again(footpoint_tri3_hessian_detail, footpoint_tri3_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri3_hessian(const double xA[3], const double xB[3], const double xC[3],
@@ -950,8 +950,8 @@ FOOTPOINT_FN int footpoint_tri3_hessian(const double xA[3], const double xB[3], 
 {
     const double *const x[4] = {xA, xB, xC, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_detail_footpoint_tri3_hessian(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_tri3_hessian_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_tri3_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_tri3_hessian_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -974,7 +974,7 @@ FOOTPOINT_LOOP void footpoint_tri3_hessian_n(size_t n, const double *const x[12]
         const double *const y[4] = {p[0], p[1], p[2], p[3]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_tri3_hessian(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_tri3_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -982,7 +982,7 @@ FOOTPOINT_LOOP void footpoint_tri3_hessian_n(size_t n, const double *const x[12]
             {x[9][i], x[10][i], x[11][i]}};
             const double *const y[4] = {p[0], p[1], p[2], p[3]};
             double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-            status[i] = footpoint_detail_footpoint_tri3_hessian_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_tri3_hessian_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -995,14 +995,14 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[4] = {xA, xB, xC, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_tri3_hessian(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_tri3_hessian_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_tri3_hessian_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_tri3_hessian_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -1028,8 +1028,8 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_tri3_hessian(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
+        flaw |= footpoint_tri3_hessian_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -1045,7 +1045,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_tri3_hessian_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_tri3_hessian_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 

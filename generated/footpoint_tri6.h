@@ -1238,9 +1238,9 @@ FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *ne
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xE[3], const double xF[3], const double xS[3], double zero,
-                                     double *xi, double *eta)
+footpoint_tri6_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                           const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
+                           double *eta)
 {
     const double t1 = xB[2] - xE[2] + 4.0 * (xE[2] - xF[2]), t2 = xB[1] - xE[1] + 4.0 * (xE[1] - xF[1]);
     const double t3 = 4.0 * (xD[2] - xE[2]) + (xA[2] - xC[2]), t4 = xA[2] - xE[2], t5 = t4 - t1;
@@ -1263,13 +1263,13 @@ FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3],
                                          const double xD[3], const double xE[3], const double xF[3],
                                          const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri6_fast(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+    (void)footpoint_tri6_fast_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri6_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri6_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_fast(
+    unsigned long long flaw = footpoint_tri6_fast_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
@@ -1281,8 +1281,8 @@ FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], con
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri6_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_fast, x, 6, 7, loc, gap);
+    if (footpoint_tri6_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri6_fast_detail_checked, x, 6, 7, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1292,14 +1292,14 @@ FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], con
 FOOTPOINT_LOOP void footpoint_tri6_fast_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
                                           double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri6_n(footpoint_detail_footpoint_tri6_fast, n, x, xi, eta);
+    footpoint_detail_tri6_n(footpoint_tri6_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fast_checked_n(size_t n, const double *const x[21],
                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_detail_checked_footpoint_tri6_fast, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_fast_detail_checked, n, x, 6, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fast_over_n(const double *const nodes[6], size_t n,
@@ -1307,14 +1307,15 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_over_n(const double *const nodes[6], siz
                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_fast, nodes, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_fast_detail_checked, nodes, n, x, 6, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_fast(const double *const *x, double zero, double at[3],
-                                                                int *region)
+FOOTPOINT_PART int footpoint_tri6_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                      int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_fast(
+    unsigned long long flaw = footpoint_tri6_fast_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
@@ -1326,7 +1327,7 @@ FOOTPOINT_FN int footpoint_tri6_fast_closest(const double xA[3], const double xB
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_fast, x, 1, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_fast_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1335,28 +1336,16 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_closest_n(size_t n, const double *const 
                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_fast, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri6_closest_n(footpoint_tri6_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                 double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_fast, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri6_fast_points[][25] = {
-    {0, 0, 0, 0.48469759893755548, -0.18933105468749994, 0.050881534178781308, 1.5540444664921322, 1.3348795572916667, -0.10660892875554184, 0.26874220286700745, -0.078887939453125056, 0.043612743581812552, 1.1194888987439744, 0.68895467122395826, 0.070264975770697985, 0.73002500060602293, 0.64162190755208326, 0.082985359315393331, 0.66438116017479854, 0.28757313396642198, 0.079300198929369167, 0.49282765842940512, 0.23702711307879329, 1.9771546855149528e-15, 5.9905899033171414e-16},
-    {0, 0, 0, 2.5168399922331872, 0.074218750000000028, -0.11032445372586974, 0.42166741689046211, 0.47111511230468756, 0.10838893699383695, 1.1610962270993237, 0.00927734375, 0.015968013039270614, 1.1183014431892082, 0.22548294067382812, -0.011129221209188613, 0.063300914931715524, 0.24403762817382812, -0.038710334640656041, 0.56166310460680957, 0.1273700712944453, -0.079710720372003385, 0.26725847563425253, 0.27756047808226314, 3.7935058891727074e-16, 4.4458170695701847e-16},
-    {0, 0, 0, 2.2882067725771948, -0.032043457031250028, 0.021925703188623663, 0.14256290254138754, 0.57856241861979163, -0.032888554782935592, 1.0165997459774925, 0.01922607421875, 0.10305080498653137, 0.82715042659214555, 0.28474171956380206, 0.11127294368226524, 0.027773548307872931, 0.27673085530598956, 0.11675436947942117, -0.010586090514503495, 0.15105800459094076, 0.12966545088973447, 0.010866507430965771, 0.24865958736311708, 8.0044770756361753e-16, 8.5910958886638612e-16},
-    {0, 0, 0, 0.5888345565749995, -0.31841023763020826, -0.053547839721628555, -0.71031766964927345, 2.155609130859375, -0.075363626274884632, 0.26270555962150566, -0.02817789713541663, -0.019336719899476978, -0.092277278825551007, 1.0559666951497395, -0.00049581333075581716, -0.2916390367937145, 0.9763641357421875, -0.013882773261162957, 0.0052416309709968989, 0.84511124370965995, 0.18370686736486833, 0.54460207311491327, 0.40657974689271092, 1.0482787980434295e-15, 4.2247101289161989e-16},
-    {0, 0, 0, 1.3650754552309206, -0.027913411458333315, -0.32178954389205289, 0.64571842530957702, 0.76961263020833348, -0.1734646760043097, 0.71339648759283991, 0.01146443684895837, 0.0087989328407983014, 1.0185196156404457, 0.393280029296875, 0.052165101841875734, 0.38019664271348197, 0.38630167643229169, -0.028282284131137453, 1.5329104846992774, 0.60852819670590952, -0.053813497421541671, 0.74821226435797761, 0.77658317188799064, 1.8185267561831566e-15, 1.8937322389879527e-15},
-    {0, 0, 0, 0.78886172132745602, 0.016581217447916685, 0.053127837403673772, 0.18944188958540531, 1.2850443522135417, 0.22263093769158543, 0.43857000161777487, 0.02197011311848962, 0.089178869927595286, 0.42105572062767355, 0.65578715006510424, 0.033521135504698936, 0.02931409574481364, 0.65993245442708337, 0.046803094855617386, 0.41650441009917177, 0.62697609355589967, -0.054647010654796484, 0.49198700896400327, 0.47238404722317406, 5.1918248631610687e-16, 5.0048011644881531e-16},
-    {0, 0, 0, 0.84429411046645242, 0.17985026041666669, -0.035038129729411421, 1.4636291840497186, 1.4535013834635417, -0.087595324323528553, 0.40234332365148212, 0.053609212239583315, -0.0081338515443276499, 1.0636577073265525, 0.68632761637369799, 0.013764979536554488, 0.71002535259022437, 0.73129018147786451, 0.0050054471042016331, 1.2337251908876554, 0.9477893347572981, -0.21460550727120706, 0.37687993256194735, 0.69127718620288059, 2.4674065537362632e-15, 1.3119587134828761e-15},
-    {0, 0, 0, 0.6876634509064431, 0.030619303385416574, 0.27472088677346712, 0.16981709021930547, 1.5386199951171875, -0.016025385061785608, 0.30021492381428561, -0.066706339518229241, 0.053227171812359253, 0.35617984071258424, 0.80840428670247388, 0.057233518077805634, 0.081584075532218275, 0.8160591125488279, 0.1259137397711724, 0.63521400405964845, 1.6667795827090119, -0.35406591167645141, 0.85865356174095564, 1.0172718836722388, 1.583036767534136e-15, 1.5196655206901118e-15},
-};
-#endif
 
 /* footpoint_tri6_coarse
  *   operations:     84 mul, 2 div, 108 add, 0 sqrt, 0 compare; 65 temporaries
@@ -1372,9 +1361,9 @@ static const double footpoint_tri6_fast_points[][25] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xS[3], double zero,
-                                       double *xi, double *eta)
+footpoint_tri6_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                             const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
+                             double *eta)
 {
     const double t1 = xE[2] - xF[2], t2 = xE[1] - xF[1], t3 = xA[2] - xD[2], t4 = xA[1] - xD[1], t5 = xE[0] - xF[0];
     const double t6 = xC[2] - xF[2], t7 = t3 - 4.0 * t1, t8 = xC[1] - xF[1], t9 = t4 - 4.0 * t2, t10 = xA[0] - xD[0];
@@ -1409,13 +1398,13 @@ FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3
                                            const double xD[3], const double xE[3], const double xF[3],
                                            const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri6_coarse(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+    (void)footpoint_tri6_coarse_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri6_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri6_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_coarse(
+    unsigned long long flaw = footpoint_tri6_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
@@ -1427,8 +1416,8 @@ FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], c
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri6_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_coarse, x, 6, 7, loc, gap);
+    if (footpoint_tri6_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri6_coarse_detail_checked, x, 6, 7, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1438,14 +1427,14 @@ FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], c
 FOOTPOINT_LOOP void footpoint_tri6_coarse_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
                                             double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri6_n(footpoint_detail_footpoint_tri6_coarse, n, x, xi, eta);
+    footpoint_detail_tri6_n(footpoint_tri6_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_coarse_checked_n(size_t n, const double *const x[21],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_detail_checked_footpoint_tri6_coarse, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_coarse_detail_checked, n, x, 6, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_coarse_over_n(const double *const nodes[6], size_t n,
@@ -1453,14 +1442,15 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_over_n(const double *const nodes[6], s
                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                  int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_coarse, nodes, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_coarse_detail_checked, nodes, n, x, 6, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_coarse(const double *const *x, double zero, double at[3],
-                                                                  int *region)
+FOOTPOINT_PART int footpoint_tri6_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_coarse(
+    unsigned long long flaw = footpoint_tri6_coarse_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
@@ -1472,7 +1462,7 @@ FOOTPOINT_FN int footpoint_tri6_coarse_closest(const double xA[3], const double 
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_coarse, x, 1, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_coarse_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1481,29 +1471,17 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_closest_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_coarse, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri6_closest_n(footpoint_tri6_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
                                                   double loc[2],
                                                   double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_coarse, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri6_coarse_points[][25] = {
-    {0, 0, 0, 0.48469759893755548, -0.18933105468749994, 0.050881534178781308, 1.5540444664921322, 1.3348795572916667, -0.10660892875554184, 0.26874220286700745, -0.078887939453125056, 0.043612743581812552, 1.1194888987439744, 0.68895467122395826, 0.070264975770697985, 0.73002500060602293, 0.64162190755208326, 0.082985359315393331, 0.66438116017479854, 0.28757313396642198, 0.079300198929369167, 0.4921797980141312, 0.24217812758121021, 7.2276275979869436e-16, 2.5292957074509459e-16},
-    {0, 0, 0, 2.5168399922331872, 0.074218750000000028, -0.11032445372586974, 0.42166741689046211, 0.47111511230468756, 0.10838893699383695, 1.1610962270993237, 0.00927734375, 0.015968013039270614, 1.1183014431892082, 0.22548294067382812, -0.011129221209188613, 0.063300914931715524, 0.24403762817382812, -0.038710334640656041, 0.56166310460680957, 0.1273700712944453, -0.079710720372003385, 0.26563485316673946, 0.29154794974293868, 3.2272566603244558e-16, 2.971022208141278e-16},
-    {0, 0, 0, 2.2882067725771948, -0.032043457031250028, 0.021925703188623663, 0.14256290254138754, 0.57856241861979163, -0.032888554782935592, 1.0165997459774925, 0.01922607421875, 0.10305080498653137, 0.82715042659214555, 0.28474171956380206, 0.11127294368226524, 0.027773548307872931, 0.27673085530598956, 0.11675436947942117, -0.010586090514503495, 0.15105800459094076, 0.12966545088973447, -0.0073609376412897823, 0.30057006263492436, 4.1340769499591653e-16, 4.9816451097128831e-16},
-    {0, 0, 0, 0.5888345565749995, -0.31841023763020826, -0.053547839721628555, -0.71031766964927345, 2.155609130859375, -0.075363626274884632, 0.26270555962150566, -0.02817789713541663, -0.019336719899476978, -0.092277278825551007, 1.0559666951497395, -0.00049581333075581716, -0.2916390367937145, 0.9763641357421875, -0.013882773261162957, 0.0052416309709968989, 0.84511124370965995, 0.18370686736486833, 0.55420796403532258, 0.41400438607001644, 9.2903052763694895e-16, 3.3890089638128902e-16},
-    {0, 0, 0, 1.3650754552309206, -0.027913411458333315, -0.32178954389205289, 0.64571842530957702, 0.76961263020833348, -0.1734646760043097, 0.71339648759283991, 0.01146443684895837, 0.0087989328407983014, 1.0185196156404457, 0.393280029296875, 0.052165101841875734, 0.38019664271348197, 0.38630167643229169, -0.028282284131137453, 1.5329104846992774, 0.60852819670590952, -0.053813497421541671, 0.83890415041576993, 0.81850639073888876, 1.6238702562016648e-15, 1.134343760940318e-15},
-    {0, 0, 0, 0.78886172132745602, 0.016581217447916685, 0.053127837403673772, 0.18944188958540531, 1.2850443522135417, 0.22263093769158543, 0.43857000161777487, 0.02197011311848962, 0.089178869927595286, 0.42105572062767355, 0.65578715006510424, 0.033521135504698936, 0.02931409574481364, 0.65993245442708337, 0.046803094855617386, 0.41650441009917177, 0.62697609355589967, -0.054647010654796484, 0.51998259834893379, 0.4759034089919385, 7.6933889045032312e-16, 3.6771476140664593e-16},
-    {0, 0, 0, 0.84429411046645242, 0.17985026041666669, -0.035038129729411421, 1.4636291840497186, 1.4535013834635417, -0.087595324323528553, 0.40234332365148212, 0.053609212239583315, -0.0081338515443276499, 1.0636577073265525, 0.68632761637369799, 0.013764979536554488, 0.71002535259022437, 0.73129018147786451, 0.0050054471042016331, 1.2337251908876554, 0.9477893347572981, -0.21460550727120706, 0.3227289143997778, 0.71043252388393896, 1.497150530149994e-15, 7.5658418819876381e-16},
-    {0, 0, 0, 0.6876634509064431, 0.030619303385416574, 0.27472088677346712, 0.16981709021930547, 1.5386199951171875, -0.016025385061785608, 0.30021492381428561, -0.066706339518229241, 0.053227171812359253, 0.35617984071258424, 0.80840428670247388, 0.057233518077805634, 0.081584075532218275, 0.8160591125488279, 0.1259137397711724, 0.63521400405964845, 1.6667795827090119, -0.35406591167645141, 0.7707617624867602, 1.0266349960827383, 1.8934331021740099e-15, 1.4558236475792318e-15},
-};
-#endif
 
 /* footpoint_tri6_medium
  *   operations:     97 mul, 2 div, 114 add, 0 sqrt, 0 compare; 74 temporaries
@@ -1519,9 +1497,9 @@ static const double footpoint_tri6_coarse_points[][25] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xS[3], double zero,
-                                       double *xi, double *eta)
+footpoint_tri6_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                             const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
+                             double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xE[2] - xF[2], t4 = xC[2] - xF[2], t5 = xE[1] - xF[1];
     const double t6 = xC[1] - xF[1], t7 = xD[0] - xE[0], t8 = xA[2] - xB[2], t9 = xA[2] - xF[2], t10 = t4 - 4.0 * t1;
@@ -1557,13 +1535,13 @@ FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3
                                            const double xD[3], const double xE[3], const double xF[3],
                                            const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri6_medium(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+    (void)footpoint_tri6_medium_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri6_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri6_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_medium(
+    unsigned long long flaw = footpoint_tri6_medium_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
@@ -1575,8 +1553,8 @@ FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], c
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri6_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_medium, x, 6, 7, loc, gap);
+    if (footpoint_tri6_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri6_medium_detail_checked, x, 6, 7, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1586,14 +1564,14 @@ FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], c
 FOOTPOINT_LOOP void footpoint_tri6_medium_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
                                             double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri6_n(footpoint_detail_footpoint_tri6_medium, n, x, xi, eta);
+    footpoint_detail_tri6_n(footpoint_tri6_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_medium_checked_n(size_t n, const double *const x[21],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_detail_checked_footpoint_tri6_medium, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_medium_detail_checked, n, x, 6, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_medium_over_n(const double *const nodes[6], size_t n,
@@ -1601,14 +1579,15 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_over_n(const double *const nodes[6], s
                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                  int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_medium, nodes, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_medium_detail_checked, nodes, n, x, 6, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_medium(const double *const *x, double zero, double at[3],
-                                                                  int *region)
+FOOTPOINT_PART int footpoint_tri6_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_medium(
+    unsigned long long flaw = footpoint_tri6_medium_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
@@ -1620,7 +1599,7 @@ FOOTPOINT_FN int footpoint_tri6_medium_closest(const double xA[3], const double 
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_medium, x, 1, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_medium_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1629,29 +1608,17 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_closest_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_medium, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri6_closest_n(footpoint_tri6_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_medium_closest_of(size_t n, const double *const *x, const double xS[3],
                                                   double loc[2],
                                                   double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_medium, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri6_medium_points[][25] = {
-    {0, 0, 0, 0.48469759893755548, -0.18933105468749994, 0.050881534178781308, 1.5540444664921322, 1.3348795572916667, -0.10660892875554184, 0.26874220286700745, -0.078887939453125056, 0.043612743581812552, 1.1194888987439744, 0.68895467122395826, 0.070264975770697985, 0.73002500060602293, 0.64162190755208326, 0.082985359315393331, 0.66438116017479854, 0.28757313396642198, 0.079300198929369167, 0.4923809465373537, 0.24215856221716461, 1.406092094302698e-15, 3.6500593903327924e-16},
-    {0, 0, 0, 2.5168399922331872, 0.074218750000000028, -0.11032445372586974, 0.42166741689046211, 0.47111511230468756, 0.10838893699383695, 1.1610962270993237, 0.00927734375, 0.015968013039270614, 1.1183014431892082, 0.22548294067382812, -0.011129221209188613, 0.063300914931715524, 0.24403762817382812, -0.038710334640656041, 0.56166310460680957, 0.1273700712944453, -0.079710720372003385, 0.2656708808903101, 0.28885676912793595, 3.0542512626129506e-16, 3.1539710354083879e-16},
-    {0, 0, 0, 2.2882067725771948, -0.032043457031250028, 0.021925703188623663, 0.14256290254138754, 0.57856241861979163, -0.032888554782935592, 1.0165997459774925, 0.01922607421875, 0.10305080498653137, 0.82715042659214555, 0.28474171956380206, 0.11127294368226524, 0.027773548307872931, 0.27673085530598956, 0.11675436947942117, -0.010586090514503495, 0.15105800459094076, 0.12966545088973447, -0.0062590060835694752, 0.29367361516333412, 5.791833038891009e-16, 5.6307292034891738e-16},
-    {0, 0, 0, 0.5888345565749995, -0.31841023763020826, -0.053547839721628555, -0.71031766964927345, 2.155609130859375, -0.075363626274884632, 0.26270555962150566, -0.02817789713541663, -0.019336719899476978, -0.092277278825551007, 1.0559666951497395, -0.00049581333075581716, -0.2916390367937145, 0.9763641357421875, -0.013882773261162957, 0.0052416309709968989, 0.84511124370965995, 0.18370686736486833, 0.55415985879196317, 0.41401761774008378, 9.8671534308772508e-16, 3.8898927949214621e-16},
-    {0, 0, 0, 1.3650754552309206, -0.027913411458333315, -0.32178954389205289, 0.64571842530957702, 0.76961263020833348, -0.1734646760043097, 0.71339648759283991, 0.01146443684895837, 0.0087989328407983014, 1.0185196156404457, 0.393280029296875, 0.052165101841875734, 0.38019664271348197, 0.38630167643229169, -0.028282284131137453, 1.5329104846992774, 0.60852819670590952, -0.053813497421541671, 0.83844574338295386, 0.81058786339261446, 1.2952456717540197e-15, 1.0925221471604114e-15},
-    {0, 0, 0, 0.78886172132745602, 0.016581217447916685, 0.053127837403673772, 0.18944188958540531, 1.2850443522135417, 0.22263093769158543, 0.43857000161777487, 0.02197011311848962, 0.089178869927595286, 0.42105572062767355, 0.65578715006510424, 0.033521135504698936, 0.02931409574481364, 0.65993245442708337, 0.046803094855617386, 0.41650441009917177, 0.62697609355589967, -0.054647010654796484, 0.52280756556626062, 0.47645892642386062, 5.5965641723440243e-16, 3.8687166938703201e-16},
-    {0, 0, 0, 0.84429411046645242, 0.17985026041666669, -0.035038129729411421, 1.4636291840497186, 1.4535013834635417, -0.087595324323528553, 0.40234332365148212, 0.053609212239583315, -0.0081338515443276499, 1.0636577073265525, 0.68632761637369799, 0.013764979536554488, 0.71002535259022437, 0.73129018147786451, 0.0050054471042016331, 1.2337251908876554, 0.9477893347572981, -0.21460550727120706, 0.31666262106210469, 0.71246187522689619, 1.5896470716966984e-15, 8.7387020988092519e-16},
-    {0, 0, 0, 0.6876634509064431, 0.030619303385416574, 0.27472088677346712, 0.16981709021930547, 1.5386199951171875, -0.016025385061785608, 0.30021492381428561, -0.066706339518229241, 0.053227171812359253, 0.35617984071258424, 0.80840428670247388, 0.057233518077805634, 0.081584075532218275, 0.8160591125488279, 0.1259137397711724, 0.63521400405964845, 1.6667795827090119, -0.35406591167645141, 0.78808525961146791, 1.0219720533588563, 1.3195782056387588e-15, 1.2558810238783232e-15},
-};
-#endif
 
 /* footpoint_tri6_balanced
  *   operations:     143 mul, 3 div, 144 add, 0 sqrt, 0 compare; 85 temporaries
@@ -1669,9 +1636,9 @@ static const double footpoint_tri6_medium_points[][25] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xE[3], const double xF[3],
-                                         const double xS[3], double zero, double *xi, double *eta)
+footpoint_tri6_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                               const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
+                               double *eta)
 {
     const double t1 = xE[2] - xD[2], t2 = xE[1] - xD[1], t3 = xF[2] - xE[2], t4 = xF[1] - xE[1], t5 = xE[0] - xD[0];
     const double t6 = xF[2] - xC[2], t7 = xF[1] - xC[1], t8 = xF[2] - xA[2], t9 = xF[1] - xA[1], t10 = xB[2] - xA[2];
@@ -1716,13 +1683,13 @@ FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB
                                              const double xD[3], const double xE[3], const double xF[3],
                                              const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri6_balanced(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+    (void)footpoint_tri6_balanced_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri6_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri6_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_balanced(
+    unsigned long long flaw = footpoint_tri6_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
@@ -1734,8 +1701,8 @@ FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3],
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri6_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_balanced, x, 6, 7, loc, gap);
+    if (footpoint_tri6_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri6_balanced_detail_checked, x, 6, 7, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1745,14 +1712,14 @@ FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3],
 FOOTPOINT_LOOP void footpoint_tri6_balanced_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
                                               double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri6_n(footpoint_detail_footpoint_tri6_balanced, n, x, xi, eta);
+    footpoint_detail_tri6_n(footpoint_tri6_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_balanced_checked_n(size_t n, const double *const x[21],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_detail_checked_footpoint_tri6_balanced, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_balanced_detail_checked, n, x, 6, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_balanced_over_n(const double *const nodes[6], size_t n,
@@ -1760,14 +1727,15 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_over_n(const double *const nodes[6],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_balanced, nodes, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_balanced_detail_checked, nodes, n, x, 6, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_balanced(const double *const *x, double zero, double at[3],
-                                                                    int *region)
+FOOTPOINT_PART int footpoint_tri6_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_balanced(
+    unsigned long long flaw = footpoint_tri6_balanced_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
@@ -1779,7 +1747,7 @@ FOOTPOINT_FN int footpoint_tri6_balanced_closest(const double xA[3], const doubl
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_balanced, x, 1, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_balanced_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1788,29 +1756,17 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_closest_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_balanced, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri6_closest_n(footpoint_tri6_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
                                                     double loc[2],
                                                     double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_balanced, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri6_balanced_points[][25] = {
-    {0, 0, 0, 0.48469759893755548, -0.18933105468749994, 0.050881534178781308, 1.5540444664921322, 1.3348795572916667, -0.10660892875554184, 0.26874220286700745, -0.078887939453125056, 0.043612743581812552, 1.1194888987439744, 0.68895467122395826, 0.070264975770697985, 0.73002500060602293, 0.64162190755208326, 0.082985359315393331, 0.66438116017479854, 0.28757313396642198, 0.079300198929369167, 0.4921873258106359, 0.24218753580151542, 1.3874771811088147e-15, 3.5978038241706023e-16},
-    {0, 0, 0, 2.5168399922331872, 0.074218750000000028, -0.11032445372586974, 0.42166741689046211, 0.47111511230468756, 0.10838893699383695, 1.1610962270993237, 0.00927734375, 0.015968013039270614, 1.1183014431892082, 0.22548294067382812, -0.011129221209188613, 0.063300914931715524, 0.24403762817382812, -0.038710334640656041, 0.56166310460680957, 0.1273700712944453, -0.079710720372003385, 0.26562479282944013, 0.28906802748184535, 3.0483330846274302e-16, 3.0118097462801463e-16},
-    {0, 0, 0, 2.2882067725771948, -0.032043457031250028, 0.021925703188623663, 0.14256290254138754, 0.57856241861979163, -0.032888554782935592, 1.0165997459774925, 0.01922607421875, 0.10305080498653137, 0.82715042659214555, 0.28474171956380206, 0.11127294368226524, 0.027773548307872931, 0.27673085530598956, 0.11675436947942117, -0.010586090514503495, 0.15105800459094076, 0.12966545088973447, -0.0078790016113641122, 0.29719012592266192, 6.1471900279299442e-16, 5.8786501986697432e-16},
-    {0, 0, 0, 0.5888345565749995, -0.31841023763020826, -0.053547839721628555, -0.71031766964927345, 2.155609130859375, -0.075363626274884632, 0.26270555962150566, -0.02817789713541663, -0.019336719899476978, -0.092277278825551007, 1.0559666951497395, -0.00049581333075581716, -0.2916390367937145, 0.9763641357421875, -0.013882773261162957, 0.0052416309709968989, 0.84511124370965995, 0.18370686736486833, 0.55468736778311101, 0.41406250030077318, 9.9904436175397657e-16, 3.9054186450739324e-16},
-    {0, 0, 0, 1.3650754552309206, -0.027913411458333315, -0.32178954389205289, 0.64571842530957702, 0.76961263020833348, -0.1734646760043097, 0.71339648759283991, 0.01146443684895837, 0.0087989328407983014, 1.0185196156404457, 0.393280029296875, 0.052165101841875734, 0.38019664271348197, 0.38630167643229169, -0.028282284131137453, 1.5329104846992774, 0.60852819670590952, -0.053813497421541671, 0.83664049990478029, 0.82022885774109455, 1.178007112647032e-15, 1.0088403139078862e-15},
-    {0, 0, 0, 0.78886172132745602, 0.016581217447916685, 0.053127837403673772, 0.18944188958540531, 1.2850443522135417, 0.22263093769158543, 0.43857000161777487, 0.02197011311848962, 0.089178869927595286, 0.42105572062767355, 0.65578715006510424, 0.033521135504698936, 0.02931409574481364, 0.65993245442708337, 0.046803094855617386, 0.41650441009917177, 0.62697609355589967, -0.054647010654796484, 0.52346131646528093, 0.47656668284527282, 5.7599199250128343e-16, 3.8757179214133382e-16},
-    {0, 0, 0, 0.84429411046645242, 0.17985026041666669, -0.035038129729411421, 1.4636291840497186, 1.4535013834635417, -0.087595324323528553, 0.40234332365148212, 0.053609212239583315, -0.0081338515443276499, 1.0636577073265525, 0.68632761637369799, 0.013764979536554488, 0.71002535259022437, 0.73129018147786451, 0.0050054471042016331, 1.2337251908876554, 0.9477893347572981, -0.21460550727120706, 0.32012628664461068, 0.71099147560720444, 1.2731804163673104e-15, 7.3530819511423134e-16},
-    {0, 0, 0, 0.6876634509064431, 0.030619303385416574, 0.27472088677346712, 0.16981709021930547, 1.5386199951171875, -0.016025385061785608, 0.30021492381428561, -0.066706339518229241, 0.053227171812359253, 0.35617984071258424, 0.80840428670247388, 0.057233518077805634, 0.081584075532218275, 0.8160591125488279, 0.1259137397711724, 0.63521400405964845, 1.6667795827090119, -0.35406591167645141, 0.78041964647641393, 1.0236725009312182, 1.484750446532528e-15, 1.2989575206891642e-15},
-};
-#endif
 
 /* footpoint_tri6_fine
  *   operations:     172 mul, 3 div, 174 add, 0 sqrt, 0 compare; 108 temporaries
@@ -1828,9 +1784,9 @@ static const double footpoint_tri6_balanced_points[][25] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xE[3], const double xF[3], const double xS[3], double zero,
-                                     double *xi, double *eta)
+footpoint_tri6_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                           const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
+                           double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xC[2] - xF[2], t4 = xC[1] - xF[1], t5 = xD[0] - xE[0];
     const double t6 = xE[2] - xF[2], t7 = xE[1] - xF[1], t8 = xF[2] - xA[2], t9 = t3 - 4.0 * t1, t10 = xA[1] - xF[1];
@@ -1884,13 +1840,13 @@ FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3],
                                          const double xD[3], const double xE[3], const double xF[3],
                                          const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri6_fine(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+    (void)footpoint_tri6_fine_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri6_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri6_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_fine(
+    unsigned long long flaw = footpoint_tri6_fine_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
@@ -1902,8 +1858,8 @@ FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], con
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri6_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_fine, x, 6, 7, loc, gap);
+    if (footpoint_tri6_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri6_fine_detail_checked, x, 6, 7, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1913,14 +1869,14 @@ FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], con
 FOOTPOINT_LOOP void footpoint_tri6_fine_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
                                           double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri6_n(footpoint_detail_footpoint_tri6_fine, n, x, xi, eta);
+    footpoint_detail_tri6_n(footpoint_tri6_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fine_checked_n(size_t n, const double *const x[21],
                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_detail_checked_footpoint_tri6_fine, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_fine_detail_checked, n, x, 6, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fine_over_n(const double *const nodes[6], size_t n,
@@ -1928,14 +1884,15 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_over_n(const double *const nodes[6], siz
                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_fine, nodes, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_fine_detail_checked, nodes, n, x, 6, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_fine(const double *const *x, double zero, double at[3],
-                                                                int *region)
+FOOTPOINT_PART int footpoint_tri6_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                      int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_fine(
+    unsigned long long flaw = footpoint_tri6_fine_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
@@ -1947,7 +1904,7 @@ FOOTPOINT_FN int footpoint_tri6_fine_closest(const double xA[3], const double xB
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_fine, x, 1, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_fine_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -1956,28 +1913,16 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_closest_n(size_t n, const double *const 
                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_fine, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri6_closest_n(footpoint_tri6_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
                                                 double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_fine, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri6_fine_points[][25] = {
-    {0, 0, 0, 0.48469759893755548, -0.18933105468749994, 0.050881534178781308, 1.5540444664921322, 1.3348795572916667, -0.10660892875554184, 0.26874220286700745, -0.078887939453125056, 0.043612743581812552, 1.1194888987439744, 0.68895467122395826, 0.070264975770697985, 0.73002500060602293, 0.64162190755208326, 0.082985359315393331, 0.66438116017479854, 0.28757313396642198, 0.079300198929369167, 0.49218750367725667, 0.24218749963500502, 1.3095966215724661e-15, 3.3079961971140864e-16},
-    {0, 0, 0, 2.5168399922331872, 0.074218750000000028, -0.11032445372586974, 0.42166741689046211, 0.47111511230468756, 0.10838893699383695, 1.1610962270993237, 0.00927734375, 0.015968013039270614, 1.1183014431892082, 0.22548294067382812, -0.011129221209188613, 0.063300914931715524, 0.24403762817382812, -0.038710334640656041, 0.56166310460680957, 0.1273700712944453, -0.079710720372003385, 0.26562499959096364, 0.28906249324906336, 2.9489233614766898e-16, 2.7823768470065478e-16},
-    {0, 0, 0, 2.2882067725771948, -0.032043457031250028, 0.021925703188623663, 0.14256290254138754, 0.57856241861979163, -0.032888554782935592, 1.0165997459774925, 0.01922607421875, 0.10305080498653137, 0.82715042659214555, 0.28474171956380206, 0.11127294368226524, 0.027773548307872931, 0.27673085530598956, 0.11675436947942117, -0.010586090514503495, 0.15105800459094076, 0.12966545088973447, -0.0078127621251393563, 0.29687378776139356, 5.1016916683873687e-16, 4.5794284747352956e-16},
-    {0, 0, 0, 0.5888345565749995, -0.31841023763020826, -0.053547839721628555, -0.71031766964927345, 2.155609130859375, -0.075363626274884632, 0.26270555962150566, -0.02817789713541663, -0.019336719899476978, -0.092277278825551007, 1.0559666951497395, -0.00049581333075581716, -0.2916390367937145, 0.9763641357421875, -0.013882773261162957, 0.0052416309709968989, 0.84511124370965995, 0.18370686736486833, 0.55468749986553423, 0.41406250002270617, 8.8539729882237103e-16, 3.5738043264986989e-16},
-    {0, 0, 0, 1.3650754552309206, -0.027913411458333315, -0.32178954389205289, 0.64571842530957702, 0.76961263020833348, -0.1734646760043097, 0.71339648759283991, 0.01146443684895837, 0.0087989328407983014, 1.0185196156404457, 0.393280029296875, 0.052165101841875734, 0.38019664271348197, 0.38630167643229169, -0.028282284131137453, 1.5329104846992774, 0.60852819670590952, -0.053813497421541671, 0.83593387171990774, 0.82031630983430204, 9.3971955262271451e-16, 7.8509136865319006e-16},
-    {0, 0, 0, 0.78886172132745602, 0.016581217447916685, 0.053127837403673772, 0.18944188958540531, 1.2850443522135417, 0.22263093769158543, 0.43857000161777487, 0.02197011311848962, 0.089178869927595286, 0.42105572062767355, 0.65578715006510424, 0.033521135504698936, 0.02931409574481364, 0.65993245442708337, 0.046803094855617386, 0.41650441009917177, 0.62697609355589967, -0.054647010654796484, 0.52343748902636722, 0.47656249790751765, 5.1616657951165643e-16, 3.6524902549969112e-16},
-    {0, 0, 0, 0.84429411046645242, 0.17985026041666669, -0.035038129729411421, 1.4636291840497186, 1.4535013834635417, -0.087595324323528553, 0.40234332365148212, 0.053609212239583315, -0.0081338515443276499, 1.0636577073265525, 0.68632761637369799, 0.013764979536554488, 0.71002535259022437, 0.73129018147786451, 0.0050054471042016331, 1.2337251908876554, 0.9477893347572981, -0.21460550727120706, 0.32031254304048068, 0.71093748428315606, 1.0273155685052465e-15, 6.2590457436931166e-16},
-    {0, 0, 0, 0.6876634509064431, 0.030619303385416574, 0.27472088677346712, 0.16981709021930547, 1.5386199951171875, -0.016025385061785608, 0.30021492381428561, -0.066706339518229241, 0.053227171812359253, 0.35617984071258424, 0.80840428670247388, 0.057233518077805634, 0.081584075532218275, 0.8160591125488279, 0.1259137397711724, 0.63521400405964845, 1.6667795827090119, -0.35406591167645141, 0.7812487657799968, 1.0234377575936464, 1.0824896454530068e-15, 1.1156039402178223e-15},
-};
-#endif
 
 /* footpoint_tri6_precise
  *   operations:     191 mul, 4 div, 201 add, 0 sqrt, 0 compare; 129 temporaries
@@ -1997,9 +1942,9 @@ static const double footpoint_tri6_fine_points[][25] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xS[3], double zero, double *xi, double *eta)
+footpoint_tri6_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                              const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
+                              double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xE[2] - xF[2], t4 = xC[2] - xF[2], t5 = xE[1] - xF[1];
     const double t6 = xC[1] - xF[1], t7 = xD[0] - xE[0], t8 = xA[2] - xB[2], t9 = xA[2] - xF[2], t10 = t4 - 4.0 * t1;
@@ -2058,13 +2003,13 @@ FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[
                                             const double xD[3], const double xE[3], const double xF[3],
                                             const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri6_precise(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+    (void)footpoint_tri6_precise_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri6_precise(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri6_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_precise(
+    unsigned long long flaw = footpoint_tri6_precise_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
@@ -2076,8 +2021,8 @@ FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], 
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri6_precise(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_precise, x, 6, 7, loc, gap);
+    if (footpoint_tri6_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri6_precise_detail_checked, x, 6, 7, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2087,14 +2032,14 @@ FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], 
 FOOTPOINT_LOOP void footpoint_tri6_precise_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
                                              double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri6_n(footpoint_detail_footpoint_tri6_precise, n, x, xi, eta);
+    footpoint_detail_tri6_n(footpoint_tri6_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_precise_checked_n(size_t n, const double *const x[21],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_detail_checked_footpoint_tri6_precise, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_precise_detail_checked, n, x, 6, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_precise_over_n(const double *const nodes[6], size_t n,
@@ -2102,14 +2047,15 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_over_n(const double *const nodes[6], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_precise, nodes, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_precise_detail_checked, nodes, n, x, 6, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_precise(const double *const *x, double zero, double at[3],
-                                                                   int *region)
+FOOTPOINT_PART int footpoint_tri6_precise_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_precise(
+    unsigned long long flaw = footpoint_tri6_precise_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
@@ -2121,7 +2067,7 @@ FOOTPOINT_FN int footpoint_tri6_precise_closest(const double xA[3], const double
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_precise, x, 1, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_precise_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2130,29 +2076,17 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_closest_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_precise, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri6_closest_n(footpoint_tri6_precise_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_precise_closest_of(size_t n, const double *const *x, const double xS[3],
                                                    double loc[2],
                                                    double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_precise, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_precise_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri6_precise_points[][25] = {
-    {0, 0, 0, 0.48469759893755548, -0.18933105468749994, 0.050881534178781308, 1.5540444664921322, 1.3348795572916667, -0.10660892875554184, 0.26874220286700745, -0.078887939453125056, 0.043612743581812552, 1.1194888987439744, 0.68895467122395826, 0.070264975770697985, 0.73002500060602293, 0.64162190755208326, 0.082985359315393331, 0.66438116017479854, 0.28757313396642198, 0.079300198929369167, 0.49218749999999983, 0.24218750000000006, 1.3088883370600138e-15, 3.3070694938246697e-16},
-    {0, 0, 0, 2.5168399922331872, 0.074218750000000028, -0.11032445372586974, 0.42166741689046211, 0.47111511230468756, 0.10838893699383695, 1.1610962270993237, 0.00927734375, 0.015968013039270614, 1.1183014431892082, 0.22548294067382812, -0.011129221209188613, 0.063300914931715524, 0.24403762817382812, -0.038710334640656041, 0.56166310460680957, 0.1273700712944453, -0.079710720372003385, 0.26562500000153577, 0.2890624999910445, 2.9486255856894282e-16, 2.7700541854459134e-16},
-    {0, 0, 0, 2.2882067725771948, -0.032043457031250028, 0.021925703188623663, 0.14256290254138754, 0.57856241861979163, -0.032888554782935592, 1.0165997459774925, 0.01922607421875, 0.10305080498653137, 0.82715042659214555, 0.28474171956380206, 0.11127294368226524, 0.027773548307872931, 0.27673085530598956, 0.11675436947942117, -0.010586090514503495, 0.15105800459094076, 0.12966545088973447, -0.0078125000093279238, 0.29687499997484451, 5.0942068912950518e-16, 4.5384188989158078e-16},
-    {0, 0, 0, 0.5888345565749995, -0.31841023763020826, -0.053547839721628555, -0.71031766964927345, 2.155609130859375, -0.075363626274884632, 0.26270555962150566, -0.02817789713541663, -0.019336719899476978, -0.092277278825551007, 1.0559666951497395, -0.00049581333075581716, -0.2916390367937145, 0.9763641357421875, -0.013882773261162957, 0.0052416309709968989, 0.84511124370965995, 0.18370686736486833, 0.55468749999998523, 0.41406249999999983, 8.8494045652583513e-16, 3.5728304431095599e-16},
-    {0, 0, 0, 1.3650754552309206, -0.027913411458333315, -0.32178954389205289, 0.64571842530957702, 0.76961263020833348, -0.1734646760043097, 0.71339648759283991, 0.01146443684895837, 0.0087989328407983014, 1.0185196156404457, 0.393280029296875, 0.052165101841875734, 0.38019664271348197, 0.38630167643229169, -0.028282284131137453, 1.5329104846992774, 0.60852819670590952, -0.053813497421541671, 0.8359375000897622, 0.82031249993954047, 9.3095638862829642e-16, 7.7809081240339544e-16},
-    {0, 0, 0, 0.78886172132745602, 0.016581217447916685, 0.053127837403673772, 0.18944188958540531, 1.2850443522135417, 0.22263093769158543, 0.43857000161777487, 0.02197011311848962, 0.089178869927595286, 0.42105572062767355, 0.65578715006510424, 0.033521135504698936, 0.02931409574481364, 0.65993245442708337, 0.046803094855617386, 0.41650441009917177, 0.62697609355589967, -0.054647010654796484, 0.52343749995918309, 0.47656249999340133, 5.1585968193565741e-16, 3.6496118026653983e-16},
-    {0, 0, 0, 0.84429411046645242, 0.17985026041666669, -0.035038129729411421, 1.4636291840497186, 1.4535013834635417, -0.087595324323528553, 0.40234332365148212, 0.053609212239583315, -0.0081338515443276499, 1.0636577073265525, 0.68632761637369799, 0.013764979536554488, 0.71002535259022437, 0.73129018147786451, 0.0050054471042016331, 1.2337251908876554, 0.9477893347572981, -0.21460550727120706, 0.32031249998385863, 0.71093750000593714, 1.0223687764391023e-15, 6.2355967348285026e-16},
-    {0, 0, 0, 0.6876634509064431, 0.030619303385416574, 0.27472088677346712, 0.16981709021930547, 1.5386199951171875, -0.016025385061785608, 0.30021492381428561, -0.066706339518229241, 0.053227171812359253, 0.35617984071258424, 0.80840428670247388, 0.057233518077805634, 0.081584075532218275, 0.8160591125488279, 0.1259137397711724, 0.63521400405964845, 1.6667795827090119, -0.35406591167645141, 0.78125002494703744, 1.0234374930555219, 1.0768983705184764e-15, 1.1107195295679881e-15},
-};
-#endif
 
 /* footpoint_tri6_accurate
  *   operations:     243 mul, 5 div, 249 add, 0 sqrt, 0 compare; 158 temporaries
@@ -2174,9 +2108,9 @@ static const double footpoint_tri6_precise_points[][25] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xE[3], const double xF[3],
-                                         const double xS[3], double zero, double *xi, double *eta)
+footpoint_tri6_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                               const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
+                               double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xE[2] - xF[2], t4 = xC[2] - xF[2], t5 = xE[1] - xF[1];
     const double t6 = xC[1] - xF[1], t7 = xD[0] - xE[0], t8 = xA[2] - xB[2], t9 = xA[2] - xF[2], t10 = t4 - 4.0 * t1;
@@ -2248,13 +2182,13 @@ FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB
                                              const double xD[3], const double xE[3], const double xF[3],
                                              const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_tri6_accurate(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+    (void)footpoint_tri6_accurate_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_tri6_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_tri6_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_accurate(
+    unsigned long long flaw = footpoint_tri6_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     (void)full;
     return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
@@ -2266,8 +2200,8 @@ FOOTPOINT_FN int footpoint_tri6_accurate(const double xA[3], const double xB[3],
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_tri6_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_accurate, x, 6, 7, loc, gap);
+    if (footpoint_tri6_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_tri6_accurate_detail_checked, x, 6, 7, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2277,14 +2211,14 @@ FOOTPOINT_FN int footpoint_tri6_accurate(const double xA[3], const double xB[3],
 FOOTPOINT_LOOP void footpoint_tri6_accurate_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
                                               double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_tri6_n(footpoint_detail_footpoint_tri6_accurate, n, x, xi, eta);
+    footpoint_detail_tri6_n(footpoint_tri6_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_accurate_checked_n(size_t n, const double *const x[21],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_detail_checked_footpoint_tri6_accurate, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_accurate_detail_checked, n, x, 6, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_accurate_over_n(const double *const nodes[6], size_t n,
@@ -2292,14 +2226,15 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_over_n(const double *const nodes[6],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_detail_checked_footpoint_tri6_accurate, nodes, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_accurate_detail_checked, nodes, n, x, 6, xi, eta, gap,
+                                 status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri6_accurate(const double *const *x, double zero, double at[3],
-                                                                    int *region)
+FOOTPOINT_PART int footpoint_tri6_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_detail_footpoint_tri6_accurate(
+    unsigned long long flaw = footpoint_tri6_accurate_detail(
         x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
@@ -2311,7 +2246,7 @@ FOOTPOINT_FN int footpoint_tri6_accurate_closest(const double xA[3], const doubl
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double at[3];
     int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_detail_closest_footpoint_tri6_accurate, x, 1, at, &where);
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_accurate_detail_closest, x, 1, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -2320,29 +2255,17 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_closest_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_closest_n(footpoint_detail_closest_footpoint_tri6_accurate, n, x, 1, xi, eta, dist, region, status);
+    footpoint_detail_tri6_closest_n(footpoint_tri6_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int footpoint_tri6_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
                                                     double loc[2],
                                                     double *dist, int *region, size_t *which)
 {
-    return footpoint_detail_tri6_closest_of(footpoint_detail_closest_footpoint_tri6_accurate, n, x, xS, 1, loc, dist, region,
-                                            which);
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri6_accurate_points[][25] = {
-    {0, 0, 0, 0.48469759893755548, -0.18933105468749994, 0.050881534178781308, 1.5540444664921322, 1.3348795572916667, -0.10660892875554184, 0.26874220286700745, -0.078887939453125056, 0.043612743581812552, 1.1194888987439744, 0.68895467122395826, 0.070264975770697985, 0.73002500060602293, 0.64162190755208326, 0.082985359315393331, 0.66438116017479854, 0.28757313396642198, 0.079300198929369167, 0.49218749999999983, 0.24218750000000006, 1.30888863481064e-15, 3.3070703294531967e-16},
-    {0, 0, 0, 2.5168399922331872, 0.074218750000000028, -0.11032445372586974, 0.42166741689046211, 0.47111511230468756, 0.10838893699383695, 1.1610962270993237, 0.00927734375, 0.015968013039270614, 1.1183014431892082, 0.22548294067382812, -0.011129221209188613, 0.063300914931715524, 0.24403762817382812, -0.038710334640656041, 0.56166310460680957, 0.1273700712944453, -0.079710720372003385, 0.26562499999999994, 0.2890625, 2.9486111000904318e-16, 2.770036907846894e-16},
-    {0, 0, 0, 2.2882067725771948, -0.032043457031250028, 0.021925703188623663, 0.14256290254138754, 0.57856241861979163, -0.032888554782935592, 1.0165997459774925, 0.01922607421875, 0.10305080498653137, 0.82715042659214555, 0.28474171956380206, 0.11127294368226524, 0.027773548307872931, 0.27673085530598956, 0.11675436947942117, -0.010586090514503495, 0.15105800459094076, 0.12966545088973447, -0.007812500000000026, 0.296875, 5.0941717386415184e-16, 4.5382845957142272e-16},
-    {0, 0, 0, 0.5888345565749995, -0.31841023763020826, -0.053547839721628555, -0.71031766964927345, 2.155609130859375, -0.075363626274884632, 0.26270555962150566, -0.02817789713541663, -0.019336719899476978, -0.092277278825551007, 1.0559666951497395, -0.00049581333075581716, -0.2916390367937145, 0.9763641357421875, -0.013882773261162957, 0.0052416309709968989, 0.84511124370965995, 0.18370686736486833, 0.5546875, 0.41406250000000006, 8.8494011669727242e-16, 3.5728294142366573e-16},
-    {0, 0, 0, 1.3650754552309206, -0.027913411458333315, -0.32178954389205289, 0.64571842530957702, 0.76961263020833348, -0.1734646760043097, 0.71339648759283991, 0.01146443684895837, 0.0087989328407983014, 1.0185196156404457, 0.393280029296875, 0.052165101841875734, 0.38019664271348197, 0.38630167643229169, -0.028282284131137453, 1.5329104846992774, 0.60852819670590952, -0.053813497421541671, 0.83593750000000011, 0.82031250000000011, 9.3094172034781191e-16, 7.7807451606253087e-16},
-    {0, 0, 0, 0.78886172132745602, 0.016581217447916685, 0.053127837403673772, 0.18944188958540531, 1.2850443522135417, 0.22263093769158543, 0.43857000161777487, 0.02197011311848962, 0.089178869927595286, 0.42105572062767355, 0.65578715006510424, 0.033521135504698936, 0.02931409574481364, 0.65993245442708337, 0.046803094855617386, 0.41650441009917177, 0.62697609355589967, -0.054647010654796484, 0.5234375, 0.4765625, 5.1585355839607986e-16, 3.6495988427458164e-16},
-    {0, 0, 0, 0.84429411046645242, 0.17985026041666669, -0.035038129729411421, 1.4636291840497186, 1.4535013834635417, -0.087595324323528553, 0.40234332365148212, 0.053609212239583315, -0.0081338515443276499, 1.0636577073265525, 0.68632761637369799, 0.013764979536554488, 0.71002535259022437, 0.73129018147786451, 0.0050054471042016331, 1.2337251908876554, 0.9477893347572981, -0.21460550727120706, 0.32031250000000011, 0.71093749999999989, 1.0223586669690863e-15, 6.2355474202218742e-16},
-    {0, 0, 0, 0.6876634509064431, 0.030619303385416574, 0.27472088677346712, 0.16981709021930547, 1.5386199951171875, -0.016025385061785608, 0.30021492381428561, -0.066706339518229241, 0.053227171812359253, 0.35617984071258424, 0.80840428670247388, 0.057233518077805634, 0.081584075532218275, 0.8160591125488279, 0.1259137397711724, 0.63521400405964845, 1.6667795827090119, -0.35406591167645141, 0.78125000000000056, 1.0234374999999993, 1.0765651597882032e-15, 1.1105846213669744e-15},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

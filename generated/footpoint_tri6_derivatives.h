@@ -316,8 +316,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_place(const double *const *x, double xi, double eta,
-                                      double *const *row, size_t step, int always, int again)
+footpoint_tri6_place_detail(const double *const *x, double xi, double eta,
+                            double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xS = x[6];
@@ -389,14 +389,14 @@ footpoint_detail_footpoint_tri6_place(const double *const *x, double xi, double 
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_tri6_place_again(const double *const *x, double xi, double eta,
-                                                               double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_tri6_place_detail_again(const double *const *x, double xi, double eta,
+                                                     double *const *row, size_t step)
 {
+    const int nodes = 6, vectors = 7, rows = 5, first = 1, degree = 1;
     const int shape[10] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1};
     double space[16];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_tri6_place,
-        footpoint_detail_footpoint_tri6_place, 1, 1,
-        x, 6, 7, xi, eta, row, step, 5, shape, space);
+    return footpoint_detail_place_again(footpoint_tri6_place_detail, footpoint_tri6_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri6_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -405,8 +405,8 @@ FOOTPOINT_FN int footpoint_tri6_place(const double xA[3], const double xB[3], co
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_detail_footpoint_tri6_place(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_tri6_place_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_tri6_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_tri6_place_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -429,7 +429,7 @@ FOOTPOINT_LOOP void footpoint_tri6_place_n(size_t n, const double *const x[21],
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_tri6_place(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_tri6_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -438,7 +438,7 @@ FOOTPOINT_LOOP void footpoint_tri6_place_n(size_t n, const double *const x[21],
             {x[18][i], x[19][i], x[20][i]}};
             const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
             double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-            status[i] = footpoint_detail_footpoint_tri6_place_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_tri6_place_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -451,14 +451,14 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_tri6_place(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_tri6_place_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_tri6_place_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_tri6_place_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -484,8 +484,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_tri6_place(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
+        flaw |= footpoint_tri6_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -502,7 +502,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_tri6_place_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_tri6_place_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -519,8 +519,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_gradients(const double *const *x, double xi, double eta,
-                                          double *const *row, size_t step, int always, int again)
+footpoint_tri6_gradients_detail(const double *const *x, double xi, double eta,
+                                double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xS = x[6];
@@ -673,14 +673,14 @@ footpoint_detail_footpoint_tri6_gradients(const double *const *x, double xi, dou
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_tri6_gradients_again(const double *const *x, double xi, double eta,
-                                                                   double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_tri6_gradients_detail_again(const double *const *x, double xi, double eta,
+                                                         double *const *row, size_t step)
 {
+    const int nodes = 6, vectors = 7, rows = 8, first = 1, degree = 1;
     const int shape[16] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1, 21, -1, 21, -1, 21, 0};
     double space[79];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_tri6_gradients,
-        footpoint_detail_footpoint_tri6_place, 1, 1,
-        x, 6, 7, xi, eta, row, step, 8, shape, space);
+    return footpoint_detail_place_again(footpoint_tri6_gradients_detail, footpoint_tri6_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri6_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -691,8 +691,8 @@ FOOTPOINT_FN int footpoint_tri6_gradients(const double xA[3], const double xB[3]
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_detail_footpoint_tri6_gradients(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_tri6_gradients_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_tri6_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_tri6_gradients_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -718,7 +718,7 @@ FOOTPOINT_LOOP void footpoint_tri6_gradients_n(size_t n, const double *const x[2
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_tri6_gradients(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_tri6_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -727,7 +727,7 @@ FOOTPOINT_LOOP void footpoint_tri6_gradients_n(size_t n, const double *const x[2
             {x[18][i], x[19][i], x[20][i]}};
             const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
             double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-            status[i] = footpoint_detail_footpoint_tri6_gradients_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_tri6_gradients_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -741,14 +741,14 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_tri6_gradients(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_tri6_gradients_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_tri6_gradients_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_tri6_gradients_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -777,8 +777,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_tri6_gradients(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
+        flaw |= footpoint_tri6_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -795,7 +795,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_tri6_gradients_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_tri6_gradients_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 
@@ -812,8 +812,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_tri6_hessian(const double *const *x, double xi, double eta,
-                                        double *const *row, size_t step, int always, int again)
+footpoint_tri6_hessian_detail(const double *const *x, double xi, double eta,
+                              double *const *row, size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xS = x[6];
@@ -1309,14 +1309,14 @@ footpoint_detail_footpoint_tri6_hessian(const double *const *x, double xi, doubl
     return flaw;
 }
 
-FOOTPOINT_COLD int footpoint_detail_footpoint_tri6_hessian_again(const double *const *x, double xi, double eta,
-                                                                 double *const *row, size_t step)
+FOOTPOINT_COLD int footpoint_tri6_hessian_detail_again(const double *const *x, double xi, double eta,
+                                                       double *const *row, size_t step)
 {
+    const int nodes = 6, vectors = 7, rows = 6, first = 1, degree = 1;
     const int shape[12] = {1, 1, 21, -1, 21, -1, 21, 0, 63, -1, 231, -1};
     double space[358];
-    return footpoint_detail_place_again(footpoint_detail_footpoint_tri6_hessian,
-        footpoint_detail_footpoint_tri6_place, 1, 1,
-        x, 6, 7, xi, eta, row, step, 6, shape, space);
+    return footpoint_detail_place_again(footpoint_tri6_hessian_detail, footpoint_tri6_place_detail, first, degree,
+        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri6_hessian(const double xA[3], const double xB[3], const double xC[3],
@@ -1326,8 +1326,8 @@ FOOTPOINT_FN int footpoint_tri6_hessian(const double xA[3], const double xB[3], 
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_detail_footpoint_tri6_hessian(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
-        return footpoint_detail_footpoint_tri6_hessian_again(x, loc[0], loc[1], row, 1);
+    if (footpoint_tri6_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+        return footpoint_tri6_hessian_detail_again(x, loc[0], loc[1], row, 1);
     }
     return FOOTPOINT_OK;
 }
@@ -1351,7 +1351,7 @@ FOOTPOINT_LOOP void footpoint_tri6_hessian_n(size_t n, const double *const x[21]
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
         status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_footpoint_tri6_hessian(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+            (int)(footpoint_tri6_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1360,7 +1360,7 @@ FOOTPOINT_LOOP void footpoint_tri6_hessian_n(size_t n, const double *const x[21]
             {x[18][i], x[19][i], x[20][i]}};
             const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
             double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-            status[i] = footpoint_detail_footpoint_tri6_hessian_again(y, xi[i], eta[i], row, n);
+            status[i] = footpoint_tri6_hessian_detail_again(y, xi[i], eta[i], row, n);
         }
 }
 
@@ -1374,14 +1374,14 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_detail_footpoint_tri6_hessian(x, xi, eta, row, 1, 0, 0); \
+    unsigned long long flaw = search##_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
+    flaw |= footpoint_tri6_hessian_detail(x, xi, eta, row, 1, 0, 0); \
     if (flaw >> 63) { \
         double distance; \
         const int status = search(xA, xB, xC, xD, xE, xF, xS, loc, &distance); \
         if (status != FOOTPOINT_OK) \
             return status; \
-        return footpoint_detail_footpoint_tri6_hessian_again(x, loc[0], loc[1], row, 1); \
+        return footpoint_tri6_hessian_detail_again(x, loc[0], loc[1], row, 1); \
     } \
     loc[0] = xi; \
     loc[1] = eta; \
@@ -1408,8 +1408,8 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[21], \
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
-        flaw |= footpoint_detail_footpoint_tri6_hessian(y, at[0], at[1], row, n, 1, 0); \
+        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
+        flaw |= footpoint_tri6_hessian_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
         status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
@@ -1426,7 +1426,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[21], \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
             if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_detail_footpoint_tri6_hessian_again(y, xi[i], eta[i], row, n); \
+                status[i] = footpoint_tri6_hessian_detail_again(y, xi[i], eta[i], row, n); \
         } \
 }
 

@@ -485,9 +485,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double zero, double *xi,
-                                             double *eta)
+footpoint_whole_quad4_gauss_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -506,16 +505,16 @@ footpoint_detail_footpoint_whole_quad4_gauss(const double xA[3], const double xB
 FOOTPOINT_FN void footpoint_whole_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_gauss(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_gauss(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_gauss_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_gauss(
+    unsigned long long flaw = footpoint_whole_quad4_gauss_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -527,8 +526,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_gauss(const double xA[3], const double xB
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_gauss(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_gauss, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_gauss_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_gauss_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -538,28 +537,15 @@ FOOTPOINT_FN int footpoint_whole_quad4_gauss(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_gauss, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_gauss_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_gauss, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_gauss_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14629822357846314, -0.57423865796440676, 2.9961857871733424e-16, 8.4408704870799879e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.036857740561193064, 0.88933548161351939, 2.5299355554915328e-15, 5.4378357178908313e-15},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -2.5714003106995094, -1.2839316699634427, 7.3394475137494372e-15, 2.4577659481731587e-15},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.28959356278749909, 0.66020308206588929, 7.4146926591394972e-16, 1.7617724528652686e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1.4819087488233702, -0.3878654006601599, 2.5429915157745128e-15, 1.3679491847988411e-15},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.62953618247535326, 1.7773867612830321, 1.545636854711979e-15, 4.3498500596505712e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.075442455694328517, 0.12939848038553156, 2.4858276231360681e-15, 1.7118204444666588e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 1.004253955251212, -0.40034709121613749, 4.9147886801418875e-15, 1.8382684862083413e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_fast
  *   operations:     32 mul, 1 div, 40 add, 0 sqrt, 4 compare; 32 temporaries
@@ -574,9 +560,8 @@ static const double footpoint_whole_quad4_gauss_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_whole_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0], t11 = t10 - t9;
@@ -597,16 +582,16 @@ footpoint_detail_footpoint_whole_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_fast(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_fast(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_fast(
+    unsigned long long flaw = footpoint_whole_quad4_fast_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -618,8 +603,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_fast(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_fast(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_fast, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_fast_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -629,28 +614,15 @@ FOOTPOINT_FN int footpoint_whole_quad4_fast(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_whole_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_fast, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_fast_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_fast_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_fast, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14007926878002022, -0.6034176401612924, 8.3483761078498228e-17, 2.795871924297213e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.013537675956767602, 1.006379453209751, 7.5156541313169187e-18, 2.2570845016438649e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -0.93846046547591289, -1.3430166503213832, 3.7427291301234463e-16, 6.4209493610591253e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.27229443922989677, 0.73049261491750517, 1.595887214839583e-16, 3.5882589814107916e-16},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -0.99564117435186039, -0.35742838787397274, 3.4136460948936984e-16, 1.708861597653744e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.56020987371971231, 1.237279897724971, 3.4876553798218833e-16, 3.5831910919508611e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.14718380056086405, 0.054542671556512025, 8.19682892858177e-17, 2.4954814059920976e-17},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.98835129176967396, -0.27912364316916211, 3.4763598666472863e-16, 1.4382806033941674e-16},
-};
-#endif
 
 /* footpoint_whole_quad4_taper
  *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
@@ -665,9 +637,8 @@ static const double footpoint_whole_quad4_fast_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double zero, double *xi,
-                                             double *eta)
+footpoint_whole_quad4_taper_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                   const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.425 * t4, t7 = xA[2] - xD[2] - u1;
@@ -692,16 +663,16 @@ footpoint_detail_footpoint_whole_quad4_taper(const double xA[3], const double xB
 FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_taper(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_taper(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_taper_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_taper(
+    unsigned long long flaw = footpoint_whole_quad4_taper_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -713,8 +684,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_taper(const double xA[3], const double xB
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_taper(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_taper, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_taper_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_taper_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -724,28 +695,15 @@ FOOTPOINT_FN int footpoint_whole_quad4_taper(const double xA[3], const double xB
 FOOTPOINT_LOOP void footpoint_whole_quad4_taper_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_taper, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_taper_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_taper_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_taper, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_taper_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_taper_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14577917117847874, -0.57423097882806806, 3.3870237174037342e-16, 9.0544008451609592e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.028990111474139681, 0.99605724054515032, 3.2074694026255734e-15, 9.9377178096561013e-15},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.25638243299673086, 0.66874996784480911, 6.4672667274815904e-16, 1.8909013274744876e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -0.63249392091647616, 1.110223024625157e-16, 3.5840712291398518e-15},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.51037311886299186, 1, 1.4966229186132805e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.18350614916658944, 0.03357364209372956, 3.3631205479599335e-15, 1.5600376023400887e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.78558233301039437, -0.3904370747093322, 5.7585278848884059e-15, 2.1847583839193133e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_gauss2
  *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
@@ -762,9 +720,8 @@ static const double footpoint_whole_quad4_taper_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_whole_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -789,16 +746,16 @@ footpoint_detail_footpoint_whole_quad4_gauss2(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_whole_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_gauss2(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_gauss2(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_gauss2(
+    unsigned long long flaw = footpoint_whole_quad4_gauss2_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -810,8 +767,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_gauss2(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_gauss2(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_gauss2, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -822,28 +779,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_gauss2, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_gauss2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_gauss2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 3.85501125404717e-16, 9.665176254092573e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0026996191333835749, 1.0750324336826758, 7.4663648448465879e-15, 2.1307297139395383e-14},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -3.5405508249977835, 4.6160006661368982, 5.3722910127671088e-13, 1.0614577059145466e-12},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24668877113660567, 0.66865635194172923, 6.982799034792438e-16, 2.0549372742041359e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1.3535068256481548, -1.1559359411243506, 3.5062646922056368e-15, 1.8409972773270167e-14},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49785926571430827, 1.6612125126310699, 2.1901021097033215e-15, 6.4565784486700152e-15},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.15842043905260123, 0.042639839458204154, 5.7789889890727428e-15, 3.0546705043752307e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.70513326445103075, -0.41736624552488083, 1.1379618692059401e-14, 4.4714483925495488e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_coarse
  *   operations:     60 mul, 2 div, 66 add, 0 sqrt, 4 compare; 47 temporaries
@@ -859,9 +803,8 @@ static const double footpoint_whole_quad4_gauss2_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_whole_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -889,16 +832,16 @@ footpoint_detail_footpoint_whole_quad4_coarse(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_coarse(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_coarse(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_coarse(
+    unsigned long long flaw = footpoint_whole_quad4_coarse_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -910,8 +853,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_coarse(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_coarse(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_coarse, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -922,28 +865,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_coarse, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_coarse_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_coarse, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14171194401190562, -0.57576662732955286, 3.9049180670480354e-16, 9.6837971978983919e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.010153993338990766, 1, 6.2564919356467142e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24678822432245007, 0.66868800526001526, 7.0374991927814549e-16, 2.0538033004687425e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49747475846367945, 1, 2.1813045605407485e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.1589848326400059, 0.044408714477567626, 5.1765822689663877e-15, 2.730300612708668e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.71213538276986199, -0.41277360729118551, 9.928044024707755e-15, 3.968585851684771e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_newton
  *   operations:     67 mul, 2 div, 70 add, 0 sqrt, 6 compare; 55 temporaries
@@ -960,9 +890,8 @@ static const double footpoint_whole_quad4_coarse_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_whole_quad4_newton_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -991,16 +920,16 @@ footpoint_detail_footpoint_whole_quad4_newton(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_whole_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_newton(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_newton(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_newton_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_newton(
+    unsigned long long flaw = footpoint_whole_quad4_newton_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1012,8 +941,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_newton(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_newton(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_newton, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_newton_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_newton_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1024,28 +953,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_newton_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_newton, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_newton_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_newton_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_newton, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_newton_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_newton_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14168743346452559, -0.57549732636739614, 3.8128862504525516e-16, 9.2329921440242088e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.0063681532259801136, 1, 6.3636798436632943e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24673164353417873, 0.66883013291216442, 7.0709988021002752e-16, 1.9968601987919607e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -0.79329847714171509, 1.110223024625157e-16, 6.440881212486445e-15},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49503005364644509, 1, 2.0293523725603996e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.15663155665306863, 0.049075396233297944, 4.2197214929406719e-15, 2.2053391629802713e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.68672289737871428, -0.41868934485317522, 1.1051930496970478e-14, 4.2478053675929723e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_medium
  *   operations:     76 mul, 2 div, 74 add, 0 sqrt, 5 compare; 56 temporaries
@@ -1061,9 +977,8 @@ static const double footpoint_whole_quad4_newton_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double zero, double *xi,
-                                              double *eta)
+footpoint_whole_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                    const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xB[1] - xA[1], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1] - t1, t4 = xA[0] - xB[0];
     const double t5 = xC[2] - xD[2] + t2, t6 = xC[0] - xD[0] + t4, u1 = 0.425 * t3, t7 = xA[1] - xD[1] - u1;
@@ -1093,16 +1008,16 @@ footpoint_detail_footpoint_whole_quad4_medium(const double xA[3], const double x
 FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_medium(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_medium(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_medium(
+    unsigned long long flaw = footpoint_whole_quad4_medium_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1114,8 +1029,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_medium(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_medium(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_medium, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_medium_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1126,28 +1041,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_medium_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi,
                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_medium, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_medium_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_medium_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_medium, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_medium_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14158850239941534, -0.57595975373564878, 3.8823928255343113e-16, 1.0183156705048835e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0051015115706708703, 1, 8.9180441193712085e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24663918504252264, 0.6696533031767784, 6.9214326044730252e-16, 2.1212334151091603e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49542474617724058, 1, 1.9989111553381572e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.1649396743582569, 0.04413634721767213, 4.9603892048896647e-15, 2.4548847125031638e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.72723633044478952, -0.40976574655425568, 7.8511968837744786e-15, 3.3051403115080727e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_balanced
  *   operations:     82 mul, 3 div, 78 add, 0 sqrt, 10 compare; 77 temporaries
@@ -1164,9 +1066,8 @@ static const double footpoint_whole_quad4_medium_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_whole_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.425 * t6, t7 = t5 + u1, u2 = 0.425 * t3;
@@ -1203,16 +1104,16 @@ footpoint_detail_footpoint_whole_quad4_balanced(const double xA[3], const double
 FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_balanced(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_balanced(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_balanced(
+    unsigned long long flaw = footpoint_whole_quad4_balanced_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1224,8 +1125,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_balanced(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_balanced(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_balanced, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1236,28 +1137,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_balanced, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_balanced_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_balanced, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157984966457499, -0.57598625267541503, 3.0842529876264103e-16, 9.4409802872268733e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013355710927757699, 1, 1.0742170754696621e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666408657229494, 0.66958716309937005, 7.222347267392287e-16, 2.216129265316088e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49536606967200475, 1, 2.201373394433526e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16356060017782265, 0.044271015732073947, 4.3042669672929644e-15, 2.1023026653755362e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73101248214689873, -0.40699148466547397, 1.006340068986915e-14, 4.1501153253007324e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_fine
  *   operations:     87 mul, 4 div, 88 add, 0 sqrt, 7 compare; 73 temporaries
@@ -1275,9 +1163,8 @@ static const double footpoint_whole_quad4_balanced_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_whole_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1313,16 +1200,16 @@ footpoint_detail_footpoint_whole_quad4_fine(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_fine(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_fine(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_fine(
+    unsigned long long flaw = footpoint_whole_quad4_fine_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1334,8 +1221,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_fine(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_fine(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_fine, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_fine_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1345,28 +1232,15 @@ FOOTPOINT_FN int footpoint_whole_quad4_fine(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_whole_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_fine, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_fine_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_fine_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_fine, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_fine_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.1415772867547932, -0.57599434333183008, 3.8702538484175292e-16, 1.019663128104521e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013722368359369229, 1, 1.0773168148385664e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666454942470931, 0.66958560571705805, 6.7594404791847272e-16, 2.1182357913838382e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49558947938380726, 1, 1.999867065497886e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16353022570024481, 0.044289930105879428, 4.3062297818370289e-15, 2.1353706609800225e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73095074109675429, -0.40701698894127974, 8.5443823767156918e-15, 3.5652107956621241e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_precise
  *   operations:     110 mul, 5 div, 109 add, 0 sqrt, 9 compare; 93 temporaries
@@ -1385,9 +1259,8 @@ static const double footpoint_whole_quad4_fine_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double zero, double *xi,
-                                               double *eta)
+footpoint_whole_quad4_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xB[0] - xA[0], t6 = xC[0] - xD[0] - t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1429,16 +1302,16 @@ footpoint_detail_footpoint_whole_quad4_precise(const double xA[3], const double 
 FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3],
                                                    const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_precise(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_precise(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_precise(
+    unsigned long long flaw = footpoint_whole_quad4_precise_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1450,8 +1323,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_precise(const double xA[3], const double 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_precise(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_precise, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_precise_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1462,28 +1335,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_precise_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_precise, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_precise_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_precise_checked_n(size_t n, const double *const x[15],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_precise, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_precise_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 3.9249170209635509e-16, 1.0196621608136233e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013622917634403778, 1, 1.0549588849595303e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666456207719167, 0.66958559874216983, 7.0095943226405906e-16, 2.1249094054060032e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49561008168429077, 1, 2.1005439715416504e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.163530698617565, 0.044289747318681086, 4.3122183316878894e-15, 2.0722752863524786e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215967373221, -0.40698366281373016, 9.3376666105929772e-15, 3.6806014272957813e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_accurate
  *   operations:     110 mul, 6 div, 112 add, 0 sqrt, 12 compare; 98 temporaries
@@ -1503,9 +1363,8 @@ static const double footpoint_whole_quad4_precise_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_whole_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1550,16 +1409,16 @@ footpoint_detail_footpoint_whole_quad4_accurate(const double xA[3], const double
 FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_accurate(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_accurate(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_accurate(
+    unsigned long long flaw = footpoint_whole_quad4_accurate_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1571,8 +1430,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_accurate(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_accurate(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_accurate, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1583,28 +1442,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_accurate, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_accurate_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_accurate, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387486, -0.57599434315982267, 3.8795558238325096e-16, 1.0196621485804875e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013555083594081226, 1, 1.0191540356206985e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666456207719167, 0.66958559874216983, 6.8662681505561574e-16, 2.1182069323718562e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49569509722249805, 1, 2.0399094269905842e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16353081250914497, 0.044289680696786571, 4.331219656508225e-15, 2.1318326106061754e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215995363586, -0.40698366273381803, 8.6166852046181677e-15, 3.5509474618203678e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_full
  *   operations:     134 mul, 6 div, 124 add, 0 sqrt, 10 compare; 113 temporaries
@@ -1624,9 +1470,8 @@ static const double footpoint_whole_quad4_accurate_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_full(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double zero, double *xi,
-                                            double *eta)
+footpoint_whole_quad4_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.425 * (xD[2] - xC[2] - t1);
     const double t5 = 0.425 * (xD[1] - xC[1] - t2), t6 = xA[2] - xD[2] + t4, t7 = t1 + t4, t8 = xA[1] - xD[1] + t5;
@@ -1675,16 +1520,16 @@ footpoint_detail_footpoint_whole_quad4_full(const double xA[3], const double xB[
 FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_full(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_full(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_full(
+    unsigned long long flaw = footpoint_whole_quad4_full_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1696,8 +1541,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_full(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_full(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_full, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_full_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1707,28 +1552,15 @@ FOOTPOINT_FN int footpoint_whole_quad4_full(const double xA[3], const double xB[
 FOOTPOINT_LOOP void footpoint_whole_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_full, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_full_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_full_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_full, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_full_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 3.2400463110611527e-16, 1.0541157868127042e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013622921293068937, 1, 2.0419592118983999e-13, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.2466645620771917, 0.66958559874216983, 7.2550912419745846e-16, 2.3209908727446077e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49561008169647164, 1, 2.083750014581798e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16353069861755037, 0.044289747318689641, 4.3284655020151838e-15, 2.1159224718820882e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215995363331, -0.40698366273381653, 3.6390563053337091e-14, 1.3063959779846855e-14},
-};
-#endif
 
 /* footpoint_whole_quad4_program1
  *   operations:     90 mul, 5 div, 92 add, 0 sqrt, 9 compare; 77 temporaries
@@ -1747,9 +1579,8 @@ static const double footpoint_whole_quad4_full_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_whole_quad4_program1_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] + u1;
@@ -1786,16 +1617,16 @@ footpoint_detail_footpoint_whole_quad4_program1(const double xA[3], const double
 FOOTPOINT_FN void footpoint_whole_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_program1(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_program1(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_program1_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_program1(
+    unsigned long long flaw = footpoint_whole_quad4_program1_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1807,8 +1638,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_program1(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_program1(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_program1, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_program1_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_program1_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1819,28 +1650,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program1_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_program1, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_program1_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_program1_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_program1, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program1_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_program1_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728726410573, -0.57599434309654429, 2.531953253117215e-16, 7.3222359081033906e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013622292463233363, 1, 2.7646685512938485e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666456178643972, 0.66958559970209164, 4.0060162035280758e-16, 9.1399694214563917e-16},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49561004432765376, 1, 1.2581287144031356e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16353069882619864, 0.044289747188001743, 5.7678768600376769e-16, 2.5316770969883203e-16},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104058902191649, -0.40698407802047026, 6.2042692572365692e-15, 2.6955988294014779e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_program2
  *   operations:     110 mul, 6 div, 111 add, 0 sqrt, 11 compare; 93 temporaries
@@ -1860,9 +1678,8 @@ static const double footpoint_whole_quad4_program1_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_whole_quad4_program2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.425 * t4, t7 = xA[2] - xD[2] - u1;
@@ -1907,16 +1724,16 @@ footpoint_detail_footpoint_whole_quad4_program2(const double xA[3], const double
 FOOTPOINT_FN void footpoint_whole_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_program2(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_program2(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_program2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_program2(
+    unsigned long long flaw = footpoint_whole_quad4_program2_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1928,8 +1745,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_program2(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_program2(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_program2, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_program2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_program2_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1940,28 +1757,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program2_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_program2, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_program2_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_program2_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_program2, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_program2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387417, -0.57599434315982723, 3.8945549729901525e-16, 1.0215723355156221e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013555083594081226, 1, 1.0733900494144276e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.24666456207719148, 0.6695855987421705, 7.009991920651065e-16, 2.1291432908826252e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49569509722249805, 1, 2.1214832014703536e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16361858687168326, 0.04423826830856141, 4.3724157897616497e-15, 2.1480533487176053e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215995363331, -0.40698366273381653, 9.0065815750682635e-15, 3.7203143418277354e-15},
-};
-#endif
 
 /* footpoint_whole_quad4_program3
  *   operations:     128 mul, 7 div, 127 add, 0 sqrt, 12 compare; 109 temporaries
@@ -1982,9 +1786,8 @@ static const double footpoint_whole_quad4_program2_points[][19] = {
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_whole_quad4_program3(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_whole_quad4_program3_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] + u1;
@@ -2032,16 +1835,16 @@ footpoint_detail_footpoint_whole_quad4_program3(const double xA[3], const double
 FOOTPOINT_FN void footpoint_whole_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_whole_quad4_program3(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_whole_quad4_program3_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_whole_quad4_program3(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_whole_quad4_program3_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_whole_quad4_program3(
+    unsigned long long flaw = footpoint_whole_quad4_program3_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -2053,8 +1856,8 @@ FOOTPOINT_FN int footpoint_whole_quad4_program3(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_whole_quad4_program3(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_whole_quad4_program3, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_program3_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_whole_quad4_program3_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2065,28 +1868,15 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program3_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_whole_quad4_program3, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_whole_quad4_program3_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_whole_quad4_program3_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_whole_quad4_program3, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program3_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_whole_quad4_program3_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 3.9310047131868472e-16, 1.0220160222756128e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013622902954401845, 1, 1.0544282262414191e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.53125, 1.84375, -0.1171875, -0.765625, 0.6796875, 0, 0.33203125, -0.78125, -0.1171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.46875, 1.15625, -0.29296875, -0.8671875, 0.828125, 0, 0.0546875, 0.765625, -0.28125, -0.2466645620771917, 0.66958559874216983, 6.9769947582378346e-16, 2.1186500643332826e-15},
-    {0, 0, 0, 1, 0, 0, 0.4375, 0.9375, 0.10546875, -0.0859375, 0.3984375, 0, -0.203125, 0.015625, 0.26171875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.21875, 0.40625, 0.02734375, -0.359375, 0.6640625, 0, -0.03125, 0.796875, -0.01171875, -0.49561007743759977, 1, 2.0199100720815567e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -0.09375, 1.625, 0.09375, 0.46875, 0.484375, 0, 0.359375, 0.609375, -0.12109375, 0.16353069861755037, 0.044289747318689641, 4.3776878944476537e-15, 2.1509389328528137e-15},
-    {0, 0, 0, 1, 0, 0, -0.46875, 0.703125, 0.05859375, -0.25, 0.671875, 0, 0.484375, 0.234375, -0.2109375, 0.73104215995363331, -0.40698366273381653, 5.846773494531307e-14, 2.0641016534400565e-14},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

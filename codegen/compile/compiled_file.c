@@ -96,7 +96,8 @@ static char *new_name(const struct genome_file *f, const struct unit_options *o,
 }
 
 /* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_over_n,
- * NAME_sure, NAME_closest, NAME_closest_n and NAME_closest_of; along and along_n are none of a genome. */
+ * NAME_sure, NAME_closest, NAME_closest_n and NAME_closest_of; along and along_n are none of a genome.  Parts of
+ * functions over a face are called NAME_detail, NAME_detail_checked and so on: genomes must not contain the word. */
 static bool check_names(const struct genome_file *f, const struct unit_options *o, struct diag *d)
 {
     const char *const prefix = o->prefix;
@@ -105,7 +106,8 @@ static bool check_names(const struct genome_file *f, const struct unit_options *
     for (size_t k = 0; k < f->genomes; k++) {
         char *own = new_name(f, o, f->genome[k].name), *guard = new_format("%s_h", prefix),
              *upper = new_capitals(guard);
-        const bool taken = *prefix && (is_taken(f, own) || strcmp(own, upper) == 0);
+        const bool detail = f->segment && strstr(f->genome[k].name, "detail");
+        const bool taken = *prefix && (detail || is_taken(f, own) || strcmp(own, upper) == 0);
         free(upper);
         free(guard);
         free(own);

@@ -74,7 +74,7 @@ FOOTPOINT_FN void verify(struct block *b, size_t count)
             NODES_OF(b, c, prepared, i);                                                                               \
             const double *const x[5] = {xA, xB, xC, xD, xS};                                                           \
             double at[3];                                                                                              \
-            const uint64_t flaw = footpoint_detail_checked_footpoint_quad4_##tier(x, 0, 0.0, &at[0], &at[1], &at[2]);  \
+            const uint64_t flaw = footpoint_quad4_##tier##_detail_checked(x, 0, 0.0, &at[0], &at[1], &at[2]);          \
             b->status[i] = (int64_t)(flaw >> 63) * FOOTPOINT_ERR_DEGENERATE;                                           \
             xi[i] = at[0];                                                                                             \
             eta[i] = at[1];                                                                                            \

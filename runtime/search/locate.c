@@ -43,7 +43,7 @@ int footpoint_locate(const double xA[3], const double xB[3], const double xC[3],
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    const uint64_t flaw = footpoint_detail_checked_footpoint_quad4_accurate(x, 0, 0.0, &xi, &eta, &g);
+    const uint64_t flaw = footpoint_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g);
     if (flaw >> 63 || !footpoint_check(xA, xB, xC, xD, xS, xi, eta))
         return footpoint_locate_one(FOOTPOINT_ACCURATE, 1, x, loc, gap);
     loc[0] = xi;

@@ -504,9 +504,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_perceptron_hidden_8(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double zero, double *xi,
-                                               double *eta)
+footpoint_perceptron_hidden_8_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xD[2], t3 = xA[0] - xD[0], t4 = xA[2] - xB[2], t5 = xA[1] - xB[1];
     const double t6 = xA[1] - xD[1], t7 = t3 * t4 - t2 * t1, t8 = t6 * t1 - t3 * t5, t9 = t2 * t5 - t6 * t4;
@@ -581,16 +580,16 @@ footpoint_detail_footpoint_perceptron_hidden_8(const double xA[3], const double 
 FOOTPOINT_FN void footpoint_perceptron_hidden_8_at(const double xA[3], const double xB[3], const double xC[3],
                                                    const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_perceptron_hidden_8(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_perceptron_hidden_8_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_perceptron_hidden_8(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_perceptron_hidden_8_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_perceptron_hidden_8(
+    unsigned long long flaw = footpoint_perceptron_hidden_8_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -602,8 +601,8 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_8(const double xA[3], const double 
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_perceptron_hidden_8(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_perceptron_hidden_8, x, 4, 5, loc, gap);
+    if (footpoint_perceptron_hidden_8_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_perceptron_hidden_8_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -614,28 +613,15 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_perceptron_hidden_8, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_perceptron_hidden_8_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const double *const x[15],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_perceptron_hidden_8, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_8_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_perceptron_hidden_8_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.4240105930594054, 0.66158423582860404, 4.1045076215691007e-14, 5.8192733687434606e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 1.9447482737687132, -1.7212670798387451, 3.8524536439227181e-14, 5.9528958241790043e-14},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, 0.11793553332598124, 0.18573668816961389, 4.3919240936144141e-14, 7.2249199081926923e-14},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.088793455791142145, 0.52690643823209904, 4.1870402604819119e-14, 7.3544100416007176e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 1.9575398080642346, -1.8428280081072437, 3.6558195170840212e-14, 6.0535233263103546e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.025122167588871553, 0.81474368551081844, 3.8065860372332076e-14, 5.6010154341143274e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.036118234747761636, -2.0923370738444089, 2.601660968307931e-14, 6.1500781874309114e-14},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.1788503717762002, 0.78895109524033613, 3.7863303419485301e-14, 5.6454826969369204e-14},
-};
-#endif
 
 /* footpoint_perceptron_hidden_16
  *   operations:     226 mul, 17 div, 212 add, 18 sqrt, 0 compare; 115 temporaries
@@ -665,9 +651,8 @@ static const double footpoint_perceptron_hidden_8_points[][19] = {
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_perceptron_hidden_16(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double zero, double *xi,
-                                                double *eta)
+footpoint_perceptron_hidden_16_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xD[2], t3 = xA[0] - xD[0], t4 = xA[2] - xB[2], t5 = xA[1] - xB[1];
     const double t6 = xA[1] - xD[1], t7 = t3 * t4 - t2 * t1, t8 = t6 * t1 - t3 * t5, t9 = t2 * t5 - t6 * t4;
@@ -785,16 +770,16 @@ footpoint_detail_footpoint_perceptron_hidden_16(const double xA[3], const double
 FOOTPOINT_FN void footpoint_perceptron_hidden_16_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_perceptron_hidden_16(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_perceptron_hidden_16_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_perceptron_hidden_16(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_perceptron_hidden_16_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_perceptron_hidden_16(
+    unsigned long long flaw = footpoint_perceptron_hidden_16_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -806,8 +791,8 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_16(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_perceptron_hidden_16(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_perceptron_hidden_16, x, 4, 5, loc, gap);
+    if (footpoint_perceptron_hidden_16_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_perceptron_hidden_16_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -818,28 +803,15 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_perceptron_hidden_16, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_perceptron_hidden_16_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_perceptron_hidden_16, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_perceptron_hidden_16_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.0933630020665126, 0.14397582390712824, 4.6219241053775659e-14, 5.8619303612649422e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 5.5463913364900614, 7.1273293560070892, 4.4788264798966524e-14, 6.0804575883933431e-14},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, 0.17055523750467794, 0.57358859570364462, 5.1535406723605247e-14, 7.0866717277690698e-14},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 1.1092703843362377, 1.837869012769159, 5.1491379877503332e-14, 6.9531129646457792e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 5.2773175499339136, 6.8120688941241454, 4.5616705282954977e-14, 6.2523900631015076e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, 2.3457338816476239, 3.5550555233831247, 4.9118565463880128e-14, 7.1954175900000979e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, 2.6624525553698932, 2.9310936028156762, 4.3106883647663599e-14, 6.2950121812178166e-14},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 1.4387889303116561, 2.0576194872497977, 4.8356364580935314e-14, 7.0207869484565267e-14},
-};
-#endif
 
 /* footpoint_perceptron_hidden_16_16
  *   operations:     498 mul, 33 div, 484 add, 34 sqrt, 0 compare; 195 temporaries
@@ -869,9 +841,8 @@ static const double footpoint_perceptron_hidden_16_points[][19] = {
  *   vectorises:     -O3 -fno-math-errno
  */
 FOOTPOINT_PART unsigned long long
-footpoint_detail_footpoint_perceptron_hidden_16_16(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double zero, double *xi,
-                                                   double *eta)
+footpoint_perceptron_hidden_16_16_detail(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double xS[3], double zero, double *xi, double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xD[2], t3 = xA[0] - xD[0], t4 = xA[2] - xB[2], t5 = xA[1] - xB[1];
     const double t6 = xA[1] - xD[1], t7 = t3 * t4 - t2 * t1, t8 = t6 * t1 - t3 * t5, t9 = t2 * t5 - t6 * t4;
@@ -1142,16 +1113,16 @@ FOOTPOINT_FN void footpoint_perceptron_hidden_16_16_at(const double xA[3], const
                                                        const double xD[3], const double xS[3], double *xi,
                                                        double *eta)
 {
-    (void)footpoint_detail_footpoint_perceptron_hidden_16_16(xA, xB, xC, xD, xS, 0.0, xi, eta);
+    (void)footpoint_perceptron_hidden_16_16_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
 FOOTPOINT_PART unsigned long long
-footpoint_detail_checked_footpoint_perceptron_hidden_16_16(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+footpoint_perceptron_hidden_16_16_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
 {
     const double *const xS = x[4];
     double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_detail_footpoint_perceptron_hidden_16_16(
+    unsigned long long flaw = footpoint_perceptron_hidden_16_16_detail(
         x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
     (void)full;
@@ -1163,8 +1134,8 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_16_16(const double xA[3], const dou
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_detail_checked_footpoint_perceptron_hidden_16_16(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_detail_checked_footpoint_perceptron_hidden_16_16, x, 4, 5, loc, gap);
+    if (footpoint_perceptron_hidden_16_16_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_perceptron_hidden_16_16_detail_checked, x, 4, 5, loc, gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1175,28 +1146,15 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_n(size_t n, const double *
                                                         double *FOOTPOINT_RESTRICT xi,
                                                         double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_detail_footpoint_perceptron_hidden_16_16, n, x, xi, eta);
+    footpoint_detail_quad4_n(footpoint_perceptron_hidden_16_16_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_checked_n(size_t n, const double *const x[15],
                                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                                 double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_perceptron_hidden_16_16, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_16_detail_checked, n, x, 4, xi, eta, gap, status);
 }
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_perceptron_hidden_16_16_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -2.0339631679014061, 0.82548278864017322, 8.3034248455846928e-14, 1.0945277521756635e-13},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.1543991069636408, -2.9746818373469184, 7.2969188996739333e-14, 1.6118337886244316e-13},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.0071330447576151883, 0.60851883296454623, 6.3001241583024812e-14, 1.1605818952553714e-13},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.049740039594726421, 0.38959028507846666, 1.4290801518795587e-13, 1.5058700010089095e-13},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1.2873898947916227, -2.6671108255516152, 7.7168946192834942e-14, 1.7347331276172869e-13},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, 0.1467734589326336, 0.4046607614298538, 9.9785901077677123e-14, 1.4657516731529827e-13},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -1.0075442461610162, -3.098999010063026, 6.853883652773093e-14, 1.3426660195741364e-13},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0.49598350438449612, 1.2155622300955908, 6.9196769593640316e-14, 1.2449712435577373e-13},
-};
-#endif
 
 #ifndef FOOTPOINT_DETAIL_ALONG
 #define FOOTPOINT_DETAIL_ALONG

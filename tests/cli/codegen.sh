@@ -27,10 +27,11 @@ misused 'effort is a number from 0 to 1000000000, not -1' --effort -1 --count
 misused 'effort is a number from 0 to 1000000000, not 1e3' --effort 1e3 --count
 misused 'effort is a number from 0 to 1000000000, not 1000000001' --effort 1000000001 --count
 misused 'the seed is a number from 0 to 18446744073709551615, not x' --seed x --count
+misused '--points goes with -o FILE' --points "$work/points.h" --count
 misused 'the seed is a number from 0 to 18446744073709551615, not 18446744073709551616' --seed 18446744073709551616 --count
 expect 'an option without its value' 2 '' 'footpoint-codegen: unknown option or missing value: --cost (try --help)' \
     "$codegen" --count "$g" --cost
-for option in output prefix language precision samples allow-poles count cost effort seed explain help version; do
+for option in output prefix language precision samples points allow-poles count cost effort seed explain help version; do
     "$codegen" --help | grep -q -e "--$option"; report $((! $?)) "help tells of --$option"
 done
 
@@ -235,6 +236,21 @@ genome 'input x' 'genome detail_bits' 'r = x' end
 header 'a function called as a helper' 3:1 "genome 'detail_bits' takes a name of the header's own, with prefix footpoint" '--prefix footpoint'
 two 'segment quad4 any' 'genome g' 'xi = / 1 - xA xB, eta = 0' end 'genome g_over_n' 'xi = 0, eta = 0' end
 header 'a function called as a loop' 6:1 "genome 'g_over_n' takes the name of a function of 'g'"
+two 'segment quad4 any' 'genome g_detail' 'xi = 0, eta = 0' end
+header 'a function called as a part of another' 3:1 "genome 'g_detail' takes a name of the header's own, with prefix footpoint_h"
+
+# ---- test points ----
+genome 'input x y' 'range x 0.5 2' 'genome g' 'r = + * x y 0.3' end
+"$codegen" --quiet "$g" -o "$work/h.h" && cp "$work/h.h" "$work/alone.h" &&
+    "$codegen" --quiet --points "$work/h_points.h" "$g" -o "$work/h.h" && cmp -s "$work/h.h" "$work/alone.h" &&
+    [ "$(grep -c '^    {.*},$' "$work/h_points.h")" = 8 ] && grep -q '^static const double footpoint_h_g_points\[\]\[4\] = {$' "$work/h_points.h"
+report $((! $?)) 'test points are a file of their own, and the header is the same without them'
+for option in '--precision float' '--language fortran'; do
+    # shellcheck disable=SC2086
+    expect "test points, $option" 1 '' "$g: error: --points are for C code in double, but not at places of faces" \
+        "$codegen" --quiet $option --points "$work/none.h" "$g" -o "$work/h.h"
+done
+[ ! -e "$work/none.h" ]; report $((! $?)) 'refused test points are not written'
 
 # ---- rows at a place of a face ----
 face() { printf '%s\n' "footpoint-genome 2" "face tri3" "genome g" "$@" 'require xi' end > "$g"; }

@@ -84,7 +84,7 @@ for header in generated/*.h; do
     rm -rf "$work/alone"
 done
 
-# Headers compile everywhere, loops over arrays included, and hold their own test points, with and without fused
+# Headers compile everywhere, loops over arrays included, and pass their test points, with and without fused
 # multiply-add: fresh ones, of two functions of a scene, and with FOOTPOINT_LONG those shipped in place of fresh ones in double.
 cat > "$work/scalars.gen" <<'END'
 footpoint-genome 1
@@ -117,21 +117,21 @@ r = / x - x y
 s = + / 1 + * x x y x
 end
 END
-# use HEADER TYPE: a program that calls every function and holds the test points
+# use HEADER POINTS TYPE: a program that calls every function, and compares it with the test points in the file POINTS
 use() {
-    echo '#define FOOTPOINT_TEST_POINTS'
     echo '#include <stdio.h>'
     echo "#include \"$(basename "$1")\""
     echo "#include \"$(basename "$1")\""
+    [ ! -s "$2" ] || echo "#include \"$(basename "$2")\""
     echo 'int main(void)'
     echo '{'
-    echo "    static $2 column[80][8];"
+    echo "    static $3 column[80][8];"
     echo '    static int status[8], region[8];'
-    echo "    const $2 *x[30];"
+    echo "    const $3 *x[30];"
     echo '    int failed = 0, k;'
     echo '    for (k = 0; k < 30; k++)'
     echo '        x[k] = column[k];'
-    awk -v type="$2" '
+    awk -v type="$3" '
     function flush_function(   i, call) {
         if (name ~ /_checked$/) {
             printf "    %s_n(8, x, column[70], column[71], column[72], status);\n", name
@@ -169,13 +169,13 @@ use() {
         for (i = 0; i < outs; i++) printf ", column[%d]", 70 + i
         printf "%s); }\n", status ? ", status" : ""
     }
-    NR == FNR { if (/_points\[\]/) { sub(/_points.*/, "", $4); points[$4] = 1 } next }
+    FILENAME ~ /_points.h$/ { if (/_points\[\]/) { sub(/_points.*/, "", $4); points[$4] = 1 } next }
     /^FOOTPOINT_LOOP/ { text = $0; while (text !~ /\)/) { getline; text = text " " $0 }
         name = text; sub(/^FOOTPOINT_LOOP void /, "", name); sub(/_n\(.*/, "", name)
         segment = match(text, /\*const x\[[0-9]+\]/); at = segment ? "_at" : ""
         ins = segment ? substr(text, RSTART + 9) / 3 : gsub(/\*in_/, "", text); status = text ~ /\*FOOTPOINT_RESTRICT status/
         outs = gsub(/FOOTPOINT_RESTRICT (out_|xi|eta)/, "", text)
-        flush_function() }' "$1" "$1"
+        flush_function() }' "$2" "$1"
     echo '    (void)x;'
     echo '    (void)status;'
     echo '    (void)region;'
@@ -195,13 +195,18 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     [ "$name" != scalars ] || poles=
     for type in double float; do
         header=$work/fresh/$(echo "$name" | tr - _)_$type.h
-        shipped=generated/footpoint_$(echo "$name" | tr - _).h
-        if [ $type = double ] && [ -n "$FOOTPOINT_LONG" ] && [ -e "$shipped" ]; then
-            cp "$shipped" "$header"
+        shipped=footpoint_$(echo "$name" | tr - _)
+        points=${header%.h}_points.h
+        if [ $type = double ] && [ -n "$FOOTPOINT_LONG" ] && [ -e "generated/$shipped.h" ]; then
+            cp "generated/$shipped.h" "$header"
+            cp "tests/generated/points/${shipped}_points.h" "$points"
+        elif [ $type = double ]; then
+            "$BIN/footpoint-codegen" --effort 0 "$work/fresh/$name.gen" $poles --points "$points" -o "$header"
         else
+            : > "$points"
             "$BIN/footpoint-codegen" --effort 0 "$work/fresh/$name.gen" $poles --precision $type -o "$header"
         fi
-        use "$header" $type > "$work/fresh/use.c"
+        use "$header" "$points" $type > "$work/fresh/use.c"
         cp "$work/fresh/use.c" "$work/fresh/use.cpp"
         for compiler in "$CC -std=c99" "clang -std=c11 -ffp-contract=off" "$CXX -std=c++11 -O3 $fused" "clang++ -std=c++17"; do
             case $name$compiler in
@@ -222,7 +227,7 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
             report $((!good)) "$name in $type, fresh, nvcc"
         fi
     done
-    grep -q '_points\[\]' "$work/fresh/$(echo "$name" | tr - _)_double.h"
+    grep -q '_points\[\]' "$work/fresh/$(echo "$name" | tr - _)_double_points.h"
     report $((! $?)) "$name has test points"
 done
 

@@ -26,8 +26,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             "#define COORDINATES $((3 * others + 3))" "#define SCALED_NODES $nodes" "#define COLUMNS $columns" "#define ROWS $rows" \
             "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
             '#define REACH_TO_GROWTH (reach * reach)'
-        for name in $(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|_SEARCH\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u); do
-            is=$(echo "$name" | sed "s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/; s/^BARE_SEARCH/${kind}_bare/; s/^CHECKED_SEARCH/${kind}_checked/; s/^CLOSEST_SEARCH/${kind}_closest/")
+        for name in $(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u); do
+            is=$(echo "$name" | sed "s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/")
             echo "#define $name $is"
             words="$words $name"
         done
@@ -41,9 +41,9 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
         *) files="$files $closest ${nearest}_along along_again along_calls closest_calls" ;;
         esac
-        echo "REAL_BITS ${kind}_bare($parameters, REAL zero, REAL *xi, REAL *eta);"
-        echo "REAL_BITS ${kind}_checked(const REAL *const *x, int full, REAL zero, REAL *xi, REAL *eta, REAL *gap);"
-        echo "int ${kind}_closest(const REAL *const *x, REAL zero, REAL at[3], int *region);"
+        echo "REAL_BITS ${kind}_name_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
+        echo "REAL_BITS ${kind}_name_detail_checked(const REAL *const *x, int full, REAL zero, REAL *xi, REAL *eta, REAL *gap);"
+        echo "int ${kind}_name_detail_closest(const REAL *const *x, REAL zero, REAL at[3], int *region);"
         for name in $files arrays_calls over_calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done

@@ -35,8 +35,8 @@ run_with() { # run_with HEADER FUNCTION PROGRAM: compile the example and run it;
 # A tree to make it in, so that nothing is left in this one.
 tree=$work/tree root=$PWD
 mkdir "$tree"
-cp -a Makefile evolve generated "$tree"
-for shared in build codegen runtime tests; do ln -s "$root/$shared" "$tree/$shared"; done
+cp -a Makefile evolve generated tests "$tree"
+for shared in build codegen runtime; do ln -s "$root/$shared" "$tree/$shared"; done
 
 # ---- before: the header for ordinary meshes, and its function of an error below 1e-7 ----
 general=$root/generated/footpoint_quad4.h

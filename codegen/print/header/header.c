@@ -90,20 +90,6 @@ static void print_contract(const struct unit *u, FILE *out)
             : "");
 }
 
-/* Rows of inputs, outputs and their tolerances, for those who want to test a build of theirs. */
-static void print_points(const struct unit *u, const struct function *f, FILE *out)
-{
-    struct memory *m = memory_open();
-    const int rows = evidence_print_points(u->file, f->program, m->stream);
-    char *text = memory_close(m);
-    if (rows)
-        fprintf(out,
-                "\n#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */\n"
-                "static const double %s_points[][%zu] = {\n%s};\n#endif\n",
-                f->name, u->file->inputs + 2 * f->genome->outs, text);
-    free(text);
-}
-
 /* Helpers, each if it is called. */
 static void print_helpers(const struct unit *u, FILE *out)
 {
@@ -149,8 +135,6 @@ void header_print(const struct unit *u, FILE *out)
             print_one(u, f, out);
             print_loop(u, f, out);
         }
-        if (u->options.precision == PRECISION_DOUBLE && !u->file->face)
-            print_points(u, f, out);
     }
     if (!u->file->face)
         along_print(u, out);

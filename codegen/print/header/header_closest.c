@@ -46,7 +46,7 @@ void closest_print_contract(const struct unit *u, FILE *out)
 /* The search and what is nearest. */
 static void print_nearest(const struct unit *u, const struct function *f, FILE *out)
 {
-    char *name = new_format("footpoint_detail_closest_%s", f->name);
+    char *name = new_format("%s_detail_closest", f->name);
     const enum precision precision = u->options.precision;
     char *vectors = lines_rows(u, "x"), *least = sizes_least_name(u);
     char *nearest = new_format("    return footpoint_detail_%s_nearest(x, flaw, ", u->file->segment->name);

@@ -236,11 +236,11 @@ static void print_body(const struct unit *u, const struct function *f, const str
         if (*w->vector[v].text)
             print_vector(w, v, r, "abcd"[v], m -> stream);
     char *size = size_text(w, r), *least = sizes_least_name(u),
-         *ratio = new_format("%.17g, ", w->factor[1] / w->factor[0]);
-    fprintf(m->stream,
-            "    return footpoint_detail_%s_over(a, b, %sd, %s,\n        %s%.17g, %.17g, xi, eta, %s, gap);\n", kind,
-            twisted ? "c, " : "", size, twisted ? ratio : "", 1.0 / w->factor[1],
-            (twisted ? 4.0 : 1.0) / (w->factor[0] * w->factor[0]), least);
+         *ratio = new_format("ratio = %.17g, ", w->factor[1] / w->factor[0]);
+    fprintf(m->stream, "    const REAL size = %s;\n    const REAL %sper = %.17g, unit = %.17g;\n", size,
+            twisted ? ratio : "", 1.0 / w->factor[1], (twisted ? 4.0 : 1.0) / (w->factor[0] * w->factor[0]));
+    fprintf(m->stream, "    return footpoint_detail_%s_over(a, b, %sd, size, %sper, unit, xi, eta, %s, gap);\n", kind,
+            twisted ? "c, " : "", twisted ? "ratio, " : "", least);
     char *text = memory_close(m);
     c_print(text, u->options.precision, out);
     free(text);
@@ -257,7 +257,7 @@ void gap_print(const struct unit *u, const struct function *f, FILE *out)
     search_vectors(&w, f->program);
     search_squares(&w, f->program);
     mark_needed(&w, f->program);
-    char *head = new_format("footpoint_detail_gap_%s", f->name);
+    char *head = new_format("%s_detail_gap", f->name);
     c_print("\nFOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
     lines_print_head(u, head, "REAL xi,REAL eta,REAL *gap", out);
     fputs("{\n", out);

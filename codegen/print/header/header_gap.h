@@ -8,7 +8,7 @@
  *  they are. */
 bool gap_shares(const struct unit *u, const struct function *f);
 
-/** footpoint_detail_gap_NAME: from the vectors, xi and eta the gap, and an integer whose highest bit is set unless the
+/** NAME_detail_gap: from the vectors, xi and eta the gap, and an integer whose highest bit is set unless the
  *  answer is good beyond doubt.  It repeats those statements of the search that it needs; a compiler that inlines both
  *  computes them once. */
 void gap_print(const struct unit *u, const struct function *f, FILE *out);

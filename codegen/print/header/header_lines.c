@@ -143,10 +143,7 @@ static struct placeholder *words_of(const struct unit *u, const struct function 
                {"SEGMENT_ROWS", rows_text("c", n - 1)},
                {"NAME", new_format("%s", name)},
                {"SCALED_NODES", new_format("%zu", f ? lines_scaled_nodes(u, f) : 0)},
-               {"SCALABLE", new_format("%d", f && lines_scaled_nodes(u, f) > 0)},
-               {"BARE_SEARCH", new_format("footpoint_detail_%s", name)},
-               {"CHECKED_SEARCH", new_format("footpoint_detail_checked_%s", name)},
-               {"CLOSEST_SEARCH", new_format("footpoint_detail_closest_%s", name)}};
+               {"SCALABLE", new_format("%d", f && lines_scaled_nodes(u, f) > 0)}};
     const size_t count = sizeof all / sizeof *all;
     struct placeholder *words = new_array(count + 1, sizeof *words);
     for (size_t i = 0; i < count; i++)
@@ -181,7 +178,7 @@ static void print_ordered_search(const struct unit *u, const struct function *f,
     c_print(shorter ? ", mirror = footpoint_detail_mirrored(x, k);\n" : ";\n", u->options.precision, out);
     fputs(indent, out);
     c_print("REAL_BITS ", u->options.precision, out);
-    fprintf(out, "flaw = footpoint_detail_%s(\n%s    x[k], ", f->name, indent);
+    fprintf(out, "flaw = %s_detail(\n%s    x[k], ", f->name, indent);
     fputs(shorter ? "x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);\n"
                   : "x[(k + 1) & 3], x[(k + 2) & 3], x[(k + 3) & 3], xS, zero, &u, &v);\n",
           out);
@@ -200,7 +197,7 @@ void lines_print_search(const struct unit *u, const struct function *f, const ch
     const bool fits = strlen(f->name) + strlen(vectors) + 70 <= WIDTH;
     fputs(indent, out);
     c_print("REAL_BITS ", u->options.precision, out);
-    fprintf(out, "flaw = footpoint_detail_%s(", f->name);
+    fprintf(out, "flaw = %s_detail(", f->name);
     if (!fits)
         fprintf(out, "\n%s    ", indent);
     fprintf(out, "%s, zero, %s);\n", vectors, results);

@@ -28,8 +28,8 @@ bool lines_straight(const struct unit *u);
  *  for contracts; VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES,
  *  COORDINATES, of all vectors; NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the
  *  vectors of pair i, is made of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", and SEGMENT_ROWS, "c[0], ...",
- *  without the slave node; and of a function, unless it is NULL: NAME, SCALED_NODES, how many vectors another unit of
- *  length changes, and its searches BARE_SEARCH, CHECKED_SEARCH, CLOSEST_SEARCH.
+ *  without the slave node; and of a function, unless it is NULL: NAME, and SCALED_NODES, how many vectors another unit of
+ *  length changes.
  *  @param[in] guard  of an include guard FOOTPOINT_<KIND>_<guard>; NULL: there is none
  *  @param[in] names  templates, ended by NULL */
 void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,

@@ -330,7 +330,7 @@ static void print_place(const struct unit *u, const struct function *f, const st
     print_names(u, r, names->stream);
     char *statements = memory_close(m), *head = memory_close(names);
     c_print("FOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
-    const int column = fprintf(out, "footpoint_detail_%s(", f->name);
+    const int column = fprintf(out, "%s_detail(", f->name);
     c_print("const REAL *const *x, REAL xi, REAL eta,\n", u->options.precision, out);
     fprintf(out, "%*s", column, "");
     c_print("REAL *const *row, size_t step, int always, int again)\n{\n", u->options.precision, out);
@@ -383,20 +383,18 @@ static void print_again(const struct unit *u, const struct function *f, const st
     const char *real = lines_real(u);
     size_t row = 0, size = 0;
     const struct function *g = tangents_of(u, f, &row);
-    const int column = fprintf(out, "\nFOOTPOINT_COLD int footpoint_detail_%s_again(", f->name) - 1;
+    const int column = fprintf(out, "\nFOOTPOINT_COLD int %s_detail_again(", f->name) - 1;
     fprintf(out, "const %s *const *x, %s xi, %s eta,\n%*s%s *const *row, size_t step)\n{\n", real, real, real, column,
             "", real);
+    fprintf(out, "    const int nodes = %zu, vectors = %zu, rows = %zu, first = %zu, degree = %d;\n",
+            strlen(u->file->segment->nodes), segment_vectors(u->file->segment) + 1, r->n, g ? row : 0,
+            g ? tangent_degree(u->file->segment) : 0);
     fprintf(out, "    const int shape[%zu] = {", 2 * r->n);
     for (size_t i = 0; i < r->n; size += r->row[i++].size)
         fprintf(out, "%s%zu, %d", i ? ", " : "", r->row[i].size, r->row[i].degree);
-    fprintf(out, "};\n    %s space[%zu];\n    return footpoint_detail_place_again(footpoint_detail_%s,\n        ", real,
-            size, f->name);
-    if (g)
-        fprintf(out, "footpoint_detail_%s, %zu, %d,", g->name, row, tangent_degree(u->file->segment));
-    else
-        fputs("0, 0, 0,", out);
-    fprintf(out, "\n        x, %zu, %zu, xi, eta, row, step, %zu, shape, space);\n}\n\n",
-            strlen(u->file->segment->nodes), segment_vectors(u->file->segment) + 1, r->n);
+    fprintf(out, "};\n    %s space[%zu];\n    return footpoint_detail_place_again(%s_detail, ", real, size, f->name);
+    fprintf(out, g ? "%s_detail" : "0", g ? g->name : "");
+    fputs(", first, degree,\n        x, nodes, vectors, xi, eta, row, step, rows, shape, space);\n}\n\n", out);
 }
 
 /* Joined with a search: what goes before the same of NAME alone. */
@@ -416,17 +414,17 @@ static void print_one(const struct unit *u, const struct function *f, const stru
     print_rows(u, r, "    ", "", out);
     if (joined) {
         c_print("    REAL xi, eta;\n    REAL_BITS flaw = ", precision, out);
-        fprintf(out, "footpoint_detail_##search(%s, ", names);
+        fprintf(out, "search##_detail(%s, ", names);
         c_print("0.0, &xi, &eta);\n", precision, out);
-        fprintf(out, "    flaw |= footpoint_detail_%s(x, xi, eta, row, 1, 0, 0);\n", f->name);
+        fprintf(out, "    flaw |= %s_detail(x, xi, eta, row, 1, 0, 0);\n", f->name);
         c_print("    if (flaw >> REAL_TOP) {\n        REAL distance;\n", precision, out);
         fprintf(out, "        const int status = search(%s, loc, &distance);\n", names);
         fprintf(out, "        if (status != FOOTPOINT_OK)\n            return status;\n");
     } else {
-        fprintf(out, "    if (footpoint_detail_%s(x, loc[0], loc[1], row, 1, 0, 0) >> ", f->name);
+        fprintf(out, "    if (%s_detail(x, loc[0], loc[1], row, 1, 0, 0) >> ", f->name);
         c_print("REAL_TOP) {\n", precision, out);
     }
-    fprintf(out, "        return footpoint_detail_%s_again(x, loc[0], loc[1], row, 1);\n", f->name);
+    fprintf(out, "        return %s_detail_again(x, loc[0], loc[1], row, 1);\n", f->name);
     fputs(joined ? "    }\n    loc[0] = xi;\n    loc[1] = eta;\n" : "    }\n", out);
     fputs("    return FOOTPOINT_OK;\n}\n", out);
     free(last);
@@ -466,17 +464,16 @@ static void print_loop(const struct unit *u, const struct function *f, const str
     print_rows(u, r, "        ", " + i", out);
     if (joined) {
         c_print("        REAL at[2];\n        REAL_BITS flaw = ", u->options.precision, out);
-        fprintf(out, "footpoint_detail_##search(%s, zero, &at[0], &at[1]);\n", vectors);
-        fprintf(out, "        flaw |= footpoint_detail_%s(y, at[0], at[1], row, n, 1, 0);\n", f->name);
+        fprintf(out, "search##_detail(%s, zero, &at[0], &at[1]);\n", vectors);
+        fprintf(out, "        flaw |= %s_detail(y, at[0], at[1], row, n, 1, 0);\n", f->name);
         fputs("        xi[i] = at[0];\n        eta[i] = at[1];\n        status[i] = FOOTPOINT_ERR_DEGENERATE * "
               "(int)(flaw >> ",
               out);
     } else
-        fprintf(
-            out,
-            "        status[i] = FOOTPOINT_ERR_DEGENERATE *\n            (int)(footpoint_detail_%s(y, xi[i], eta[i], "
-            "row, n, 1, 0) >> ",
-            f->name);
+        fprintf(out,
+                "        status[i] = FOOTPOINT_ERR_DEGENERATE *\n            (int)(%s_detail(y, xi[i], eta[i], "
+                "row, n, 1, 0) >> ",
+                f->name);
     c_print("REAL_TOP);\n    }\n    for (i = 0; i < n; i++)\n        if (status[i] != FOOTPOINT_OK) {\n",
             u->options.precision, out);
     print_pair(u, "            ", out);
@@ -488,7 +485,7 @@ static void print_loop(const struct unit *u, const struct function *f, const str
             "            xi[i] = at[0];\n            eta[i] = at[1];\n            if (status[i] == FOOTPOINT_OK)\n    ",
             out);
     }
-    fprintf(out, "            status[i] = footpoint_detail_%s_again(y, xi[i], eta[i], row, n);\n", f->name);
+    fprintf(out, "            status[i] = %s_detail_again(y, xi[i], eta[i], row, n);\n", f->name);
     fputs("        }\n}\n", out);
     free(vectors);
     free(name);

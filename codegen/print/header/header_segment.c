@@ -22,7 +22,7 @@
 /* The search and NAME_at, which calls it: xi and eta, and whether the denominators are what NAME asks of them. */
 static void print_at(const struct unit *u, const struct function *f, const char *vectors, FILE *out)
 {
-    char *head = new_format("footpoint_detail_%s", f->name), *flaw = c_flaw(u, f, true);
+    char *head = new_format("%s_detail", f->name), *flaw = c_flaw(u, f, true);
     c_print("FOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
     lines_print_head(u, head, "REAL zero,REAL *xi,REAL *eta", out);
     fputs("{\n", out);
@@ -39,7 +39,7 @@ static void print_at(const struct unit *u, const struct function *f, const char 
     free(head);
     head = new_format("FOOTPOINT_FN void %s_at", f->name);
     lines_print_head(u, head, "REAL *xi,REAL *eta", out);
-    fprintf(out, "{\n    (void)footpoint_detail_%s(%s, ", f->name, vectors);
+    fprintf(out, "{\n    (void)%s_detail(%s, ", f->name, vectors);
     c_print("0.0, xi, eta);\n}\n", u->options.precision, out);
     free(head);
 }
@@ -49,7 +49,7 @@ static void print_search(const struct unit *u, const struct function *f, FILE *o
 {
     const enum precision precision = u->options.precision;
     const char *real = lines_real(u), *kind = u->file->segment->name;
-    char *name = new_format("footpoint_detail_checked_%s", f->name), *vectors = lines_rows(u, "x");
+    char *name = new_format("%s_detail_checked", f->name), *vectors = lines_rows(u, "x");
     char *least = sizes_least_name(u),
          *full = new_format("footpoint_detail_%s_gap(x, *xi, *eta, %s, gap)", kind, least);
     c_print("\nFOOTPOINT_PART REAL_BITS\n", precision, out);
@@ -63,7 +63,7 @@ static void print_search(const struct unit *u, const struct function *f, FILE *o
         c_print(full, precision, out);
         fprintf(out, ";\n    {\n        ");
         c_print("const REAL_BITS doubt = ", precision, out);
-        fprintf(out, "footpoint_detail_gap_%s(%s, *xi, *eta, gap);\n", f->name, vectors);
+        fprintf(out, "%s_detail_gap(%s, *xi, *eta, gap);\n", f->name, vectors);
         c_print("        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);\n    }\n}\n", precision, out);
     } else {
         c_print("    (void)full;\n    return flaw | ", precision, out);
@@ -85,9 +85,9 @@ static void print_checked(const struct unit *u, const struct function *f, const 
     lines_print_head(u, head, "REAL loc[2],REAL *gap", out);
     fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n    %s xi, eta, g;\n", lines_real(u), n, vectors,
             lines_real(u));
-    fprintf(out, "    if (footpoint_detail_checked_%s(x, ", f->name);
+    fprintf(out, "    if (%s_detail_checked(x, ", f->name);
     c_print("0, 0.0, &xi, &eta, &g) >> REAL_TOP)\n        return footpoint_detail_again(", u->options.precision, out);
-    fprintf(out, "footpoint_detail_checked_%s, x, %zu, %zu, loc, gap);\n", f->name, lines_scaled_nodes(u, f), n);
+    fprintf(out, "%s_detail_checked, x, %zu, %zu, loc, gap);\n", f->name, lines_scaled_nodes(u, f), n);
     fputs("    loc[0] = xi;\n    loc[1] = eta;\n    *gap = g;\n    return FOOTPOINT_OK;\n}\n", out);
     free(head);
 }

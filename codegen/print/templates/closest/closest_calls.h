@@ -5,7 +5,7 @@ FOOTPOINT_FN int NAME_closest(NODE_PARAMETERS, REAL loc[2], REAL *dist, int *reg
     const REAL *const x[VECTORS] = {NODE_NAMES};
     REAL at[3];
     int where;
-    const int status = footpoint_detail_KIND_closest(CLOSEST_SEARCH, x, SCALABLE, at, &where);
+    const int status = footpoint_detail_KIND_closest(NAME_detail_closest, x, SCALABLE, at, &where);
     return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
@@ -14,12 +14,13 @@ FOOTPOINT_LOOP void NAME_closest_n(size_t n, const REAL *const x[COORDINATES],
                                    REAL *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_KIND_closest_n(CLOSEST_SEARCH, n, x, SCALABLE, xi, eta, dist, region, status);
+    footpoint_detail_KIND_closest_n(NAME_detail_closest, n, x, SCALABLE, xi, eta, dist, region,
+                                    status);
 }
 
 FOOTPOINT_FN int NAME_closest_of(size_t n, const REAL *const *x, const REAL xS[3], REAL loc[2],
                                  REAL *dist, int *region, size_t *which)
 {
-    return footpoint_detail_KIND_closest_of(CLOSEST_SEARCH, n, x, xS, SCALABLE, loc, dist, region,
-                                            which);
+    return footpoint_detail_KIND_closest_of(NAME_detail_closest, n, x, xS, SCALABLE, loc, dist,
+                                            region, which);
 }
