@@ -596,7 +596,8 @@ FOOTPOINT_LOOP void footpoint_bezier_normals_n(size_t n, const double *const x[2
 
 FOOTPOINT_LOOP void footpoint_bezier_normals_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_bezier_checked_n(footpoint_bezier_normals_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -885,7 +886,8 @@ FOOTPOINT_LOOP void footpoint_bezier_precise_n(size_t n, const double *const x[2
 
 FOOTPOINT_LOOP void footpoint_bezier_precise_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_bezier_checked_n(footpoint_bezier_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }

@@ -229,7 +229,8 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;
@@ -1263,15 +1264,18 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_n(size_t n, const double *const 
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_over_n(const double *const nodes[4], size_t n,
                                                        const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                       double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_blocks_quad4_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1299,8 +1303,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fast_closest(const double xA[3], const d
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_closest_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT dist,
+                                                          int *FOOTPOINT_RESTRICT region,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_fast_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1408,15 +1414,18 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_n(size_t n, const double *cons
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_over_n(const double *const nodes[4], size_t n,
                                                          const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_blocks_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1444,8 +1453,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_coarse_closest(const double xA[3], const
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_closest_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT dist,
+                                                            int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1556,15 +1567,18 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_n(size_t n, const double *cons
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_over_n(const double *const nodes[4], size_t n,
                                                          const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_blocks_quad4_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1592,8 +1606,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_gauss2_closest(const double xA[3], const
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_closest_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT dist,
+                                                            int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_gauss2_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1705,15 +1721,18 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_n(size_t n, const double *cons
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_over_n(const double *const nodes[4], size_t n,
                                                          const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_blocks_quad4_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1741,8 +1760,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_medium_closest(const double xA[3], const
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_closest_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT dist,
+                                                            int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_medium_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1858,15 +1879,18 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_n(size_t n, const double *co
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_checked_n(size_t n, const double *const x[15],
-                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                              double *FOOTPOINT_RESTRICT xi,
+                                                              double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT gap,
+                                                              int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_over_n(const double *const nodes[4], size_t n,
                                                            const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_blocks_quad4_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1894,8 +1918,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_balanced_closest(const double xA[3], con
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_closest_n(size_t n, const double *const x[15],
-                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                              double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                              double *FOOTPOINT_RESTRICT xi,
+                                                              double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT dist,
+                                                              int *FOOTPOINT_RESTRICT region,
                                                               int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2015,15 +2041,18 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_n(size_t n, const double *const 
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_over_n(const double *const nodes[4], size_t n,
                                                        const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                       double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_blocks_quad4_fine_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -2051,8 +2080,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fine_closest(const double xA[3], const d
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_closest_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT dist,
+                                                          int *FOOTPOINT_RESTRICT region,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_fine_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2176,15 +2207,18 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_n(size_t n, const double *co
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_checked_n(size_t n, const double *const x[15],
-                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                              double *FOOTPOINT_RESTRICT xi,
+                                                              double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT gap,
+                                                              int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_blocks_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_over_n(const double *const nodes[4], size_t n,
                                                            const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_blocks_quad4_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -2212,8 +2246,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_accurate_closest(const double xA[3], con
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_closest_n(size_t n, const double *const x[15],
-                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                              double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                              double *FOOTPOINT_RESTRICT xi,
+                                                              double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT dist,
+                                                              int *FOOTPOINT_RESTRICT region,
                                                               int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_blocks_quad4_accurate_detail_closest, n, x, 1, xi, eta, dist, region,

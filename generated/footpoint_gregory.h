@@ -647,8 +647,10 @@ FOOTPOINT_LOOP void footpoint_gregory_normals_n(size_t n, const double *const x[
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_normals_checked_n(size_t n, const double *const x[27],
-                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                        double *FOOTPOINT_RESTRICT xi,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_gregory_normals_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -767,7 +769,8 @@ FOOTPOINT_LOOP void footpoint_gregory_smooth_n(size_t n, const double *const x[2
 
 FOOTPOINT_LOOP void footpoint_gregory_smooth_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_gregory_smooth_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -925,15 +928,18 @@ FOOTPOINT_LOOP void footpoint_gregory_corrected_n(size_t n, const double *const 
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_corrected_checked_n(size_t n, const double *const x[27],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_gregory_corrected_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_corrected_over_n(const double *const nodes[8], size_t n,
                                                        const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                       double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_over_n(footpoint_gregory_corrected_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1163,8 +1169,10 @@ FOOTPOINT_LOOP void footpoint_gregory_precise_n(size_t n, const double *const x[
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_precise_checked_n(size_t n, const double *const x[27],
-                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                        double *FOOTPOINT_RESTRICT xi,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_gregory_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }

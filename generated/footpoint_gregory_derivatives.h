@@ -328,9 +328,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_place_detail(const double *const *x, double xi, double eta,
-                               double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_gregory_place_detail(const double *const *x, double xi, double eta,
+                                                                 double *const *row,
+                                                                 size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const nA = x[4],
                  *const nB = x[5], *const nC = x[6], *const nD = x[7], *const xS = x[8];
@@ -498,13 +498,15 @@ footpoint_gregory_place_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_gregory_place_detail_again(const double *const *x, double xi, double eta,
-                                                        double *const *row, size_t step)
+                                                        double *const *row,
+                                                        size_t step)
 {
     const int nodes = 4, vectors = 9, rows = 5, first = 1, degree = 5;
-    const int shape[10] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1};
+    const int shape[2 * 5] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1};
+    footpoint_detail_place *const tangents = footpoint_gregory_place_detail;
     double space[13];
-    return footpoint_detail_place_again(footpoint_gregory_place_detail, footpoint_gregory_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_gregory_place_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_gregory_place(const double xA[3], const double xB[3], const double xC[3],
@@ -515,19 +517,15 @@ FOOTPOINT_FN int footpoint_gregory_place(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double *const row[5] = {r, r_xi, r_eta, normal, gap};
-    if (footpoint_gregory_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_gregory_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_gregory_place_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_gregory_place_n(size_t n, const double *const x[27],
-                                              const double *xi, const double *eta,
-                                              double *FOOTPOINT_RESTRICT r,
-                                              double *FOOTPOINT_RESTRICT r_xi,
-                                              double *FOOTPOINT_RESTRICT r_eta,
-                                              double *FOOTPOINT_RESTRICT normal,
-                                              double *FOOTPOINT_RESTRICT gap,
+FOOTPOINT_LOOP void footpoint_gregory_place_n(size_t n, const double *const x[27], const double *xi,
+                                              const double *eta, double *FOOTPOINT_RESTRICT r,
+                                              double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                              double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
                                               int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
@@ -538,8 +536,8 @@ FOOTPOINT_LOOP void footpoint_gregory_place_n(size_t n, const double *const x[27
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_gregory_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_gregory_place_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -578,10 +576,8 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                     double *FOOTPOINT_RESTRICT r, \
-                                     double *FOOTPOINT_RESTRICT r_xi, \
-                                     double *FOOTPOINT_RESTRICT r_eta, \
-                                     double *FOOTPOINT_RESTRICT normal, \
+                                     double *FOOTPOINT_RESTRICT r, double *FOOTPOINT_RESTRICT r_xi, \
+                                     double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
                                      double *FOOTPOINT_RESTRICT gap, \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
@@ -641,9 +637,9 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_gradients_detail(const double *const *x, double xi, double eta,
-                                   double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_gregory_gradients_detail(const double *const *x, double xi, double eta,
+                                                                     double *const *row,
+                                                                     size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const nA = x[4],
                  *const nB = x[5], *const nC = x[6], *const nD = x[7], *const xS = x[8];
@@ -1400,13 +1396,15 @@ footpoint_gregory_gradients_detail(const double *const *x, double xi, double eta
 }
 
 FOOTPOINT_COLD int footpoint_gregory_gradients_detail_again(const double *const *x, double xi, double eta,
-                                                            double *const *row, size_t step)
+                                                            double *const *row,
+                                                            size_t step)
 {
     const int nodes = 4, vectors = 9, rows = 11, first = 1, degree = 5;
-    const int shape[22] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0, 12, 0, 12, 0, 12, 1};
+    const int shape[2 * 11] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0, 12, 0, 12, 0, 12, 1};
+    footpoint_detail_place *const tangents = footpoint_gregory_place_detail;
     double space[94];
-    return footpoint_detail_place_again(footpoint_gregory_gradients_detail, footpoint_gregory_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_gregory_gradients_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_gregory_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -1419,26 +1417,19 @@ FOOTPOINT_FN int footpoint_gregory_gradients(const double xA[3], const double xB
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double *const row[11] = {r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, d_eta_n, d_gap_n};
-    if (footpoint_gregory_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_gregory_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_gregory_gradients_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_gregory_gradients_n(size_t n, const double *const x[27],
-                                                  const double *xi, const double *eta,
-                                                  double *FOOTPOINT_RESTRICT r,
-                                                  double *FOOTPOINT_RESTRICT r_xi,
-                                                  double *FOOTPOINT_RESTRICT r_eta,
-                                                  double *FOOTPOINT_RESTRICT normal,
-                                                  double *FOOTPOINT_RESTRICT gap,
-                                                  double *FOOTPOINT_RESTRICT d_xi,
-                                                  double *FOOTPOINT_RESTRICT d_eta,
-                                                  double *FOOTPOINT_RESTRICT d_gap,
-                                                  double *FOOTPOINT_RESTRICT d_xi_n,
+FOOTPOINT_LOOP void footpoint_gregory_gradients_n(size_t n, const double *const x[27], const double *xi,
+                                                  const double *eta, double *FOOTPOINT_RESTRICT r,
+                                                  double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                                  double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
+                                                  double *FOOTPOINT_RESTRICT d_xi, double *FOOTPOINT_RESTRICT d_eta,
+                                                  double *FOOTPOINT_RESTRICT d_gap, double *FOOTPOINT_RESTRICT d_xi_n,
                                                   double *FOOTPOINT_RESTRICT d_eta_n,
-                                                  double *FOOTPOINT_RESTRICT d_gap_n,
-                                                  int *FOOTPOINT_RESTRICT status)
+                                                  double *FOOTPOINT_RESTRICT d_gap_n, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
     FOOTPOINT_EACH
@@ -1448,8 +1439,8 @@ FOOTPOINT_LOOP void footpoint_gregory_gradients_n(size_t n, const double *const 
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_gregory_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_gregory_gradients_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1489,16 +1480,11 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                         double *FOOTPOINT_RESTRICT r, \
-                                         double *FOOTPOINT_RESTRICT r_xi, \
-                                         double *FOOTPOINT_RESTRICT r_eta, \
-                                         double *FOOTPOINT_RESTRICT normal, \
-                                         double *FOOTPOINT_RESTRICT gap, \
-                                         double *FOOTPOINT_RESTRICT d_xi, \
-                                         double *FOOTPOINT_RESTRICT d_eta, \
-                                         double *FOOTPOINT_RESTRICT d_gap, \
-                                         double *FOOTPOINT_RESTRICT d_xi_n, \
-                                         double *FOOTPOINT_RESTRICT d_eta_n, \
+                                         double *FOOTPOINT_RESTRICT r, double *FOOTPOINT_RESTRICT r_xi, \
+                                         double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
+                                         double *FOOTPOINT_RESTRICT gap, double *FOOTPOINT_RESTRICT d_xi, \
+                                         double *FOOTPOINT_RESTRICT d_eta, double *FOOTPOINT_RESTRICT d_gap, \
+                                         double *FOOTPOINT_RESTRICT d_xi_n, double *FOOTPOINT_RESTRICT d_eta_n, \
                                          double *FOOTPOINT_RESTRICT d_gap_n, \
                                          int *FOOTPOINT_RESTRICT status) \
 { \

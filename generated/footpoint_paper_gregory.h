@@ -551,15 +551,18 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *cons
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_facet_checked_n(size_t n, const double *const x[27],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_paper_gregory_facet_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_facet_over_n(const double *const nodes[8], size_t n,
                                                          const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_over_n(footpoint_paper_gregory_facet_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -694,15 +697,18 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_checked_n(size_t n, const double *const x[27],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_paper_gregory_smooth_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_over_n(const double *const nodes[8], size_t n,
                                                           const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_over_n(footpoint_paper_gregory_smooth_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -882,15 +888,18 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *c
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_checked_n(size_t n, const double *const x[27],
-                                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                               double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                               double *FOOTPOINT_RESTRICT xi,
+                                                               double *FOOTPOINT_RESTRICT eta,
+                                                               double *FOOTPOINT_RESTRICT gap,
+                                                               int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_paper_gregory_weighted_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_over_n(const double *const nodes[8], size_t n,
                                                             const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                            double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_over_n(footpoint_paper_gregory_weighted_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1141,15 +1150,18 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *co
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_precise_checked_n(size_t n, const double *const x[27],
-                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                              double *FOOTPOINT_RESTRICT xi,
+                                                              double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT gap,
+                                                              int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_paper_gregory_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const nodes[8], size_t n,
                                                            const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_over_n(footpoint_paper_gregory_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1469,15 +1481,18 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *cons
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_exact_checked_n(size_t n, const double *const x[27],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_paper_gregory_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_exact_over_n(const double *const nodes[8], size_t n,
                                                          const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_over_n(footpoint_paper_gregory_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1882,15 +1897,18 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_full_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_full_checked_n(size_t n, const double *const x[27],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_checked_n(footpoint_paper_gregory_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_full_over_n(const double *const nodes[8], size_t n,
                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_gregory_over_n(footpoint_paper_gregory_full_detail_checked, nodes, n, x, 4, xi, eta, gap,

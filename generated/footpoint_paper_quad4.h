@@ -229,7 +229,8 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;
@@ -541,8 +542,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const 
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -618,8 +621,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_fast_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -699,8 +704,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const 
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_taper_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -783,8 +790,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -870,8 +879,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -957,8 +968,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_newton_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_newton_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1046,8 +1059,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_medium_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1140,8 +1155,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1235,8 +1252,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1338,8 +1357,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *cons
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_precise_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1446,8 +1467,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1556,8 +1579,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_full_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1656,8 +1681,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program1_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program1_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1762,8 +1789,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program2_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1874,8 +1903,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program3_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program3_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program3_detail_checked, n, x, 4, xi, eta, gap, status);
 }

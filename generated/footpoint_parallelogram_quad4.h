@@ -228,7 +228,8 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;
@@ -1260,15 +1261,19 @@ FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_n(size_t n, const double
 }
 
 FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_checked_n(size_t n, const double *const x[15],
-                                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                                  double *FOOTPOINT_RESTRICT xi,
+                                                                  double *FOOTPOINT_RESTRICT eta,
+                                                                  double *FOOTPOINT_RESTRICT gap,
+                                                                  int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_parallelogram_quad4_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_over_n(const double *const nodes[4], size_t n,
-                                                               const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                               double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                               const double *const x[3],
+                                                               double *FOOTPOINT_RESTRICT xi,
+                                                               double *FOOTPOINT_RESTRICT eta,
+                                                               double *FOOTPOINT_RESTRICT gap,
                                                                int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_parallelogram_quad4_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1297,8 +1302,10 @@ FOOTPOINT_FN int footpoint_parallelogram_quad4_exact_closest(const double xA[3],
 }
 
 FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_closest_n(size_t n, const double *const x[15],
-                                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                                  double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                                  double *FOOTPOINT_RESTRICT xi,
+                                                                  double *FOOTPOINT_RESTRICT eta,
+                                                                  double *FOOTPOINT_RESTRICT dist,
+                                                                  int *FOOTPOINT_RESTRICT region,
                                                                   int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_parallelogram_quad4_exact_detail_closest, n, x, 1, xi, eta, dist,
@@ -1546,8 +1553,10 @@ FOOTPOINT_FN int footpoint_parallelogram_quad4_along(const double xA[3], const d
 }
 
 FOOTPOINT_LOOP void footpoint_parallelogram_quad4_along_n(size_t n, const double *const x[15],
-                                                          const double *const along[3], double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
+                                                          const double *const along[3],
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT dist,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     size_t i;

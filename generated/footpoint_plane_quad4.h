@@ -228,7 +228,8 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;
@@ -1263,8 +1264,10 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_fast_n(size_t n, const double *const x
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_fast_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_plane_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1299,8 +1302,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_fast_closest(const double xA[3], const do
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_fast_closest_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT dist,
+                                                         int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_plane_quad4_fast_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1407,15 +1412,18 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_plane_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_over_n(const double *const nodes[4], size_t n,
                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_plane_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1443,8 +1451,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_coarse_closest(const double xA[3], const 
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_closest_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT dist,
+                                                           int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_plane_quad4_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1551,15 +1561,18 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_exact_n(size_t n, const double *const 
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_exact_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_plane_quad4_exact_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_exact_over_n(const double *const nodes[4], size_t n,
                                                        const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                       double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_plane_quad4_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1587,8 +1600,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_exact_closest(const double xA[3], const d
 }
 
 FOOTPOINT_LOOP void footpoint_plane_quad4_exact_closest_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT dist,
+                                                          int *FOOTPOINT_RESTRICT region,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_plane_quad4_exact_detail_closest, n, x, 1, xi, eta, dist, region,

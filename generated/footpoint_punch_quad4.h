@@ -229,7 +229,8 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;
@@ -1263,8 +1264,10 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fast_n(size_t n, const double *const x
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fast_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1299,8 +1302,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_fast_closest(const double xA[3], const do
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fast_closest_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT dist,
+                                                         int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_punch_quad4_fast_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1406,15 +1411,18 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_punch_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_over_n(const double *const nodes[4], size_t n,
                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_punch_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1442,8 +1450,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_coarse_closest(const double xA[3], const 
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_closest_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT dist,
+                                                           int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_punch_quad4_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1554,15 +1564,18 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_punch_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_over_n(const double *const nodes[4], size_t n,
                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_punch_quad4_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1590,8 +1603,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_gauss2_closest(const double xA[3], const 
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_closest_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT dist,
+                                                           int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_punch_quad4_gauss2_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1703,15 +1718,18 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_medium_n(size_t n, const double *const
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_medium_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_punch_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_medium_over_n(const double *const nodes[4], size_t n,
                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                        double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_punch_quad4_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1739,8 +1757,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_medium_closest(const double xA[3], const 
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_medium_closest_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT dist,
+                                                           int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_punch_quad4_medium_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1857,15 +1877,18 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_punch_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_over_n(const double *const nodes[4], size_t n,
                                                           const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_punch_quad4_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1893,8 +1916,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_balanced_closest(const double xA[3], cons
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_closest_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT dist,
+                                                             int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_punch_quad4_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2014,8 +2039,10 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fine_n(size_t n, const double *const x
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fine_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -2050,8 +2077,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_fine_closest(const double xA[3], const do
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fine_closest_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT dist,
+                                                         int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_punch_quad4_fine_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2172,15 +2201,18 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_punch_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_over_n(const double *const nodes[4], size_t n,
                                                           const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_over_n(footpoint_punch_quad4_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -2208,8 +2240,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_accurate_closest(const double xA[3], cons
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_closest_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT dist,
+                                                             int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_punch_quad4_accurate_detail_closest, n, x, 1, xi, eta, dist, region,

@@ -231,7 +231,8 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;
@@ -1853,7 +1854,8 @@ FOOTPOINT_LOOP void footpoint_quad4_balanced_n(size_t n, const double *const x[1
 
 FOOTPOINT_LOOP void footpoint_quad4_balanced_checked_n(size_t n, const double *const x[15],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1889,7 +1891,8 @@ FOOTPOINT_FN int footpoint_quad4_balanced_closest(const double xA[3], const doub
 
 FOOTPOINT_LOOP void footpoint_quad4_balanced_closest_n(size_t n, const double *const x[15],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_quad4_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2205,7 +2208,8 @@ FOOTPOINT_FN int footpoint_quad4_precise_closest(const double xA[3], const doubl
 
 FOOTPOINT_LOOP void footpoint_quad4_precise_closest_n(size_t n, const double *const x[15],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                      double *FOOTPOINT_RESTRICT dist,
+                                                      int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_quad4_precise_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2337,7 +2341,8 @@ FOOTPOINT_LOOP void footpoint_quad4_accurate_n(size_t n, const double *const x[1
 
 FOOTPOINT_LOOP void footpoint_quad4_accurate_checked_n(size_t n, const double *const x[15],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -2373,7 +2378,8 @@ FOOTPOINT_FN int footpoint_quad4_accurate_closest(const double xA[3], const doub
 
 FOOTPOINT_LOOP void footpoint_quad4_accurate_closest_n(size_t n, const double *const x[15],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_closest_n(footpoint_quad4_accurate_detail_closest, n, x, 1, xi, eta, dist, region,

@@ -315,9 +315,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_place_detail(const double *const *x, double xi, double eta,
-                             double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_quad4_place_detail(const double *const *x, double xi, double eta,
+                                                               double *const *row,
+                                                               size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xS = x[4];
     double *const phi = row[0];
@@ -380,13 +380,15 @@ footpoint_quad4_place_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_quad4_place_detail_again(const double *const *x, double xi, double eta,
-                                                      double *const *row, size_t step)
+                                                      double *const *row,
+                                                      size_t step)
 {
     const int nodes = 4, vectors = 5, rows = 5, first = 1, degree = 1;
-    const int shape[10] = {4, 0, 3, 1, 3, 1, 3, 0, 1, 1};
+    const int shape[2 * 5] = {4, 0, 3, 1, 3, 1, 3, 0, 1, 1};
+    footpoint_detail_place *const tangents = footpoint_quad4_place_detail;
     double space[14];
-    return footpoint_detail_place_again(footpoint_quad4_place_detail, footpoint_quad4_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_quad4_place_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad4_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -395,19 +397,15 @@ FOOTPOINT_FN int footpoint_quad4_place(const double xA[3], const double xB[3], c
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_quad4_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_quad4_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_quad4_place_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_place_n(size_t n, const double *const x[15],
-                                            const double *xi, const double *eta,
-                                            double *FOOTPOINT_RESTRICT phi,
-                                            double *FOOTPOINT_RESTRICT r_xi,
-                                            double *FOOTPOINT_RESTRICT r_eta,
-                                            double *FOOTPOINT_RESTRICT normal,
-                                            double *FOOTPOINT_RESTRICT gap,
+FOOTPOINT_LOOP void footpoint_quad4_place_n(size_t n, const double *const x[15], const double *xi,
+                                            const double *eta, double *FOOTPOINT_RESTRICT phi,
+                                            double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                            double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
                                             int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
@@ -417,8 +415,8 @@ FOOTPOINT_LOOP void footpoint_quad4_place_n(size_t n, const double *const x[15],
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_quad4_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_quad4_place_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -455,10 +453,8 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                     double *FOOTPOINT_RESTRICT phi, \
-                                     double *FOOTPOINT_RESTRICT r_xi, \
-                                     double *FOOTPOINT_RESTRICT r_eta, \
-                                     double *FOOTPOINT_RESTRICT normal, \
+                                     double *FOOTPOINT_RESTRICT phi, double *FOOTPOINT_RESTRICT r_xi, \
+                                     double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
                                      double *FOOTPOINT_RESTRICT gap, \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
@@ -504,9 +500,9 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_gradients_detail(const double *const *x, double xi, double eta,
-                                 double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_quad4_gradients_detail(const double *const *x, double xi, double eta,
+                                                                   double *const *row,
+                                                                   size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xS = x[4];
     double *const phi = row[0];
@@ -627,13 +623,15 @@ footpoint_quad4_gradients_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_quad4_gradients_detail_again(const double *const *x, double xi, double eta,
-                                                          double *const *row, size_t step)
+                                                          double *const *row,
+                                                          size_t step)
 {
     const int nodes = 4, vectors = 5, rows = 8, first = 1, degree = 1;
-    const int shape[16] = {4, 0, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0};
+    const int shape[2 * 8] = {4, 0, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0};
+    footpoint_detail_place *const tangents = footpoint_quad4_place_detail;
     double space[59];
-    return footpoint_detail_place_again(footpoint_quad4_gradients_detail, footpoint_quad4_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_quad4_gradients_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad4_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -643,23 +641,17 @@ FOOTPOINT_FN int footpoint_quad4_gradients(const double xA[3], const double xB[3
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_quad4_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_quad4_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_quad4_gradients_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_gradients_n(size_t n, const double *const x[15],
-                                                const double *xi, const double *eta,
-                                                double *FOOTPOINT_RESTRICT phi,
-                                                double *FOOTPOINT_RESTRICT r_xi,
-                                                double *FOOTPOINT_RESTRICT r_eta,
-                                                double *FOOTPOINT_RESTRICT normal,
-                                                double *FOOTPOINT_RESTRICT gap,
-                                                double *FOOTPOINT_RESTRICT d_xi,
-                                                double *FOOTPOINT_RESTRICT d_eta,
-                                                double *FOOTPOINT_RESTRICT d_gap,
-                                                int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_LOOP void footpoint_quad4_gradients_n(size_t n, const double *const x[15], const double *xi,
+                                                const double *eta, double *FOOTPOINT_RESTRICT phi,
+                                                double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                                double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
+                                                double *FOOTPOINT_RESTRICT d_xi, double *FOOTPOINT_RESTRICT d_eta,
+                                                double *FOOTPOINT_RESTRICT d_gap, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
     FOOTPOINT_EACH
@@ -668,8 +660,8 @@ FOOTPOINT_LOOP void footpoint_quad4_gradients_n(size_t n, const double *const x[
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_quad4_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_quad4_gradients_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -707,14 +699,10 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                         double *FOOTPOINT_RESTRICT phi, \
-                                         double *FOOTPOINT_RESTRICT r_xi, \
-                                         double *FOOTPOINT_RESTRICT r_eta, \
-                                         double *FOOTPOINT_RESTRICT normal, \
-                                         double *FOOTPOINT_RESTRICT gap, \
-                                         double *FOOTPOINT_RESTRICT d_xi, \
-                                         double *FOOTPOINT_RESTRICT d_eta, \
-                                         double *FOOTPOINT_RESTRICT d_gap, \
+                                         double *FOOTPOINT_RESTRICT phi, double *FOOTPOINT_RESTRICT r_xi, \
+                                         double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
+                                         double *FOOTPOINT_RESTRICT gap, double *FOOTPOINT_RESTRICT d_xi, \
+                                         double *FOOTPOINT_RESTRICT d_eta, double *FOOTPOINT_RESTRICT d_gap, \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
     const double zero = footpoint_detail_zero(); \
@@ -759,9 +747,9 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_hessian_detail(const double *const *x, double xi, double eta,
-                               double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_quad4_hessian_detail(const double *const *x, double xi, double eta,
+                                                                 double *const *row,
+                                                                 size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xS = x[4];
     double *const gap = row[0];
@@ -1075,13 +1063,15 @@ footpoint_quad4_hessian_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_quad4_hessian_detail_again(const double *const *x, double xi, double eta,
-                                                        double *const *row, size_t step)
+                                                        double *const *row,
+                                                        size_t step)
 {
     const int nodes = 4, vectors = 5, rows = 6, first = 1, degree = 1;
-    const int shape[12] = {1, 1, 15, -1, 15, -1, 15, 0, 45, -1, 120, -1};
+    const int shape[2 * 6] = {1, 1, 15, -1, 15, -1, 15, 0, 45, -1, 120, -1};
+    footpoint_detail_place *const tangents = footpoint_quad4_place_detail;
     double space[211];
-    return footpoint_detail_place_again(footpoint_quad4_hessian_detail, footpoint_quad4_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_quad4_hessian_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad4_hessian(const double xA[3], const double xB[3], const double xC[3],
@@ -1091,21 +1081,16 @@ FOOTPOINT_FN int footpoint_quad4_hessian(const double xA[3], const double xB[3],
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_quad4_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_quad4_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_quad4_hessian_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_hessian_n(size_t n, const double *const x[15],
-                                              const double *xi, const double *eta,
-                                              double *FOOTPOINT_RESTRICT gap,
-                                              double *FOOTPOINT_RESTRICT d_xi,
-                                              double *FOOTPOINT_RESTRICT d_eta,
-                                              double *FOOTPOINT_RESTRICT d_gap,
-                                              double *FOOTPOINT_RESTRICT d_normal,
-                                              double *FOOTPOINT_RESTRICT hessian,
-                                              int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_LOOP void footpoint_quad4_hessian_n(size_t n, const double *const x[15], const double *xi,
+                                              const double *eta, double *FOOTPOINT_RESTRICT gap,
+                                              double *FOOTPOINT_RESTRICT d_xi, double *FOOTPOINT_RESTRICT d_eta,
+                                              double *FOOTPOINT_RESTRICT d_gap, double *FOOTPOINT_RESTRICT d_normal,
+                                              double *FOOTPOINT_RESTRICT hessian, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
     FOOTPOINT_EACH
@@ -1114,8 +1099,8 @@ FOOTPOINT_LOOP void footpoint_quad4_hessian_n(size_t n, const double *const x[15
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         const double *const y[5] = {p[0], p[1], p[2], p[3], p[4]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_quad4_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_quad4_hessian_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1152,12 +1137,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[15], \
                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                       double *FOOTPOINT_RESTRICT gap, \
-                                       double *FOOTPOINT_RESTRICT d_xi, \
-                                       double *FOOTPOINT_RESTRICT d_eta, \
-                                       double *FOOTPOINT_RESTRICT d_gap, \
-                                       double *FOOTPOINT_RESTRICT d_normal, \
-                                       double *FOOTPOINT_RESTRICT hessian, \
+                                       double *FOOTPOINT_RESTRICT gap, double *FOOTPOINT_RESTRICT d_xi, \
+                                       double *FOOTPOINT_RESTRICT d_eta, double *FOOTPOINT_RESTRICT d_gap, \
+                                       double *FOOTPOINT_RESTRICT d_normal, double *FOOTPOINT_RESTRICT hessian, \
                                        int *FOOTPOINT_RESTRICT status) \
 { \
     const double zero = footpoint_detail_zero(); \

@@ -1362,7 +1362,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_checked_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                         float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         float *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fast_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1398,7 +1399,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest(const float xA[3], const flo
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_closest_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                         float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                         float *FOOTPOINT_RESTRICT dist,
+                                                         int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_fast_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1498,8 +1500,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const 
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_checked_n(size_t n, const float *const x[15],
-                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                           float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           float *FOOTPOINT_RESTRICT xi,
+                                                           float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1534,8 +1538,10 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest(const float xA[3], const f
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_closest_n(size_t n, const float *const x[15],
-                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                           float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           float *FOOTPOINT_RESTRICT xi,
+                                                           float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT dist,
+                                                           int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1640,8 +1646,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const 
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_checked_n(size_t n, const float *const x[15],
-                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                           float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           float *FOOTPOINT_RESTRICT xi,
+                                                           float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1676,8 +1684,10 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest(const float xA[3], const f
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_closest_n(size_t n, const float *const x[15],
-                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                           float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           float *FOOTPOINT_RESTRICT xi,
+                                                           float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT dist,
+                                                           int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_gauss2_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1783,8 +1793,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const 
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_checked_n(size_t n, const float *const x[15],
-                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                           float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                           float *FOOTPOINT_RESTRICT xi,
+                                                           float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_medium_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1819,8 +1831,10 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest(const float xA[3], const f
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_closest_n(size_t n, const float *const x[15],
-                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                           float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           float *FOOTPOINT_RESTRICT xi,
+                                                           float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT dist,
+                                                           int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_medium_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -1933,15 +1947,18 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_n(size_t n, const float *cons
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_checked_n(size_t n, const float *const x[15],
-                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                             float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             float *FOOTPOINT_RESTRICT xi,
+                                                             float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_over_n(const float *const nodes[4], size_t n,
                                                           const float *const x[3], float *FOOTPOINT_RESTRICT xi,
-                                                          float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                          float *FOOTPOINT_RESTRICT eta,
+                                                          float *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_over_n(footpoint_quad4_float_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -1969,8 +1986,10 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest(const float xA[3], const
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_closest_n(size_t n, const float *const x[15],
-                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                             float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                             float *FOOTPOINT_RESTRICT xi,
+                                                             float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT dist,
+                                                             int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2088,7 +2107,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_checked_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                         float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                         float *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fine_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -2124,7 +2144,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest(const float xA[3], const flo
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_closest_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                         float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                         float *FOOTPOINT_RESTRICT dist,
+                                                         int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_fine_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2240,15 +2261,18 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_checked_n(size_t n, const float *const x[15],
-                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            float *FOOTPOINT_RESTRICT xi,
+                                                            float *FOOTPOINT_RESTRICT eta,
+                                                            float *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_precise_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_over_n(const float *const nodes[4], size_t n,
                                                          const float *const x[3], float *FOOTPOINT_RESTRICT xi,
-                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                         float *FOOTPOINT_RESTRICT eta,
+                                                         float *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_over_n(footpoint_quad4_float_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -2276,8 +2300,10 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest(const float xA[3], const 
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_closest_n(size_t n, const float *const x[15],
-                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                            float *FOOTPOINT_RESTRICT xi,
+                                                            float *FOOTPOINT_RESTRICT eta,
+                                                            float *FOOTPOINT_RESTRICT dist,
+                                                            int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_precise_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2404,15 +2430,18 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_n(size_t n, const float *cons
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_checked_n(size_t n, const float *const x[15],
-                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                             float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             float *FOOTPOINT_RESTRICT xi,
+                                                             float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_over_n(const float *const nodes[4], size_t n,
                                                           const float *const x[3], float *FOOTPOINT_RESTRICT xi,
-                                                          float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                          float *FOOTPOINT_RESTRICT eta,
+                                                          float *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_over_n(footpoint_quad4_float_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
@@ -2440,8 +2469,10 @@ FOOTPOINT_FN int footpoint_quad4_float_accurate_closest(const float xA[3], const
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_closest_n(size_t n, const float *const x[15],
-                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                                             float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                             float *FOOTPOINT_RESTRICT xi,
+                                                             float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT dist,
+                                                             int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_quad4_closest_n(footpoint_quad4_float_accurate_detail_closest, n, x, 1, xi, eta, dist, region,

@@ -1779,7 +1779,8 @@ FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[2
 
 FOOTPOINT_LOOP void footpoint_quad8_balanced_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad8_checked_n(footpoint_quad8_balanced_detail_checked, n, x, 8, xi, eta, gap, status);
 }
@@ -1816,7 +1817,8 @@ FOOTPOINT_FN int footpoint_quad8_balanced_closest(const double xA[3], const doub
 
 FOOTPOINT_LOOP void footpoint_quad8_balanced_closest_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad8_closest_n(footpoint_quad8_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2134,7 +2136,8 @@ FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[2
 
 FOOTPOINT_LOOP void footpoint_quad8_accurate_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad8_checked_n(footpoint_quad8_accurate_detail_checked, n, x, 8, xi, eta, gap, status);
 }
@@ -2171,7 +2174,8 @@ FOOTPOINT_FN int footpoint_quad8_accurate_closest(const double xA[3], const doub
 
 FOOTPOINT_LOOP void footpoint_quad8_accurate_closest_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad8_closest_n(footpoint_quad8_accurate_detail_closest, n, x, 1, xi, eta, dist, region,

@@ -316,9 +316,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_place_detail(const double *const *x, double xi, double eta,
-                             double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_quad8_place_detail(const double *const *x, double xi, double eta,
+                                                               double *const *row,
+                                                               size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -403,13 +403,15 @@ footpoint_quad8_place_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_quad8_place_detail_again(const double *const *x, double xi, double eta,
-                                                      double *const *row, size_t step)
+                                                      double *const *row,
+                                                      size_t step)
 {
     const int nodes = 8, vectors = 9, rows = 5, first = 1, degree = 2;
-    const int shape[10] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1};
+    const int shape[2 * 5] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1};
+    footpoint_detail_place *const tangents = footpoint_quad8_place_detail;
     double space[18];
-    return footpoint_detail_place_again(footpoint_quad8_place_detail, footpoint_quad8_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_quad8_place_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad8_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -419,19 +421,15 @@ FOOTPOINT_FN int footpoint_quad8_place(const double xA[3], const double xB[3], c
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_quad8_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_quad8_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_quad8_place_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27],
-                                            const double *xi, const double *eta,
-                                            double *FOOTPOINT_RESTRICT phi,
-                                            double *FOOTPOINT_RESTRICT r_xi,
-                                            double *FOOTPOINT_RESTRICT r_eta,
-                                            double *FOOTPOINT_RESTRICT normal,
-                                            double *FOOTPOINT_RESTRICT gap,
+FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27], const double *xi,
+                                            const double *eta, double *FOOTPOINT_RESTRICT phi,
+                                            double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                            double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
                                             int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
@@ -442,8 +440,8 @@ FOOTPOINT_LOOP void footpoint_quad8_place_n(size_t n, const double *const x[27],
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_quad8_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_quad8_place_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -482,10 +480,8 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                     double *FOOTPOINT_RESTRICT phi, \
-                                     double *FOOTPOINT_RESTRICT r_xi, \
-                                     double *FOOTPOINT_RESTRICT r_eta, \
-                                     double *FOOTPOINT_RESTRICT normal, \
+                                     double *FOOTPOINT_RESTRICT phi, double *FOOTPOINT_RESTRICT r_xi, \
+                                     double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
                                      double *FOOTPOINT_RESTRICT gap, \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
@@ -533,9 +529,9 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_gradients_detail(const double *const *x, double xi, double eta,
-                                 double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_quad8_gradients_detail(const double *const *x, double xi, double eta,
+                                                                   double *const *row,
+                                                                   size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -729,13 +725,15 @@ footpoint_quad8_gradients_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_quad8_gradients_detail_again(const double *const *x, double xi, double eta,
-                                                          double *const *row, size_t step)
+                                                          double *const *row,
+                                                          size_t step)
 {
     const int nodes = 8, vectors = 9, rows = 8, first = 1, degree = 2;
-    const int shape[16] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0};
+    const int shape[2 * 8] = {8, 0, 3, 1, 3, 1, 3, 0, 1, 1, 27, -1, 27, -1, 27, 0};
+    footpoint_detail_place *const tangents = footpoint_quad8_place_detail;
     double space[99];
-    return footpoint_detail_place_again(footpoint_quad8_gradients_detail, footpoint_quad8_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_quad8_gradients_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad8_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -747,23 +745,17 @@ FOOTPOINT_FN int footpoint_quad8_gradients(const double xA[3], const double xB[3
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_quad8_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_quad8_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_quad8_gradients_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[27],
-                                                const double *xi, const double *eta,
-                                                double *FOOTPOINT_RESTRICT phi,
-                                                double *FOOTPOINT_RESTRICT r_xi,
-                                                double *FOOTPOINT_RESTRICT r_eta,
-                                                double *FOOTPOINT_RESTRICT normal,
-                                                double *FOOTPOINT_RESTRICT gap,
-                                                double *FOOTPOINT_RESTRICT d_xi,
-                                                double *FOOTPOINT_RESTRICT d_eta,
-                                                double *FOOTPOINT_RESTRICT d_gap,
-                                                int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[27], const double *xi,
+                                                const double *eta, double *FOOTPOINT_RESTRICT phi,
+                                                double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                                double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
+                                                double *FOOTPOINT_RESTRICT d_xi, double *FOOTPOINT_RESTRICT d_eta,
+                                                double *FOOTPOINT_RESTRICT d_gap, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
     FOOTPOINT_EACH
@@ -773,8 +765,8 @@ FOOTPOINT_LOOP void footpoint_quad8_gradients_n(size_t n, const double *const x[
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_quad8_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_quad8_gradients_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -814,14 +806,10 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                         double *FOOTPOINT_RESTRICT phi, \
-                                         double *FOOTPOINT_RESTRICT r_xi, \
-                                         double *FOOTPOINT_RESTRICT r_eta, \
-                                         double *FOOTPOINT_RESTRICT normal, \
-                                         double *FOOTPOINT_RESTRICT gap, \
-                                         double *FOOTPOINT_RESTRICT d_xi, \
-                                         double *FOOTPOINT_RESTRICT d_eta, \
-                                         double *FOOTPOINT_RESTRICT d_gap, \
+                                         double *FOOTPOINT_RESTRICT phi, double *FOOTPOINT_RESTRICT r_xi, \
+                                         double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
+                                         double *FOOTPOINT_RESTRICT gap, double *FOOTPOINT_RESTRICT d_xi, \
+                                         double *FOOTPOINT_RESTRICT d_eta, double *FOOTPOINT_RESTRICT d_gap, \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
     const double zero = footpoint_detail_zero(); \
@@ -868,9 +856,9 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_hessian_detail(const double *const *x, double xi, double eta,
-                               double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_quad8_hessian_detail(const double *const *x, double xi, double eta,
+                                                                 double *const *row,
+                                                                 size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xG = x[6], *const xH = x[7], *const xS = x[8];
@@ -1601,13 +1589,15 @@ footpoint_quad8_hessian_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_quad8_hessian_detail_again(const double *const *x, double xi, double eta,
-                                                        double *const *row, size_t step)
+                                                        double *const *row,
+                                                        size_t step)
 {
     const int nodes = 8, vectors = 9, rows = 6, first = 1, degree = 2;
-    const int shape[12] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1};
+    const int shape[2 * 6] = {1, 1, 27, -1, 27, -1, 27, 0, 81, -1, 378, -1};
+    footpoint_detail_place *const tangents = footpoint_quad8_place_detail;
     double space[541];
-    return footpoint_detail_place_again(footpoint_quad8_hessian_detail, footpoint_quad8_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_quad8_hessian_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_quad8_hessian(const double xA[3], const double xB[3], const double xC[3],
@@ -1618,21 +1608,16 @@ FOOTPOINT_FN int footpoint_quad8_hessian(const double xA[3], const double xB[3],
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_quad8_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_quad8_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_quad8_hessian_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27],
-                                              const double *xi, const double *eta,
-                                              double *FOOTPOINT_RESTRICT gap,
-                                              double *FOOTPOINT_RESTRICT d_xi,
-                                              double *FOOTPOINT_RESTRICT d_eta,
-                                              double *FOOTPOINT_RESTRICT d_gap,
-                                              double *FOOTPOINT_RESTRICT d_normal,
-                                              double *FOOTPOINT_RESTRICT hessian,
-                                              int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27], const double *xi,
+                                              const double *eta, double *FOOTPOINT_RESTRICT gap,
+                                              double *FOOTPOINT_RESTRICT d_xi, double *FOOTPOINT_RESTRICT d_eta,
+                                              double *FOOTPOINT_RESTRICT d_gap, double *FOOTPOINT_RESTRICT d_normal,
+                                              double *FOOTPOINT_RESTRICT hessian, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
     FOOTPOINT_EACH
@@ -1642,8 +1627,8 @@ FOOTPOINT_LOOP void footpoint_quad8_hessian_n(size_t n, const double *const x[27
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_quad8_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_quad8_hessian_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1682,12 +1667,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[27], \
                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                       double *FOOTPOINT_RESTRICT gap, \
-                                       double *FOOTPOINT_RESTRICT d_xi, \
-                                       double *FOOTPOINT_RESTRICT d_eta, \
-                                       double *FOOTPOINT_RESTRICT d_gap, \
-                                       double *FOOTPOINT_RESTRICT d_normal, \
-                                       double *FOOTPOINT_RESTRICT hessian, \
+                                       double *FOOTPOINT_RESTRICT gap, double *FOOTPOINT_RESTRICT d_xi, \
+                                       double *FOOTPOINT_RESTRICT d_eta, double *FOOTPOINT_RESTRICT d_gap, \
+                                       double *FOOTPOINT_RESTRICT d_normal, double *FOOTPOINT_RESTRICT hessian, \
                                        int *FOOTPOINT_RESTRICT status) \
 { \
     const double zero = footpoint_detail_zero(); \

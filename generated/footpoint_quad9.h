@@ -1782,7 +1782,8 @@ FOOTPOINT_LOOP void footpoint_quad9_balanced_n(size_t n, const double *const x[3
 
 FOOTPOINT_LOOP void footpoint_quad9_balanced_checked_n(size_t n, const double *const x[30],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad9_checked_n(footpoint_quad9_balanced_detail_checked, n, x, 9, xi, eta, gap, status);
 }
@@ -1819,7 +1820,8 @@ FOOTPOINT_FN int footpoint_quad9_balanced_closest(const double xA[3], const doub
 
 FOOTPOINT_LOOP void footpoint_quad9_balanced_closest_n(size_t n, const double *const x[30],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad9_closest_n(footpoint_quad9_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2145,7 +2147,8 @@ FOOTPOINT_LOOP void footpoint_quad9_accurate_n(size_t n, const double *const x[3
 
 FOOTPOINT_LOOP void footpoint_quad9_accurate_checked_n(size_t n, const double *const x[30],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad9_checked_n(footpoint_quad9_accurate_detail_checked, n, x, 9, xi, eta, gap, status);
 }
@@ -2182,7 +2185,8 @@ FOOTPOINT_FN int footpoint_quad9_accurate_closest(const double xA[3], const doub
 
 FOOTPOINT_LOOP void footpoint_quad9_accurate_closest_n(size_t n, const double *const x[30],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
                                                        int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad9_closest_n(footpoint_quad9_accurate_detail_closest, n, x, 1, xi, eta, dist, region,

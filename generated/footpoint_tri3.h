@@ -250,7 +250,8 @@ FOOTPOINT_PART void footpoint_detail_weighted(const double *const *x, int nodes,
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;

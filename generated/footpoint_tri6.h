@@ -1753,7 +1753,8 @@ FOOTPOINT_FN int footpoint_tri6_balanced_closest(const double xA[3], const doubl
 
 FOOTPOINT_LOOP void footpoint_tri6_balanced_closest_n(size_t n, const double *const x[21],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                      double *FOOTPOINT_RESTRICT dist,
+                                                      int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_tri6_closest_n(footpoint_tri6_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
@@ -2252,7 +2253,8 @@ FOOTPOINT_FN int footpoint_tri6_accurate_closest(const double xA[3], const doubl
 
 FOOTPOINT_LOOP void footpoint_tri6_accurate_closest_n(size_t n, const double *const x[21],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                      double *FOOTPOINT_RESTRICT dist,
+                                                      int *FOOTPOINT_RESTRICT region,
                                                       int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_tri6_closest_n(footpoint_tri6_accurate_detail_closest, n, x, 1, xi, eta, dist, region,

@@ -315,9 +315,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_place_detail(const double *const *x, double xi, double eta,
-                            double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_tri6_place_detail(const double *const *x, double xi, double eta,
+                                                              double *const *row,
+                                                              size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xS = x[6];
@@ -390,34 +390,33 @@ footpoint_tri6_place_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_tri6_place_detail_again(const double *const *x, double xi, double eta,
-                                                     double *const *row, size_t step)
+                                                     double *const *row,
+                                                     size_t step)
 {
     const int nodes = 6, vectors = 7, rows = 5, first = 1, degree = 1;
-    const int shape[10] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1};
+    const int shape[2 * 5] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1};
+    footpoint_detail_place *const tangents = footpoint_tri6_place_detail;
     double space[16];
-    return footpoint_detail_place_again(footpoint_tri6_place_detail, footpoint_tri6_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_tri6_place_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri6_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xS[3], const double loc[2],
-                                      double phi[6], double r_xi[3], double r_eta[3], double normal[3], double gap[1])
+                                      double phi[6], double r_xi[3], double r_eta[3], double normal[3],
+                                      double gap[1])
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double *const row[5] = {phi, r_xi, r_eta, normal, gap};
-    if (footpoint_tri6_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_tri6_place_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_tri6_place_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_tri6_place_n(size_t n, const double *const x[21],
-                                           const double *xi, const double *eta,
-                                           double *FOOTPOINT_RESTRICT phi,
-                                           double *FOOTPOINT_RESTRICT r_xi,
-                                           double *FOOTPOINT_RESTRICT r_eta,
-                                           double *FOOTPOINT_RESTRICT normal,
-                                           double *FOOTPOINT_RESTRICT gap,
+FOOTPOINT_LOOP void footpoint_tri6_place_n(size_t n, const double *const x[21], const double *xi,
+                                           const double *eta, double *FOOTPOINT_RESTRICT phi,
+                                           double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                           double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
                                            int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
@@ -428,8 +427,8 @@ FOOTPOINT_LOOP void footpoint_tri6_place_n(size_t n, const double *const x[21],
             {x[18][i], x[19][i], x[20][i]}};
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_tri6_place_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_tri6_place_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -467,10 +466,8 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                     double *FOOTPOINT_RESTRICT phi, \
-                                     double *FOOTPOINT_RESTRICT r_xi, \
-                                     double *FOOTPOINT_RESTRICT r_eta, \
-                                     double *FOOTPOINT_RESTRICT normal, \
+                                     double *FOOTPOINT_RESTRICT phi, double *FOOTPOINT_RESTRICT r_xi, \
+                                     double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
                                      double *FOOTPOINT_RESTRICT gap, \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
@@ -518,9 +515,9 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_gradients_detail(const double *const *x, double xi, double eta,
-                                double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_tri6_gradients_detail(const double *const *x, double xi, double eta,
+                                                                  double *const *row,
+                                                                  size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xS = x[6];
@@ -674,13 +671,15 @@ footpoint_tri6_gradients_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_tri6_gradients_detail_again(const double *const *x, double xi, double eta,
-                                                         double *const *row, size_t step)
+                                                         double *const *row,
+                                                         size_t step)
 {
     const int nodes = 6, vectors = 7, rows = 8, first = 1, degree = 1;
-    const int shape[16] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1, 21, -1, 21, -1, 21, 0};
+    const int shape[2 * 8] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1, 21, -1, 21, -1, 21, 0};
+    footpoint_detail_place *const tangents = footpoint_tri6_place_detail;
     double space[79];
-    return footpoint_detail_place_again(footpoint_tri6_gradients_detail, footpoint_tri6_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_tri6_gradients_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
 FOOTPOINT_FN int footpoint_tri6_gradients(const double xA[3], const double xB[3], const double xC[3],
@@ -691,23 +690,17 @@ FOOTPOINT_FN int footpoint_tri6_gradients(const double xA[3], const double xB[3]
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap};
-    if (footpoint_tri6_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_tri6_gradients_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_tri6_gradients_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_tri6_gradients_n(size_t n, const double *const x[21],
-                                               const double *xi, const double *eta,
-                                               double *FOOTPOINT_RESTRICT phi,
-                                               double *FOOTPOINT_RESTRICT r_xi,
-                                               double *FOOTPOINT_RESTRICT r_eta,
-                                               double *FOOTPOINT_RESTRICT normal,
-                                               double *FOOTPOINT_RESTRICT gap,
-                                               double *FOOTPOINT_RESTRICT d_xi,
-                                               double *FOOTPOINT_RESTRICT d_eta,
-                                               double *FOOTPOINT_RESTRICT d_gap,
-                                               int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_LOOP void footpoint_tri6_gradients_n(size_t n, const double *const x[21], const double *xi,
+                                               const double *eta, double *FOOTPOINT_RESTRICT phi,
+                                               double *FOOTPOINT_RESTRICT r_xi, double *FOOTPOINT_RESTRICT r_eta,
+                                               double *FOOTPOINT_RESTRICT normal, double *FOOTPOINT_RESTRICT gap,
+                                               double *FOOTPOINT_RESTRICT d_xi, double *FOOTPOINT_RESTRICT d_eta,
+                                               double *FOOTPOINT_RESTRICT d_gap, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
     FOOTPOINT_EACH
@@ -717,8 +710,8 @@ FOOTPOINT_LOOP void footpoint_tri6_gradients_n(size_t n, const double *const x[2
             {x[18][i], x[19][i], x[20][i]}};
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_tri6_gradients_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_tri6_gradients_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -757,14 +750,10 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                         double *FOOTPOINT_RESTRICT phi, \
-                                         double *FOOTPOINT_RESTRICT r_xi, \
-                                         double *FOOTPOINT_RESTRICT r_eta, \
-                                         double *FOOTPOINT_RESTRICT normal, \
-                                         double *FOOTPOINT_RESTRICT gap, \
-                                         double *FOOTPOINT_RESTRICT d_xi, \
-                                         double *FOOTPOINT_RESTRICT d_eta, \
-                                         double *FOOTPOINT_RESTRICT d_gap, \
+                                         double *FOOTPOINT_RESTRICT phi, double *FOOTPOINT_RESTRICT r_xi, \
+                                         double *FOOTPOINT_RESTRICT r_eta, double *FOOTPOINT_RESTRICT normal, \
+                                         double *FOOTPOINT_RESTRICT gap, double *FOOTPOINT_RESTRICT d_xi, \
+                                         double *FOOTPOINT_RESTRICT d_eta, double *FOOTPOINT_RESTRICT d_gap, \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
     const double zero = footpoint_detail_zero(); \
@@ -811,9 +800,9 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_hessian_detail(const double *const *x, double xi, double eta,
-                              double *const *row, size_t step, int always, int again)
+FOOTPOINT_PART unsigned long long footpoint_tri6_hessian_detail(const double *const *x, double xi, double eta,
+                                                                double *const *row,
+                                                                size_t step, int always, int again)
 {
     const double *const xA = x[0], *const xB = x[1], *const xC = x[2], *const xD = x[3], *const xE = x[4],
                  *const xF = x[5], *const xS = x[6];
@@ -1310,37 +1299,34 @@ footpoint_tri6_hessian_detail(const double *const *x, double xi, double eta,
 }
 
 FOOTPOINT_COLD int footpoint_tri6_hessian_detail_again(const double *const *x, double xi, double eta,
-                                                       double *const *row, size_t step)
+                                                       double *const *row,
+                                                       size_t step)
 {
     const int nodes = 6, vectors = 7, rows = 6, first = 1, degree = 1;
-    const int shape[12] = {1, 1, 21, -1, 21, -1, 21, 0, 63, -1, 231, -1};
+    const int shape[2 * 6] = {1, 1, 21, -1, 21, -1, 21, 0, 63, -1, 231, -1};
+    footpoint_detail_place *const tangents = footpoint_tri6_place_detail;
     double space[358];
-    return footpoint_detail_place_again(footpoint_tri6_hessian_detail, footpoint_tri6_place_detail, first, degree,
-        x, nodes, vectors, xi, eta, row, step, rows, shape, space);
+    return footpoint_detail_place_again(footpoint_tri6_hessian_detail, tangents, first, degree, x, nodes, vectors, xi,
+                                        eta, row, step, rows, shape, space);
 }
 
-FOOTPOINT_FN int footpoint_tri6_hessian(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xS[3], const double loc[2], double gap[1], double d_xi[21],
-                                        double d_eta[21], double d_gap[21], double d_normal[63], double hessian[231])
+FOOTPOINT_FN int footpoint_tri6_hessian(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xS[3],
+                                        const double loc[2], double gap[1], double d_xi[21], double d_eta[21],
+                                        double d_gap[21], double d_normal[63], double hessian[231])
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian};
-    if (footpoint_tri6_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63) {
+    if (footpoint_tri6_hessian_detail(x, loc[0], loc[1], row, 1, 0, 0) >> 63)
         return footpoint_tri6_hessian_detail_again(x, loc[0], loc[1], row, 1);
-    }
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_tri6_hessian_n(size_t n, const double *const x[21],
-                                             const double *xi, const double *eta,
-                                             double *FOOTPOINT_RESTRICT gap,
-                                             double *FOOTPOINT_RESTRICT d_xi,
-                                             double *FOOTPOINT_RESTRICT d_eta,
-                                             double *FOOTPOINT_RESTRICT d_gap,
-                                             double *FOOTPOINT_RESTRICT d_normal,
-                                             double *FOOTPOINT_RESTRICT hessian,
-                                             int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_LOOP void footpoint_tri6_hessian_n(size_t n, const double *const x[21], const double *xi,
+                                             const double *eta, double *FOOTPOINT_RESTRICT gap,
+                                             double *FOOTPOINT_RESTRICT d_xi, double *FOOTPOINT_RESTRICT d_eta,
+                                             double *FOOTPOINT_RESTRICT d_gap, double *FOOTPOINT_RESTRICT d_normal,
+                                             double *FOOTPOINT_RESTRICT hessian, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
     FOOTPOINT_EACH
@@ -1350,8 +1336,8 @@ FOOTPOINT_LOOP void footpoint_tri6_hessian_n(size_t n, const double *const x[21]
             {x[18][i], x[19][i], x[20][i]}};
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i};
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_tri6_hessian_detail(y, xi[i], eta[i], row, n, 1, 0) >> 63);
+        const unsigned long long flaw = footpoint_tri6_hessian_detail(y, xi[i], eta[i], row, n, 1, 0);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63);
     }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
@@ -1390,12 +1376,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[21], \
                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
-                                       double *FOOTPOINT_RESTRICT gap, \
-                                       double *FOOTPOINT_RESTRICT d_xi, \
-                                       double *FOOTPOINT_RESTRICT d_eta, \
-                                       double *FOOTPOINT_RESTRICT d_gap, \
-                                       double *FOOTPOINT_RESTRICT d_normal, \
-                                       double *FOOTPOINT_RESTRICT hessian, \
+                                       double *FOOTPOINT_RESTRICT gap, double *FOOTPOINT_RESTRICT d_xi, \
+                                       double *FOOTPOINT_RESTRICT d_eta, double *FOOTPOINT_RESTRICT d_gap, \
+                                       double *FOOTPOINT_RESTRICT d_normal, double *FOOTPOINT_RESTRICT hessian, \
                                        int *FOOTPOINT_RESTRICT status) \
 { \
     const double zero = footpoint_detail_zero(); \

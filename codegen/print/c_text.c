@@ -10,77 +10,57 @@
 
 enum { WIDTH = 117 };
 
-static struct printer *print_program(const struct unit *u, const struct function *f, FILE *out)
+static const struct dialect *dialect_of(const struct unit *u, const struct function *f)
 {
     const bool single = u->options.precision == PRECISION_FLOAT;
-    const struct dialect *d = !single ? &c_double : f->scaled ? &c_relative : &c_float;
-    return c_statements(u->file, f->genome, f->program, d, out);
+    return !single ? &c_double : f->scaled ? &c_relative : &c_float;
 }
 
-/* The length of "    const double " or the like at the beginning of a declaration; 0 of another statement. */
-static size_t declaration(const char *text, enum precision precision)
+struct c_code c_code_of(const struct unit *u, const struct function *f)
 {
-    const char *type = precision == PRECISION_FLOAT ? "float " : "double ";
-    const size_t indent = strspn(text, " "), constant = strncmp(text + indent, "const ", 6) == 0 ? 6 : 0;
-    const bool declares = strncmp(text + indent + constant, type, strlen(type)) == 0;
-    return declares ? indent + constant + strlen(type) : 0;
+    return c_code_new(u->file, f->genome, f->program, dialect_of(u, f));
 }
 
-/* Statements of one line each, but for long ones; declarations of one type join in a line as long as it has room. */
-static void print_packed(const char *text, enum precision precision, FILE *out)
+void c_print_packed(const struct c_code *c, const bool *wanted, FILE *out)
 {
-    size_t column = 0, open = 0; /* of the line that goes on; the length of what begins its declaration */
-    for (const char *end; *text; text = end + 2) {
-        end = strstr(text, ";\n");
-        const size_t n = (size_t)(end - text), type = declaration(text, precision);
-        const bool short_one = memchr(text, '\n', n) == NULL;
-        if (open && open == type && short_one && column + 2 + n - type <= WIDTH) {
-            column += (size_t)fprintf(out, ", %.*s", (int)(n - type), text + type);
+    size_t column = 0;       /* of the line that goes on */
+    const char *open = NULL; /* what its declaration begins with */
+    for (size_t i = 0; i < c->statements; i++) {
+        const struct c_statement *s = &c->statement[i];
+        if (wanted && !wanted[i])
+            continue;
+        const bool short_one = !strchr(s->value, '\n');
+        const size_t more = strlen(", ") + strlen(s->name) + strlen(" = ") + strlen(s->value);
+        if (open && s->declares && strcmp(open, s->declares) == 0 && short_one && column + more <= WIDTH) {
+            column += (size_t)fprintf(out, ", %s = %s", s->name, s->value);
             continue;
         }
-        fprintf(out, "%s%.*s", column ? ";\n" : "", (int)n, text);
-        column = n;
-        open = short_one ? type : 0;
+        fputs(column ? ";\n" : "", out);
+        column = (size_t)c_statement_print(c, i, out);
+        open = short_one ? s->declares : NULL;
     }
     fputs(column ? ";\n" : "", out);
 }
 
-void c_print_statements(const struct unit *u, const struct function *f, FILE *out)
+/* Whether a statement sets the value of an operation that is needed. */
+static bool sets_needed(const struct program *p, const struct printer *r, const bool *needed,
+                        const struct c_statement *s)
 {
-    struct memory *m = memory_open();
-    printer_free(print_program(u, f, m->stream));
-    char *text = memory_close(m);
-    print_packed(text, u->options.precision, out);
-    free(text);
-}
-
-/* Whether the statement at `text` sets the value of an operation that is needed. */
-static bool sets_needed(const struct program *p, const struct printer *r, const bool *needed, const char *text,
-                        size_t type)
-{
-    for (size_t i = 0; type && i < p->ops; i++) {
-        const size_t n = r->name[i] && needed[i] && i >= p->inputs ? strlen(r->name[i]) : 0;
-        if (n && strncmp(text + type, r->name[i], n) == 0 && text[type + n] == ' ')
+    for (size_t i = p->inputs; s->declares && i < p->ops; i++)
+        if (needed[i] && r->name[i] && strcmp(s->name, r->name[i]) == 0)
             return true;
-    }
     return false;
 }
 
 struct printer *c_print_needed(const struct unit *u, const struct function *f, const bool *needed, FILE *out)
 {
-    struct memory *m = memory_open(), *few = memory_open();
-    struct printer *r = print_program(u, f, m->stream);
-    char *text = memory_close(m);
-    for (const char *t = text, *end; *t; t = end + 2) {
-        end = strstr(t, ";\n");
-        if (sets_needed(f->program, r, needed, t, declaration(t, u->options.precision)))
-            fprintf(few->stream, "%.*s;\n", (int)(end - t), t);
-    }
-    free(text);
-    text = memory_close(few);
-    print_packed(text, u->options.precision, out);
-    free(text);
-    return r;
+    struct c_code c = c_code_of(u, f);
+    bool *wanted = new_array(c.statements, sizeof *wanted);
+    for (size_t i = 0; i < c.statements; i++)
+        wanted[i] = sets_needed(f->program, c.printer, needed, &c.statement[i]);
+    c_print_packed(&c, wanted, out);
+    free(wanted);
+    return c_code_clear(&c);
 }
 
 bool c_scales_status(const struct unit *u, const struct function *f)
@@ -133,7 +113,7 @@ static void print_denominator(const struct unit *u, const struct function *f, co
 char *c_flaw(const struct unit *u, const struct function *f, bool poles)
 {
     struct memory *m = memory_open();
-    struct printer *r = print_program(u, f, NULL);
+    struct printer *r = c_statements(u->file, f->genome, f->program, dialect_of(u, f), NULL);
     for (size_t i = 0; i < f->evidence->denominators; i++) {
         const struct denominator *d = &f->evidence->denominator[i];
         char *text = printer_text(r, d->op, LEVEL_SUM);

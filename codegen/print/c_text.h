@@ -3,13 +3,16 @@
 #define FOOTPOINT_C_TEXT_H
 
 #include "../compile/compiled_file.h"
-#include "../program/dialect.h"
+#include "../program/dialects.h"
 
-/** The statements of a function, indented, short declarations side by side. */
-void c_print_statements(const struct unit *u, const struct function *f, FILE *out);
+/** The statements of a function; c_code_clear() and printer_free() free them. */
+struct c_code c_code_of(const struct unit *u, const struct function *f);
 
-/** Of the statements those alone that set the operations marked as needed, by operation.  The printer has the texts of all
- *  operations; caller frees. */
+/** Prints the wanted statements (indexed as those; NULL: all), indented, short declarations side by side. */
+void c_print_packed(const struct c_code *c, const bool *wanted, FILE *out);
+
+/** Prints only the statements that set the operations marked in `needed` (indexed by operation).  The printer has the
+ *  texts of all operations; caller frees. */
 struct printer *c_print_needed(const struct unit *u, const struct function *f, const bool *needed, FILE *out);
 
 /** Whether the status compares with limits that go with the size of the segment: the header needs powers of |AB|. */

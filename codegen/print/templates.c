@@ -115,12 +115,14 @@ static size_t open_column(const char *text)
     return depth > 0 ? column[depth - 1] : 0;
 }
 
-/* A line of the text, broken behind commas where it gets long, below its first parenthesis. */
-static void print_line(const char *rest, FILE *out)
+/* A line of the text, broken behind commas where it gets long: below its first parenthesis, or, where it goes on behind
+ * one, as it is indented. */
+static void print_line(const char *rest, bool goes_on, FILE *out)
 {
-    const int indent = (int)strcspn(rest, "(") + 1;
+    const int indent = (int)(goes_on ? strspn(rest, " ") : strcspn(rest, "(") + 1);
     const char *end = rest + strlen(rest);
-    for (int before = 0; end - rest + before > WIDTH && strncmp(rest, "/*", 2) != 0 && *rest != ' '; before = indent) {
+    const bool breaks = strncmp(rest, "/*", 2) != 0 && (goes_on || *rest != ' ');
+    for (int before = 0; breaks && end - rest + before > WIDTH; before = indent) {
         const char *comma = rest + WIDTH - before;
         while (comma > rest && memcmp(comma, ", ", 2) != 0)
             comma--;
@@ -132,26 +134,99 @@ static void print_line(const char *rest, FILE *out)
     fputs(rest, out);
 }
 
+/* One list of both; caller frees. */
+static struct placeholder *joined_words(const struct placeholder *first, const struct placeholder *second)
+{
+    size_t n = 0, m = 0;
+    while (first && first[n].word)
+        n++;
+    while (second && second[m].word)
+        m++;
+    struct placeholder *all = new_array(n + m + 1, sizeof *all);
+    for (size_t i = 0; i < n + m; i++)
+        all[i] = i < n ? first[i] : second[i - n];
+    return all;
+}
+
+struct printed {
+    enum precision precision;
+    const struct block *block; /* not owned: ends with a word NULL; NULL: none */
+    FILE *out;
+};
+
+/* The block that begins with the line; NULL if it is no such line. */
+static const struct block *block_at(const struct block *b, const char *text)
+{
+    for (text += strspn(text, " "); b && b->word; b++)
+        if (strncmp(text, "WITH_", 5) == 0 && strlen(b->word) + 6 == strlen(text) &&
+            strncmp(text + 5, b->word, strlen(b->word)) == 0)
+            return b;
+    return NULL;
+}
+
+/* The line that ends the block. */
+static size_t block_end(const struct block *b, size_t i)
+{
+    char *end = new_format("END_%s\n", b->word);
+    while (strcmp(line[i].text + strspn(line[i].text, " "), end) != 0)
+        i++;
+    free(end);
+    return i;
+}
+
+/* Lines of the text instead of a line that is nothing but a word; false if the line is another one. */
+static bool print_instead(const char *text, const struct placeholder *own, FILE *out)
+{
+    for (text += strspn(text, " "); own && own->word; own++)
+        if (strlen(own->word) + 1 == strlen(text) && strncmp(own->word, text, strlen(own->word)) == 0)
+            return fputs(own->text, out) >= 0;
+    return false;
+}
+
 /* What goes on behind a parenthesis is indented as that is now. */
-static void print_template(const char *name, enum precision precision, const struct placeholder *own, FILE *out)
+static void print_lines(size_t begin, size_t end, const struct placeholder *own, const struct printed *p)
 {
     size_t before = 0, now = 0;
-    for (size_t i = 0; i < sizeof line / sizeof *line; i++) {
-        if (strcmp(line[i].name, name) != 0)
+    for (size_t i = begin; i < end; i++) {
+        const struct block *b = block_at(p->block, line[i].text);
+        if (b) {
+            const size_t last = block_end(b, i);
+            for (size_t k = 0; k < b->passes; k++) {
+                struct placeholder *all = joined_words(b->pass ? b->pass[k] : NULL, own);
+                print_lines(i + 1, last, all, p);
+                free(all);
+            }
+            i = last;
+            continue;
+        }
+        if (print_instead(line[i].text, own, p->out))
             continue;
         const size_t indent = strspn(line[i].text, " ");
         const bool goes_on = before > 0 && indent == before;
         struct memory *m = memory_open();
         fprintf(m->stream, "%*s", (int)(goes_on ? now : indent), "");
-        print_text(line[i].text + indent, precision, own, m->stream);
+        print_text(line[i].text + indent, p->precision, own, m->stream);
         char *text = memory_close(m);
-        print_line(text, out);
+        print_line(text, goes_on, p->out);
         if (!goes_on || open_column(line[i].text)) {
             before = open_column(line[i].text);
             now = open_column(text);
         }
         free(text);
     }
+}
+
+void templates_print_blocks(const char *name, enum precision precision, const struct placeholder *own,
+                            const struct block *block, FILE *out)
+{
+    const struct printed p = {precision, block, out};
+    const size_t all = sizeof line / sizeof *line;
+    size_t begin = 0, end;
+    while (begin < all && strcmp(line[begin].name, name) != 0)
+        begin++;
+    for (end = begin; end < all && strcmp(line[end].name, name) == 0; end++)
+        continue;
+    print_lines(begin, end, own, &p);
 }
 
 void templates_print(const char *guard, const char *const *name, enum precision precision,
@@ -164,7 +239,7 @@ void templates_print(const char *guard, const char *const *name, enum precision 
         fprintf(out, "\n#ifndef %s\n#define %s", upper, upper);
     for (size_t i = 0; name[i]; i++) {
         fputc('\n', out);
-        print_template(name[i], precision, own, out);
+        templates_print_blocks(name[i], precision, own, NULL, out);
     }
     fputs(guard ? "#endif\n" : "", out);
     free(upper);

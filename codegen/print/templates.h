@@ -20,4 +20,17 @@ void c_print(const char *text, enum precision precision, FILE *out);
 void templates_print(const char *guard, const char *const *name, enum precision precision,
                      const struct placeholder *own, FILE *out);
 
+/** Lines of a template between a line WITH_word and a line END_word.  They are printed once for each pass, whose words,
+ *  ended by a word NULL, are known there, too.  Without passes they are left out. */
+struct block {
+    const char *word;
+    size_t passes;
+    const struct placeholder *const *pass; /* NULL: no words */
+};
+
+/** Prints one template.  Blocks, or NULL, end with a word NULL.  A line that is nothing but a word of `own` stands for the
+ *  lines of that word's text. */
+void templates_print_blocks(const char *name, enum precision precision, const struct placeholder *own,
+                            const struct block *block, FILE *out);
+
 #endif

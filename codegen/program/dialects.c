@@ -50,36 +50,62 @@ const struct dialect c_float = FLOAT(input_text), c_relative = FLOAT(relative_te
 
 /* ---- statements ---- */
 
-struct target {
-    const struct genome_file *file;
-    const char *type;
-    FILE *out; /* NULL: none */
-};
-
-static void write_c(void *to, const char *name, long output, const char *text)
+/* Takes a statement; constants that gcc must not see through are `zero + constant`. */
+static void take_statement(void *to, const char *name, long output, const char *text)
 {
     enum { WIDTH = 117 };
-    const struct target *t = to;
+    struct c_code *c = to;
+    const struct genome_file *f = c->printer->file;
     const bool constant = text[strspn(text, "-.0123456789f/ ()")] == '\0';
-    if (!t->out)
-        return;
-    const bool hidden = constant && output < 0 && program_hides_constants(t->file), negative = *text == '-';
-    char *head = hidden             ? new_format("    const %s %s = zero %c ", t->type, name, negative ? '-' : '+')
-                 : output < 0       ? new_format("    %s%s %s = ", constant ? "" : "const ", t->type, name)
-                 : t->file->face    ? new_format("    %s = ", name)
-                 : t->file->segment ? new_format("    *%s = ", name)
-                                    : new_format("    *out_%s = ", name);
-    fputs(head, t->out);
-    print_broken(text + (hidden && negative), strlen(head), WIDTH, "\n        ", NULL, t->out);
-    fputs(";\n", t->out);
-    free(head);
+    const bool zero = constant && output < 0 && program_hides_constants(f), negative = zero && *text == '-';
+    const char *before = output < 0 || f->face ? "" : f->segment ? "*" : "*out_";
+    struct c_statement s = {output >= 0         ? NULL
+                            : constant && !zero ? ""
+                                                : "const ",
+                            new_joined(before, name, ""), NULL, output, zero};
+    struct memory *m = memory_open();
+    if (zero)
+        fprintf(m->stream, "zero %c ", negative ? '-' : '+');
+    const size_t column = strlen("    ") +
+                          (s.declares ? strlen(s.declares) + strlen(c->printer->dialect->type) + 1 : 0) +
+                          strlen(s.name) + strlen(" = ") + (zero ? strlen("zero + ") : 0);
+    print_broken(text + negative, column, WIDTH, "\n        ", NULL, m->stream);
+    s.value = memory_close(m);
+    APPEND(c->statement, c->statements, c->room) = s;
+}
+
+struct c_code c_code_new(const struct genome_file *f, const struct genome *genome, const struct program *p,
+                         const struct dialect *d)
+{
+    struct c_code c = {.printer = printer_new(f, genome, p, d)};
+    printer_run(c.printer, take_statement, &c);
+    return c;
+}
+
+struct printer *c_code_clear(struct c_code *c)
+{
+    for (size_t i = 0; i < c->statements; i++) {
+        free(c->statement[i].name);
+        free(c->statement[i].value);
+    }
+    free(c->statement);
+    return c->printer;
+}
+
+int c_statement_print(const struct c_code *c, size_t i, FILE *out)
+{
+    const struct c_statement *s = &c->statement[i];
+    return fprintf(out, "    %s%s%s%s = %s", s->declares ? s->declares : "",
+                   s->declares ? c->printer->dialect->type : "", s->declares ? " " : "", s->name, s->value);
 }
 
 struct printer *c_statements(const struct genome_file *f, const struct genome *genome, const struct program *p,
                              const struct dialect *d, FILE *out)
 {
-    struct target t = {f, d->type, out};
-    struct printer *r = printer_new(f, genome, p, d);
-    printer_run(r, write_c, &t);
-    return r;
+    struct c_code c = c_code_new(f, genome, p, d);
+    for (size_t i = 0; out && i < c.statements; i++) {
+        c_statement_print(&c, i, out);
+        fputs(";\n", out);
+    }
+    return c_code_clear(&c);
 }

@@ -237,7 +237,8 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
  * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
  * is well within limits, and so is the square of n then, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
-                                                          double size, double per, double unit, double xi, double eta,
+                                                          double size, double per, double unit, double xi,
+                                                          double eta,
                                                           double least, double *gap)
 {
     const double length = unit * size;
@@ -617,8 +618,10 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_n(size_t n, const double *cons
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_8_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -807,8 +810,10 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_n(size_t n, const double *con
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_detail_checked, n, x, 4, xi, eta, gap, status);
 }
@@ -1150,8 +1155,10 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_n(size_t n, const double *
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_checked_n(size_t n, const double *const x[15],
-                                                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                                double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+                                                                double *FOOTPOINT_RESTRICT xi,
+                                                                double *FOOTPOINT_RESTRICT eta,
+                                                                double *FOOTPOINT_RESTRICT gap,
+                                                                int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_16_detail_checked, n, x, 4, xi, eta, gap, status);
 }

@@ -9,8 +9,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
     for name in macros bits power scale products weighted relative height; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for name in again side corner closest edge curve along curved_domain; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8:; do
+    for name in again side corner closest edge curve along curved_domain place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: face:4:4:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
         columns= rows= names= parameters= segment=
         for k in $(seq 0 "$others"); do
@@ -41,13 +41,26 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
         *) files="$files $closest ${nearest}_along along_again along_calls closest_calls" ;;
         esac
-        echo "REAL_BITS ${kind}_name_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
-        echo "REAL_BITS ${kind}_name_detail_checked(const REAL *const *x, int full, REAL zero, REAL *xi, REAL *eta, REAL *gap);"
-        echo "int ${kind}_name_detail_closest(const REAL *const *x, REAL zero, REAL at[3], int *region);"
-        for name in $files arrays_calls over_calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+        calls='arrays_calls over_calls'
+        if [ $kind = face ]; then # functions at a place of it
+            files='place_detail place_calls place_joined' calls=
+            for word in ROW SET_ROW REQUIRE GAP_LAST GAP_AMONG_ROWS; do echo "#define WITH_$word"; echo "#define END_$word"; done
+            printf '#define %s\n' 'VECTOR_LIST const REAL *const xS = x[4];' 'STATEMENTS' 'ROW gap' 'ROW_NUMBER 0' 'ROW_COUNT 1' \
+                'ROW_NAMES gap' 'ROW_PLACES gap + i' 'ROW_PARAMETERS REAL gap[1]' 'ROW_COLUMNS REAL *FOOTPOINT_RESTRICT gap' 'GAP xi * eta' \
+                'REQUIRED 1' 'TESTS flaw = footpoint_detail_not_above(require[0] = xi);' 'ELEMENTS gap[0 * step] = xi;' 'TANGENTS 0' \
+                'SIZES_AND_DEGREES 1, 1' 'SPACE 1' 'FIRST 0' 'DEGREE 0' 'JOINED face_joined' 'JOINED_n face_joined_n' \
+                'SEARCH face_search' 'SEARCHED_detail face_search_detail'
+            echo "REAL_BITS face_search_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
+            echo "int face_search($parameters, REAL loc[2], REAL *distance);"
+        else
+            echo "REAL_BITS ${kind}_name_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
+            echo "REAL_BITS ${kind}_name_detail_checked(const REAL *const *x, int full, REAL zero, REAL *xi, REAL *eta, REAL *gap);"
+            echo "int ${kind}_name_detail_closest(const REAL *const *x, REAL zero, REAL at[3], int *region);"
+        fi
+        for name in $files $calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in corners quad4_sure contract contract_closest place contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in corners quad4_sure contract contract_closest contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

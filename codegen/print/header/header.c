@@ -48,7 +48,9 @@ static void print_one(const struct unit *u, const struct function *f, FILE *out)
     fprintf(out, "FOOTPOINT_FN %s %s(", poles ? "int" : "void", f->name);
     print_parameters(u, f, false, out);
     fputs(")\n{\n", out);
-    c_print_statements(u, f, out);
+    struct c_code code = c_code_of(u, f);
+    c_print_packed(&code, NULL, out);
+    printer_free(c_code_clear(&code));
     c_print_unused(u, f, out);
     if (poles) {
         const char *top = u->options.precision == PRECISION_FLOAT ? "31" : "63";

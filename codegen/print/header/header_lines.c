@@ -70,7 +70,7 @@ char *lines_rows(const struct unit *u, const char *name)
     return rows_text(name, segment_vectors(u->file->segment) + 1);
 }
 
-char *lines_columns(size_t vectors)
+static char *columns_text(size_t vectors)
 {
     struct memory *m = memory_open();
     for (size_t k = 0; k < vectors; k++)
@@ -111,55 +111,69 @@ static char *power_text(const char *base, int power)
     return text;
 }
 
-static struct placeholder *words_of(const struct unit *u, const struct function *f)
+void words_add(struct words *w, const char *word, char *text)
+{
+    APPEND(w->word, w->n, w->room) = (struct placeholder){word, text};
+    APPEND(w->word, w->n, w->room) = (struct placeholder){NULL, NULL};
+    w->n--;
+}
+
+void words_clear(struct words *w)
+{
+    for (size_t i = 0; i < w->n; i++)
+        free((char *)(uintptr_t)w->word[i].text);
+    free(w->word);
+}
+
+/* Words of contracts. */
+static void add_claims(struct words *w, const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
-    const size_t n = segment_vectors(k) + 1;
-    const char *const name = f ? f->name : "";
     const bool straight = lines_straight(u);
     static const char missed[] =
         "no steps come upon a point beyond the edges; FOOTPOINT_ERR_NO_CONVERGENCE: it touches the\n"
         " *           segment or goes through a collapsed edge, to rounding, so that thousands of parts do not tell";
-    const struct {
-        const char *word;
-        char *text;
-    } all[] = {{"KIND", new_format("%s", k->name)},
-               {"PREFIX", new_format("%s", u->options.prefix)},
-               {"SHAPE", new_format("%s", k->triangle ? "triangle" : "square")},
-               {"EDGES", new_format("%s", k->triangle ? "1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C"
-                                                      : "1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D")},
-               {"ACCURACY", new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding")},
-               {"MISSED", new_format("%s", straight ? "meets the surface nowhere" : missed)},
-               {"REACH_TO_GROWTH", power_text("reach", k->growth)},
-               {"VECTORS", new_format("%zu", n)},
-               {"SEGMENT_VECTORS", new_format("%zu", n - 1)},
-               {"NODES", new_format("%zu", strlen(k->nodes))},
-               {"CORNERS", new_format("%zu", k->corners)},
-               {"COORDINATES", new_format("%zu", 3 * n)},
-               {"NODE_PARAMETERS", parameters_text(u)},
-               {"NODE_NAMES", lines_vectors(u)},
-               {"COLUMNS", lines_columns(n)},
-               {"ROWS", rows_text("p", n)},
-               {"SEGMENT_ROWS", rows_text("c", n - 1)},
-               {"NAME", new_format("%s", name)},
-               {"SCALED_NODES", new_format("%zu", f ? lines_scaled_nodes(u, f) : 0)},
-               {"SCALABLE", new_format("%d", f && lines_scaled_nodes(u, f) > 0)}};
-    const size_t count = sizeof all / sizeof *all;
-    struct placeholder *words = new_array(count + 1, sizeof *words);
-    for (size_t i = 0; i < count; i++)
-        words[i] = (struct placeholder){all[i].word, all[i].text};
-    return words;
+    words_add(w, "EDGES",
+              new_format("%s", k->triangle ? "1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C"
+                                           : "1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D"));
+    words_add(w, "ACCURACY",
+              new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding"));
+    words_add(w, "MISSED", new_format("%s", straight ? "meets the surface nowhere" : missed));
+}
+
+struct words lines_words(const struct unit *u, const struct function *f)
+{
+    const struct segment_kind *k = u->file->segment;
+    const size_t n = segment_vectors(k) + 1, scaled = f ? lines_scaled_nodes(u, f) : 0;
+    struct words w = {NULL, 0, 0};
+    words_add(&w, "KIND", new_format("%s", k->name));
+    words_add(&w, "PREFIX", new_format("%s", u->options.prefix));
+    words_add(&w, "SHAPE", new_format("%s", k->triangle ? "triangle" : "square"));
+    add_claims(&w, u);
+    words_add(&w, "REACH_TO_GROWTH", power_text("reach", k->growth));
+    words_add(&w, "VECTORS", new_format("%zu", n));
+    words_add(&w, "SEGMENT_VECTORS", new_format("%zu", n - 1));
+    words_add(&w, "NODES", new_format("%zu", strlen(k->nodes)));
+    words_add(&w, "CORNERS", new_format("%zu", k->corners));
+    words_add(&w, "COORDINATES", new_format("%zu", 3 * n));
+    words_add(&w, "NODE_PARAMETERS", parameters_text(u));
+    words_add(&w, "NODE_NAMES", lines_vectors(u));
+    words_add(&w, "COLUMNS", columns_text(n));
+    words_add(&w, "ROWS", rows_text("p", n));
+    words_add(&w, "SEGMENT_ROWS", rows_text("c", n - 1));
+    words_add(&w, "NAME", new_format("%s", f ? f->name : ""));
+    words_add(&w, "SCALED_NODES", new_format("%zu", scaled));
+    words_add(&w, "SCALABLE", new_format("%d", scaled > 0));
+    return w;
 }
 
 void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,
                            FILE *out)
 {
     char *whole = guard ? new_format("FOOTPOINT_%s_%s", u->file->segment->name, guard) : NULL;
-    struct placeholder *words = words_of(u, f);
-    templates_print(whole, names, u->options.precision, words, out);
-    for (struct placeholder *w = words; w->word; w++)
-        free((char *)(uintptr_t)w->text);
-    free(words);
+    struct words w = lines_words(u, f);
+    templates_print(whole, names, u->options.precision, w.word, out);
+    words_clear(&w);
     free(whole);
 }
 

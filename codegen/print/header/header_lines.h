@@ -18,18 +18,26 @@ char *lines_vectors(const struct unit *u);
 /** "NAME[0], NAME[1], ...", one of each vector; caller frees. */
 char *lines_rows(const struct unit *u, const char *name);
 
-/** "{x[0][i], x[1][i], x[2][i]}, ..." of so many vectors; caller frees. */
-char *lines_columns(size_t vectors);
-
 /** Whether its edges are straight: of bilinear segments and flat triangles. */
 bool lines_straight(const struct unit *u);
 
-/** Templates that are told of the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, NORMAL, ACCURACY and MISSED
- *  for contracts; VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES,
+/** Words of templates, ended by a word NULL.  Texts are owned. */
+struct words {
+    struct placeholder *word; /* owned */
+    size_t n, room;
+};
+void words_add(struct words *w, const char *word, char *text); /* takes the text */
+void words_clear(struct words *w);
+
+/** Returns words about the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, ACCURACY and MISSED
+ *  for contracts; VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES, CORNERS,
  *  COORDINATES, of all vectors; NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the
  *  vectors of pair i, is made of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", and SEGMENT_ROWS, "c[0], ...",
- *  without the slave node; and of a function, unless it is NULL: NAME, and SCALED_NODES, how many vectors another unit of
- *  length changes.
+ *  without the slave node; and about a function, unless it is NULL: NAME; SCALED_NODES, how many vectors another unit of
+ *  length changes, and SCALABLE, whether it changes any. */
+struct words lines_words(const struct unit *u, const struct function *f);
+
+/** Prints templates with these words.
  *  @param[in] guard  of an include guard FOOTPOINT_<KIND>_<guard>; NULL: there is none
  *  @param[in] names  templates, ended by NULL */
 void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,

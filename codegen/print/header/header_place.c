@@ -19,9 +19,9 @@
 enum { MOST_ROWS = 16 };
 
 struct row {
-    const char *name; /* not owned: of so many characters */
-    size_t length, size;
-    int degree; /* of lengths */
+    const char *name;           /* not owned: of so many characters */
+    size_t length, first, size; /* outputs of the genome */
+    int degree;                 /* of lengths */
 };
 
 struct rows {
@@ -57,7 +57,7 @@ static struct rows find_rows(const struct unit *u, const struct function *f)
             size_t first = 0;
             while (first + 1 < n && is_zero(f->program, k + first))
                 first++;
-            *row = (struct row){name, length, n, 0};
+            *row = (struct row){name, length, k, n, 0};
             homogeneous_degree(f->program, u->file->segment, f->program->output[k + first], &row->degree);
         }
     }
@@ -181,21 +181,19 @@ static bool gap_alone(const struct unit *u, const struct function *f)
     return slave_read(u, f, ROLE_GAP) && !slave_read(u, f, ROLE_REQUIRE | ROLE_OTHER);
 }
 
-/* The vectors and rows by the names that statements have for them. */
-static void print_names(const struct unit *u, const struct rows *r, FILE *out)
+/* "    const double *const xA = x[0], *const xB = x[1];". */
+static char *vectors_text(const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
+    struct memory *m = memory_open();
+    fprintf(m->stream, "    const %s ", lines_real(u));
     for (size_t i = 0; i <= segment_vectors(k); i++) {
         char name[4];
         segment_vector_name(k, i, name);
-        fprintf(out, "%s*const %s = x[%zu]%s", i ? i % 5 ? ", " : ",\n                 " : "    const REAL ", name, i,
-                i == segment_vectors(k) ? ";\n" : "");
+        fprintf(m->stream, "%s*const %s = x[%zu]", i == 0 ? "" : i % 5 ? ", " : ",\n                 ", name, i);
     }
-    for (size_t i = 0; i < r->n; i++)
-        fprintf(out, "    REAL *const %.*s = row[%zu];\n", (int)r->row[i].length, r->row[i].name, i);
-    if (r->required)
-        fprintf(out, "    REAL require[%zu];\n", r->required);
-    fputs("    REAL_BITS flaw;\n", out);
+    fputs(";\n", m->stream);
+    return memory_close(m);
 }
 
 static void print_unused(const struct unit *u, const struct function *f, FILE *out)
@@ -210,64 +208,47 @@ static void print_unused(const struct unit *u, const struct function *f, FILE *o
     free(reads);
 }
 
-/* The row that a statement sets an element of; r->n if it is none. */
-static size_t row_of(const struct rows *r, const char *text)
+static bool is_of_row(const struct row *r, const struct c_statement *s)
 {
-    size_t i = 0;
-    while (i < r->n && !(strncmp(text, r->row[i].name, r->row[i].length) == 0 && text[r->row[i].length] == '['))
-        i++;
-    return i;
+    return s->output >= (long)r->first && s->output < (long)(r->first + r->size);
+}
+
+/* Statements of temporaries and of the row `require`. */
+static char *statements_text(const struct unit *u, const struct function *f, const struct rows *r,
+                             const struct c_code *c)
+{
+    struct memory *m = memory_open();
+    bool *wanted = new_array(c->statements, sizeof *wanted);
+    for (size_t i = 0; i < c->statements; i++) {
+        wanted[i] = true;
+        for (size_t k = 0; k < r->n; k++)
+            wanted[i] = wanted[i] && !is_of_row(&r->row[k], &c->statement[i]);
+    }
+    print_unused(u, f, m->stream);
+    c_print_packed(c, wanted, m->stream);
+    free(wanted);
+    return memory_close(m);
 }
 
 /* What is wanted of a row, with "[3 * step] = " for its element 3. */
-static void print_row(const struct rows *r, size_t row, const char *statements, FILE *out)
+static char *elements_text(const struct row *r, const struct c_code *c)
 {
-    fprintf(out, "    if (always || %.*s) {\n", (int)r->row[row].length, r->row[row].name);
-    for (const char *t = statements, *end; *t; t = end + 2) {
-        end = strstr(t, ";\n");
-        const char *text = t + strspn(t, " "), *bracket = strchr(text, ']');
-        if (row_of(r, text) == row)
-            fprintf(out, "        %.*s * step%.*s;\n", (int)(bracket - text), text, (int)(end - bracket), bracket);
-    }
-    fputs("    }\n", out);
+    struct memory *m = memory_open();
+    for (size_t i = 0; i < c->statements; i++)
+        if (is_of_row(r, &c->statement[i]))
+            fprintf(m->stream, "        %.*s[%zu * step] = %s;\n", (int)r->length, r->name,
+                    (size_t)c->statement[i].output - r->first, c->statement[i].value);
+    return memory_close(m);
 }
 
-/* The value that statements give the row `gap`; NULL if there is none. */
-static char *gap_value(const struct rows *r, const char *statements)
+/* The value of the row `gap`; NULL if there is none. */
+static const char *gap_value(const struct rows *r, const struct c_code *c)
 {
-    for (const char *t = statements, *end; *t; t = end + 2) {
-        end = strstr(t, ";\n");
-        const char *text = t + strspn(t, " "), *value = strstr(text, "= ") + 2;
-        const size_t row = row_of(r, text);
-        if (row < r->n && row_is(&r->row[row], "gap"))
-            return new_text(value, (size_t)(end - value));
-    }
+    for (size_t k = 0; k < r->n; k++)
+        for (size_t i = 0; i < c->statements && row_is(&r->row[k], "gap"); i++)
+            if (is_of_row(&r->row[k], &c->statement[i]))
+                return c->statement[i].value;
     return NULL;
-}
-
-/* The row `gap` if only it depends on the slave node: its value is tested in place of the slave node. */
-static void print_gap(const struct unit *u, const struct rows *r, const char *statements, FILE *out)
-{
-    char *value = gap_value(r, statements);
-    char *text = new_format("    if (always || gap) {\n        const REAL value = %s;\n"
-                            "        flaw |= again ? 0 : footpoint_detail_infinite(value);\n"
-                            "        if (!always && flaw >> REAL_TOP)\n            return flaw;\n"
-                            "        gap[0 * step] = value;\n    } else {\n"
-                            "        flaw |= footpoint_detail_infinite(xS[0] + xS[1] + xS[2]);\n"
-                            "        if (flaw >> REAL_TOP)\n            return flaw;\n    }\n",
-                            value);
-    c_print(text, u->options.precision, out);
-    free(text);
-    free(value);
-}
-
-static void print_others(const struct rows *r, const char *statements, FILE *out)
-{
-    for (const char *t = statements, *end; *t; t = end + 2) {
-        end = strstr(t, ";\n");
-        if (row_of(r, t + strspn(t, " ")) == r->n)
-            fprintf(out, "%.*s;\n", (int)(end - t), t);
-    }
 }
 
 /* The nodes that no test depends on, " | footpoint_detail_infinite(xF[0] + xF[1] + xF[2])". */
@@ -285,77 +266,40 @@ static void add_hidden_nodes(const struct unit *u, const struct function *f, FIL
 }
 
 /* What the quick way is not for: places far away, and slave nodes whose distance might take rows beyond all numbers.  On
- * faces whose tangents have no slopes but a twist, only the gap does. */
-static char *far_text(const struct unit *u, const struct function *f, const struct rows *r, const char *statements)
+ * faces whose tangents have no slopes but a twist, only the gap does; if nothing but the gap depends on the slave node, the
+ * gap is tested in its place. */
+static char *far_text(const struct unit *u, const struct function *f, const char *gap)
 {
     const struct segment_kind *kind = u->file->segment;
-    char *gap = strlen(kind->nodes) > 4 || *kind->normals ? NULL : gap_value(r, statements);
+    const bool by_gap = gap && strlen(kind->nodes) <= 4 && !*kind->normals;
     struct memory *m = memory_open();
     fputs("        flaw |= footpoint_detail_far(xi, eta)", m->stream);
     if (slave_read(u, f, ROLE_REQUIRE | ROLE_OTHER))
         fprintf(m->stream, " | footpoint_detail_above(%s, FOOTPOINT_DETAIL_MOST)",
-                gap ? gap : "fabs(xS[0]) + fabs(xS[1]) + fabs(xS[2])");
+                by_gap ? gap : "fabs(xS[0]) + fabs(xS[1]) + fabs(xS[2])");
     else if (!gap_alone(u, f))
         fputs(" | footpoint_detail_infinite(xS[0] + xS[1] + xS[2])", m->stream);
     fputs(";", m->stream);
-    free(gap);
     return memory_close(m);
 }
 
-static void print_flaw(const struct unit *u, const struct function *f, const struct rows *r, const char *statements,
-                       FILE *out)
+static char *flaw_text(const struct unit *u, const struct function *f, const struct rows *r, const char *gap)
 {
-    char *flaw = c_flaw(u, f, false), *far = far_text(u, f, r, statements);
-    struct memory *m = memory_open();
+    char *flaw = c_flaw(u, f, false), *far = far_text(u, f, gap);
+    struct memory *m = memory_open(), *broken = memory_open();
     fprintf(m->stream, "    flaw = %s", flaw);
     for (size_t i = 0; i < r->required; i++)
         fprintf(m->stream, " | footpoint_detail_not_above(require[%zu])", i);
     add_hidden_nodes(u, f, m->stream);
     fputs(";", m->stream);
     char *text = memory_close(m);
-    c_print_broken(text, out);
-    fputs("    if (!again)\n", out);
-    c_print_broken(far, out);
-    if (!gap_alone(u, f))
-        c_print("    if (!always && flaw >> REAL_TOP)\n        return flaw;\n", u->options.precision, out);
+    c_print_broken(text, broken->stream);
+    fputs("    if (!again)\n", broken->stream);
+    c_print_broken(far, broken->stream);
     free(text);
     free(far);
     free(flaw);
-}
-
-static void print_place(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
-{
-    struct memory *m = memory_open(), *names = memory_open();
-    c_print_statements(u, f, m->stream);
-    print_names(u, r, names->stream);
-    char *statements = memory_close(m), *head = memory_close(names);
-    c_print("FOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
-    const int column = fprintf(out, "%s_detail(", f->name);
-    c_print("const REAL *const *x, REAL xi, REAL eta,\n", u->options.precision, out);
-    fprintf(out, "%*s", column, "");
-    c_print("REAL *const *row, size_t step, int always, int again)\n{\n", u->options.precision, out);
-    c_print(head, u->options.precision, out);
-    print_unused(u, f, out);
-    print_others(r, statements, out);
-    print_flaw(u, f, r, statements, out);
-    const bool gap = gap_alone(u, f);
-    if (gap)
-        print_gap(u, r, statements, out);
-    for (size_t i = 0; i < r->n; i++)
-        if (!gap || !row_is(&r->row[i], "gap"))
-            print_row(r, i, statements, out);
-    fputs("    return flaw;\n}\n", out);
-    free(head);
-    free(statements);
-}
-
-/* "double *const row[3] = {d_xi, d_eta, d_gap};", the elements of pair i. */
-static void print_rows(const struct unit *u, const struct rows *r, const char *indent, const char *element, FILE *out)
-{
-    fprintf(out, "%s%s *const row[%zu] = {", indent, lines_real(u), r->n);
-    for (size_t i = 0; i < r->n; i++)
-        fprintf(out, "%s%.*s%s", i ? ", " : "", (int)r->row[i].length, r->row[i].name, element);
-    fputs("};\n", out);
+    return memory_close(broken);
 }
 
 /* The first function, no later than f, that gives tangents, rows r_xi and r_eta; *row: the number of r_xi.  NULL: none. */
@@ -377,129 +321,93 @@ static int tangent_degree(const struct segment_kind *kind)
     return *kind->normals ? 5 : nodes == 9 ? 3 : nodes == 8 ? 2 : nodes == 3 ? 0 : 1;
 }
 
-/* A function of its own, so that callers stay small: of each row "size, degree", and room for all of them. */
-static void print_again(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+/* "BEFORE phi AFTER, BEFORE r_xi AFTER". */
+static char *list_text(const struct rows *r, const char *before, const char *after)
 {
-    const char *real = lines_real(u);
-    size_t row = 0, size = 0;
-    const struct function *g = tangents_of(u, f, &row);
-    const int column = fprintf(out, "\nFOOTPOINT_COLD int %s_detail_again(", f->name) - 1;
-    fprintf(out, "const %s *const *x, %s xi, %s eta,\n%*s%s *const *row, size_t step)\n{\n", real, real, real, column,
-            "", real);
-    fprintf(out, "    const int nodes = %zu, vectors = %zu, rows = %zu, first = %zu, degree = %d;\n",
-            strlen(u->file->segment->nodes), segment_vectors(u->file->segment) + 1, r->n, g ? row : 0,
-            g ? tangent_degree(u->file->segment) : 0);
-    fprintf(out, "    const int shape[%zu] = {", 2 * r->n);
-    for (size_t i = 0; i < r->n; size += r->row[i++].size)
-        fprintf(out, "%s%zu, %d", i ? ", " : "", r->row[i].size, r->row[i].degree);
-    fprintf(out, "};\n    %s space[%zu];\n    return footpoint_detail_place_again(%s_detail, ", real, size, f->name);
-    fprintf(out, g ? "%s_detail" : "0", g ? g->name : "");
-    fputs(", first, degree,\n        x, nodes, vectors, xi, eta, row, step, rows, shape, space);\n}\n\n", out);
-}
-
-/* Joined with a search: what goes before the same of NAME alone. */
-static void print_one(const struct unit *u, const struct function *f, const struct rows *r, bool joined, FILE *out)
-{
-    const size_t vectors = segment_vectors(u->file->segment) + 1;
-    const enum precision precision = u->options.precision;
-    char *name = joined ? new_format("search##_%s", f->genome->name) : new_text(f->name, strlen(f->name));
-    char *head = new_format("FOOTPOINT_FN int %s", name), *names = lines_vectors(u);
     struct memory *m = memory_open();
-    fputs(joined ? "REAL loc[2]" : "const REAL loc[2]", m->stream);
     for (size_t i = 0; i < r->n; i++)
-        fprintf(m->stream, ",REAL %.*s[%zu]", (int)r->row[i].length, r->row[i].name, r->row[i].size);
-    char *last = memory_close(m);
-    lines_print_head(u, head, last, out);
-    fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n", lines_real(u), vectors, names);
-    print_rows(u, r, "    ", "", out);
-    if (joined) {
-        c_print("    REAL xi, eta;\n    REAL_BITS flaw = ", precision, out);
-        fprintf(out, "search##_detail(%s, ", names);
-        c_print("0.0, &xi, &eta);\n", precision, out);
-        fprintf(out, "    flaw |= %s_detail(x, xi, eta, row, 1, 0, 0);\n", f->name);
-        c_print("    if (flaw >> REAL_TOP) {\n        REAL distance;\n", precision, out);
-        fprintf(out, "        const int status = search(%s, loc, &distance);\n", names);
-        fprintf(out, "        if (status != FOOTPOINT_OK)\n            return status;\n");
-    } else {
-        fprintf(out, "    if (%s_detail(x, loc[0], loc[1], row, 1, 0, 0) >> ", f->name);
-        c_print("REAL_TOP) {\n", precision, out);
-    }
-    fprintf(out, "        return %s_detail_again(x, loc[0], loc[1], row, 1);\n", f->name);
-    fputs(joined ? "    }\n    loc[0] = xi;\n    loc[1] = eta;\n" : "    }\n", out);
-    fputs("    return FOOTPOINT_OK;\n}\n", out);
-    free(last);
-    free(names);
-    free(head);
-    free(name);
+        fprintf(m->stream, "%s%s%.*s%s", i ? ", " : "", before, (int)r->row[i].length, r->row[i].name, after);
+    return memory_close(m);
 }
 
-/* The vectors of pair i. */
-static void print_pair(const struct unit *u, const char *indent, FILE *out)
+static char *row_parameters_text(const struct rows *r)
 {
-    const size_t vectors = segment_vectors(u->file->segment) + 1;
-    char *columns = lines_columns(vectors), *places = lines_rows(u, "p");
-    fprintf(out, "%sconst %s p[%zu][3] = {%s};\n%sconst %s *const y[%zu] = {%s};\n", indent, lines_real(u), vectors,
-            columns, indent, lines_real(u), vectors, places);
-    free(places);
-    free(columns);
+    struct memory *m = memory_open();
+    for (size_t i = 0; i < r->n; i++)
+        fprintf(m->stream, "%sdouble %.*s[%zu]", i ? ", " : "", (int)r->row[i].length, r->row[i].name, r->row[i].size);
+    return memory_close(m);
 }
 
-/* What is not good beyond doubt is done once more behind the loop. */
-static void print_loop(const struct unit *u, const struct function *f, const struct rows *r, bool joined, FILE *out)
+/* Of each row "size, degree". */
+static char *shape_text(const struct rows *r)
 {
-    const char *real = lines_real(u), *before = joined ? "" : "const ", *star = joined ? "*FOOTPOINT_RESTRICT " : "*";
-    char *name = joined ? new_format("search##_%s", f->genome->name) : new_text(f->name, strlen(f->name));
-    char *vectors = lines_rows(u, "p");
-    fputs(joined ? "\nFOOTPOINT_UNUSED\n" : "\n", out);
-    const int column = fprintf(out, "FOOTPOINT_LOOP void %s_n(", name);
-    fprintf(out, "size_t n, const %s *const x[%zu],\n%*s", real, 3 * segment_vectors(u->file->segment) + 3, column, "");
-    fprintf(out, "%s%s %sxi, %s%s %seta,\n", before, real, star, before, real, star);
+    struct memory *m = memory_open();
     for (size_t i = 0; i < r->n; i++)
-        fprintf(out, "%*s%s *FOOTPOINT_RESTRICT %.*s,\n", column, "", real, (int)r->row[i].length, r->row[i].name);
-    fprintf(out, "%*sint *FOOTPOINT_RESTRICT status)\n{\n", column, "");
-    if (joined)
-        c_print("    const REAL zero = footpoint_detail_zero();\n", u->options.precision, out);
-    fputs("    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n", out);
-    print_pair(u, "        ", out);
-    print_rows(u, r, "        ", " + i", out);
-    if (joined) {
-        c_print("        REAL at[2];\n        REAL_BITS flaw = ", u->options.precision, out);
-        fprintf(out, "search##_detail(%s, zero, &at[0], &at[1]);\n", vectors);
-        fprintf(out, "        flaw |= %s_detail(y, at[0], at[1], row, n, 1, 0);\n", f->name);
-        fputs("        xi[i] = at[0];\n        eta[i] = at[1];\n        status[i] = FOOTPOINT_ERR_DEGENERATE * "
-              "(int)(flaw >> ",
-              out);
-    } else
-        fprintf(out,
-                "        status[i] = FOOTPOINT_ERR_DEGENERATE *\n            (int)(%s_detail(y, xi[i], eta[i], "
-                "row, n, 1, 0) >> ",
-                f->name);
-    c_print("REAL_TOP);\n    }\n    for (i = 0; i < n; i++)\n        if (status[i] != FOOTPOINT_OK) {\n",
-            u->options.precision, out);
-    print_pair(u, "            ", out);
-    print_rows(u, r, "            ", " + i", out);
-    if (joined) {
-        c_print("            REAL at[2] = {xi[i], eta[i]}, distance;\n", u->options.precision, out);
-        fprintf(out, "            status[i] = search(%s, at, &distance);\n", vectors);
-        fputs(
-            "            xi[i] = at[0];\n            eta[i] = at[1];\n            if (status[i] == FOOTPOINT_OK)\n    ",
-            out);
+        fprintf(m->stream, "%s%zu, %d", i ? ", " : "", r->row[i].size, r->row[i].degree);
+    return memory_close(m);
+}
+
+/* Words of the templates in templates/place/. */
+static struct words words_of(const struct unit *u, const struct function *f, const struct rows *r,
+                             const struct c_code *c)
+{
+    struct words w = lines_words(u, f);
+    size_t row = 0, space = 0;
+    const struct function *tangents = tangents_of(u, f, &row);
+    const char *gap = gap_value(r, c);
+    for (size_t i = 0; i < r->n; i++)
+        space += r->row[i].size;
+    words_add(&w, "VECTOR_LIST", vectors_text(u));
+    words_add(&w, "REQUIRED", new_format("%zu", r->required));
+    words_add(&w, "STATEMENTS", statements_text(u, f, r, c));
+    words_add(&w, "TESTS", flaw_text(u, f, r, gap));
+    words_add(&w, "GAP", new_format("%s", gap ? gap : ""));
+    words_add(&w, "FIRST", new_format("%zu", tangents ? row : 0));
+    words_add(&w, "DEGREE", new_format("%d", tangents ? tangent_degree(u->file->segment) : 0));
+    words_add(&w, "TANGENTS", tangents ? new_format("%s_detail", tangents->name) : new_format("0"));
+    words_add(&w, "SIZES_AND_DEGREES", shape_text(r));
+    words_add(&w, "SPACE", new_format("%zu", space));
+    words_add(&w, "ROW_COUNT", new_format("%zu", r->n));
+    words_add(&w, "ROW_NAMES", list_text(r, "", ""));
+    words_add(&w, "ROW_PLACES", list_text(r, "", " + i"));
+    words_add(&w, "ROW_COLUMNS", list_text(r, "double *FOOTPOINT_RESTRICT ", ""));
+    words_add(&w, "ROW_PARAMETERS", row_parameters_text(r));
+    words_add(&w, "JOINED", new_format("search##_%s", f->genome->name));
+    words_add(&w, "SEARCHED", new_format("search##"));
+    words_add(&w, "SEARCH", new_format("search"));
+    return w;
+}
+
+static void print_detail(const struct unit *u, const struct function *f, const struct rows *r, const struct c_code *c,
+                         const struct words *w, FILE *out)
+{
+    struct words row[MOST_ROWS] = {{NULL, 0, 0}};
+    const struct placeholder *all[MOST_ROWS], *set[MOST_ROWS];
+    const bool last = gap_alone(u, f);
+    size_t sets = 0;
+    for (size_t i = 0; i < r->n; i++) {
+        words_add(&row[i], "ROW", new_text(r->row[i].name, r->row[i].length));
+        words_add(&row[i], "ROW_NUMBER", new_format("%zu", i));
+        words_add(&row[i], "ELEMENTS", elements_text(&r->row[i], c));
+        all[i] = row[i].word;
+        if (!last || !row_is(&r->row[i], "gap"))
+            set[sets++] = row[i].word;
     }
-    fprintf(out, "            status[i] = %s_detail_again(y, xi[i], eta[i], row, n);\n", f->name);
-    fputs("        }\n}\n", out);
-    free(vectors);
-    free(name);
+    const struct block blocks[] = {
+        {"ROW", r->n, all},       {"SET_ROW", sets, set},          {"REQUIRE", r->required > 0, NULL},
+        {"GAP_LAST", last, NULL}, {"GAP_AMONG_ROWS", !last, NULL}, {NULL, 0, NULL}};
+    templates_print_blocks("place_detail", PRECISION_DOUBLE, w->word, blocks, out);
+    for (size_t i = 0; i < r->n; i++)
+        words_clear(&row[i]);
 }
 
 /* The same with the search before it, as the text of a macro. */
-static void print_joined(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+static void print_joined(const struct unit *u, const struct function *f, const struct words *w, FILE *out)
 {
     char *prefix = unit_face_prefix(u->file, &u->options);
     char *upper = new_capitals(prefix), *genome = new_capitals(f->genome->name);
     struct memory *m = memory_open();
-    fputs("FOOTPOINT_UNUSED\n", m->stream);
-    print_one(u, f, r, true, m->stream);
-    print_loop(u, f, r, true, m->stream);
+    templates_print(NULL, (const char *const[]){"place_joined", NULL}, PRECISION_DOUBLE, w->word, m->stream);
     char *text = memory_close(m);
     fprintf(out, "\n#define %s_%s_OF(search)", upper, genome);
     for (const char *t = text, *end; *t; t = end + 1) {
@@ -531,9 +439,11 @@ void place_print_helpers(const struct unit *u, FILE *out)
 void place_print(const struct unit *u, const struct function *f, FILE *out)
 {
     const struct rows r = find_rows(u, f);
-    print_place(u, f, &r, out);
-    print_again(u, f, &r, out);
-    print_one(u, f, &r, false, out);
-    print_loop(u, f, &r, false, out);
-    print_joined(u, f, &r, out);
+    struct c_code c = c_code_of(u, f);
+    struct words w = words_of(u, f, &r, &c);
+    print_detail(u, f, &r, &c, &w, out);
+    templates_print(NULL, (const char *const[]){"place_calls", NULL}, PRECISION_DOUBLE, w.word, out);
+    print_joined(u, f, &w, out);
+    words_clear(&w);
+    printer_free(c_code_clear(&c));
 }

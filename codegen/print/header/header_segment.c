@@ -27,10 +27,14 @@ static void print_at(const struct unit *u, const struct function *f, const char 
     lines_print_head(u, head, "REAL zero,REAL *xi,REAL *eta", out);
     fputs("{\n", out);
     single_print_inputs(u, f, out);
-    c_print_statements(u, f, out);
+    struct c_code code = c_code_of(u, f);
+    bool zero = false;
+    for (size_t i = 0; i < code.statements; i++)
+        zero = zero || code.statement[i].zero;
+    c_print_packed(&code, NULL, out);
+    printer_free(c_code_clear(&code));
     c_print_unused(u, f, out);
-    if (!strstr(f->code.text, " = zero "))
-        fputs("    (void)zero;\n", out);
+    fputs(zero ? "" : "    (void)zero;\n", out);
     char *last = new_format("    return %s;", flaw);
     c_print_broken(last, out);
     fputs("}\n\n", out);
