@@ -431,10 +431,12 @@ footpoint_detail_bezier_over_n(footpoint_detail_search *search, const double *co
  *   heldout_random: xi 9.326e-03 5.935e-02 1.389e-01, eta 1.344e-02 8.538e-02 1.980e-01, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_facet_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_bezier_facet_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double nA[3], const double nB[3],
+                                                                const double nC[3], const double nD[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -464,19 +466,19 @@ FOOTPOINT_FN void footpoint_bezier_facet_at(const double xA[3], const double xB[
     (void)footpoint_bezier_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_facet_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_bezier_facet_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_bezier_facet_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_bezier_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_bezier_facet(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double nA[3], const double nB[3],
-                                        const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                        double *gap)
+FOOTPOINT_FN int footpoint_bezier_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
@@ -523,10 +525,12 @@ FOOTPOINT_LOOP void footpoint_bezier_facet_over_n(const double *const nodes[8], 
  *   heldout_random: xi 3.129e-03 1.936e-02 8.084e-02, eta 3.984e-03 2.701e-02 9.846e-02, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_normals_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_bezier_normals_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double nA[3], const double nB[3],
+                                                                  const double nC[3], const double nD[3],
+                                                                  const double xS[3], double zero, double *xi,
+                                                                  double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xA[1] - xB[1], t3 = nD[2] + nB[2], t4 = nD[1] + nB[1];
     const double t5 = 0.5 * (xD[2] - xC[2] + t1), t6 = 0.5 * (xD[1] - xC[1] - t2), t7 = xA[0] - xB[0];
@@ -564,13 +568,14 @@ FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double x
     (void)footpoint_bezier_normals_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_normals_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_bezier_normals_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_bezier_normals_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_bezier_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_bezier_normals(const double xA[3], const double xB[3], const double xC[3],
@@ -625,10 +630,12 @@ FOOTPOINT_LOOP void footpoint_bezier_normals_over_n(const double *const nodes[8]
  *   heldout_random: xi 9.453e-05 1.158e-03 1.159e-02, eta 1.654e-04 2.225e-03 2.172e-02, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_smooth_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                               const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_bezier_smooth_detail(const double xA[3], const double xB[3],
+                                                                 const double xC[3], const double xD[3],
+                                                                 const double nA[3], const double nB[3],
+                                                                 const double nC[3], const double nD[3],
+                                                                 const double xS[3], double zero, double *xi,
+                                                                 double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xC[2] - xD[2], t4 = xA[2] - xB[2], t5 = xA[2] - xD[2];
     const double t6 = xC[1] - xD[1], t7 = xA[1] - xB[1], t8 = xA[1] - xD[1], t9 = nC[2] - nD[2] + t1;
@@ -703,13 +710,14 @@ FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB
     (void)footpoint_bezier_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_smooth_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_bezier_smooth_detail_checked(const double *const *x, int full, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_bezier_smooth_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_bezier_smooth(const double xA[3], const double xB[3], const double xC[3],
@@ -762,10 +770,12 @@ FOOTPOINT_LOOP void footpoint_bezier_smooth_over_n(const double *const nodes[8],
  *   heldout_random: xi 1.727e-05 2.031e-04 2.956e-02, eta 2.337e-05 3.204e-04 4.736e-02, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_bezier_precise_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double nA[3], const double nB[3],
+                                                                  const double nC[3], const double nD[3],
+                                                                  const double xS[3], double zero, double *xi,
+                                                                  double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xD[2] - xC[2], t4 = xA[2] - xB[2], t5 = xD[1] - xC[1];
     const double t6 = xA[1] - xB[1], t7 = nC[2] - nD[2] + t1, t8 = nC[1] - nD[1] + t2, t9 = nA[0] - nB[0];
@@ -854,13 +864,14 @@ FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double x
     (void)footpoint_bezier_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_bezier_precise_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_bezier_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_bezier_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_bezier_precise(const double xA[3], const double xB[3], const double xC[3],
@@ -916,10 +927,12 @@ FOOTPOINT_LOOP void footpoint_bezier_precise_over_n(const double *const nodes[8]
  *   heldout_random: xi 1.738e-07 1.477e-06 1.719e-03, eta 2.864e-07 2.522e-06 2.641e-03, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_bezier_exact_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double nA[3], const double nB[3],
+                                                                const double nC[3], const double nD[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xC[2] - xD[2], t4 = xA[2] - xB[2], t5 = xA[2] - xD[2];
     const double t6 = xC[1] - xD[1], t7 = xA[1] - xB[1], t8 = xA[1] - xD[1], t9 = nC[2] - nD[2] + t1;
@@ -1045,19 +1058,19 @@ FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[
     (void)footpoint_bezier_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_bezier_exact_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_bezier_exact_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_bezier_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_bezier_exact(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double nA[3], const double nB[3],
-                                        const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                        double *gap)
+FOOTPOINT_FN int footpoint_bezier_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
@@ -1109,10 +1122,12 @@ FOOTPOINT_LOOP void footpoint_bezier_exact_over_n(const double *const nodes[8], 
  *   heldout_random: xi 7.933e-10 1.769e-09 9.813e-06, eta 1.079e-09 3.117e-09 9.380e-06, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                             const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_bezier_full_detail(const double xA[3], const double xB[3],
+                                                               const double xC[3], const double xD[3],
+                                                               const double nA[3], const double nB[3],
+                                                               const double nC[3], const double nD[3],
+                                                               const double xS[3], double zero, double *xi,
+                                                               double *eta)
 {
     const double t1 = xD[2] - xC[2], t2 = xA[2] - xB[2], t3 = xD[1] - xC[1], t4 = xA[1] - xB[1], t5 = nA[2] - nB[2];
     const double t6 = nA[1] - nB[1], t7 = t2 - t1, t8 = t4 - t3, t9 = xD[0] - xC[0], t10 = xA[0] - xB[0];
@@ -1293,13 +1308,14 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
     (void)footpoint_bezier_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_bezier_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_bezier_full_detail_checked(const double *const *x, int full, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_bezier_full_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_bezier_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_bezier_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],

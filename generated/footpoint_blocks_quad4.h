@@ -1188,9 +1188,10 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   heldout_random: xi 2.053e-02 1.270e-01 2.670e-01, eta 2.033e-02 1.289e-01 2.504e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_fast_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1231,11 +1232,11 @@ footpoint_blocks_quad4_fast_detail_gap(const double xA[3], const double xB[3], c
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_fast_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_blocks_quad4_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_blocks_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
@@ -1286,8 +1287,7 @@ FOOTPOINT_PART int footpoint_blocks_quad4_fast_detail_closest(const double *cons
                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_blocks_quad4_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_blocks_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1333,9 +1333,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fast_closest_of(size_t n, const double *
  *   heldout_random: xi 2.547e-04 1.420e-03 7.962e-03, eta 2.551e-04 1.446e-03 9.407e-03, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_coarse_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1380,11 +1381,11 @@ footpoint_blocks_quad4_coarse_detail_gap(const double xA[3], const double xB[3],
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_coarse_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_blocks_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_blocks_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
@@ -1436,8 +1437,7 @@ FOOTPOINT_PART int footpoint_blocks_quad4_coarse_detail_closest(const double *co
                                                                 int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_blocks_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_blocks_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1483,9 +1483,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_coarse_closest_of(size_t n, const double
  *   heldout_random: xi 6.865e-05 1.067e-03 8.635e-03, eta 7.057e-05 1.130e-03 9.856e-03, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_gauss2_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1533,11 +1534,11 @@ footpoint_blocks_quad4_gauss2_detail_gap(const double xA[3], const double xB[3],
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_gauss2_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_blocks_quad4_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_blocks_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
@@ -1589,8 +1590,7 @@ FOOTPOINT_PART int footpoint_blocks_quad4_gauss2_detail_closest(const double *co
                                                                 int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_blocks_quad4_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_blocks_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1637,9 +1637,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_gauss2_closest_of(size_t n, const double
  *   heldout_random: xi 1.051e-06 1.361e-05 3.862e-04, eta 1.179e-06 1.569e-05 4.499e-04, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_medium_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = xB[0] - xA[0], t4 = 0.5 * (xD[2] - xC[2] + t1);
     const double t5 = t4 - (xD[2] - xA[2]), t6 = 0.5 * (xD[1] - xC[1] + t2), t7 = t6 - (xD[1] - xA[1]), t8 = t4 - t1;
@@ -1687,11 +1688,11 @@ footpoint_blocks_quad4_medium_detail_gap(const double xA[3], const double xB[3],
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_medium_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_blocks_quad4_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_blocks_quad4_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
@@ -1743,8 +1744,7 @@ FOOTPOINT_PART int footpoint_blocks_quad4_medium_detail_closest(const double *co
                                                                 int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_blocks_quad4_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_blocks_quad4_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1791,9 +1791,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_medium_closest_of(size_t n, const double
  *   heldout_random: xi 1.309e-08 1.794e-07 2.017e-06, eta 1.256e-08 1.718e-07 2.211e-06, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_balanced_detail(const double xA[3], const double xB[3],
+                                                                         const double xC[3], const double xD[3],
+                                                                         const double xS[3], double zero, double *xi,
+                                                                         double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1845,11 +1846,11 @@ footpoint_blocks_quad4_balanced_detail_gap(const double xA[3], const double xB[3
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_balanced_detail_checked(const double *const *x, int full,
+                                                                                 double zero, double *xi,
+                                                                                 double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_blocks_quad4_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_blocks_quad4_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
@@ -1901,8 +1902,7 @@ FOOTPOINT_PART int footpoint_blocks_quad4_balanced_detail_closest(const double *
                                                                   int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_blocks_quad4_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_blocks_quad4_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1950,9 +1950,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_balanced_closest_of(size_t n, const doub
  *   heldout_random: xi 7.287e-14 6.708e-13 2.866e-10, eta 6.924e-14 5.820e-13 3.592e-10, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_fine_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2008,11 +2009,11 @@ footpoint_blocks_quad4_fine_detail_gap(const double xA[3], const double xB[3], c
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_fine_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_blocks_quad4_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_blocks_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
@@ -2063,8 +2064,7 @@ FOOTPOINT_PART int footpoint_blocks_quad4_fine_detail_closest(const double *cons
                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_blocks_quad4_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_blocks_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -2113,9 +2113,10 @@ FOOTPOINT_FN int footpoint_blocks_quad4_fine_closest_of(size_t n, const double *
  *   heldout_random: xi 9.722e-17 4.441e-16 1.887e-14, eta 1.007e-16 4.441e-16 3.109e-14, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_accurate_detail(const double xA[3], const double xB[3],
+                                                                         const double xC[3], const double xD[3],
+                                                                         const double xS[3], double zero, double *xi,
+                                                                         double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2173,11 +2174,11 @@ footpoint_blocks_quad4_accurate_detail_gap(const double xA[3], const double xB[3
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_blocks_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_blocks_quad4_accurate_detail_checked(const double *const *x, int full,
+                                                                                 double zero, double *xi,
+                                                                                 double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_blocks_quad4_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_blocks_quad4_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
     {
@@ -2229,8 +2230,7 @@ FOOTPOINT_PART int footpoint_blocks_quad4_accurate_detail_closest(const double *
                                                                   int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_blocks_quad4_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_blocks_quad4_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_BLOCKS_QUAD4_LEAST, xi, eta, at, region);
 }
 

@@ -475,10 +475,12 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *   heldout_random: xi 9.226e-03 5.987e-02 1.321e-01, eta 1.353e-02 8.606e-02 2.256e-01, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_facet_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                               const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_gregory_facet_detail(const double xA[3], const double xB[3],
+                                                                 const double xC[3], const double xD[3],
+                                                                 const double nA[3], const double nB[3],
+                                                                 const double nC[3], const double nD[3],
+                                                                 const double xS[3], double zero, double *xi,
+                                                                 double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1), t4 = xA[2] - xD[2] + t3;
     const double t5 = 0.5 * (xD[1] - xC[1] - t2), t6 = xA[1] - xD[1] + t5, t7 = xA[0] - xB[0];
@@ -508,13 +510,14 @@ FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB
     (void)footpoint_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_facet_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_gregory_facet_detail_checked(const double *const *x, int full, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_gregory_facet_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
@@ -566,10 +569,12 @@ FOOTPOINT_LOOP void footpoint_gregory_facet_over_n(const double *const nodes[8],
  *   heldout_random: xi 2.671e-03 1.878e-02 8.389e-02, eta 3.465e-03 2.650e-02 1.055e-01, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_normals_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                 const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_gregory_normals_detail(const double xA[3], const double xB[3],
+                                                                   const double xC[3], const double xD[3],
+                                                                   const double nA[3], const double nB[3],
+                                                                   const double nC[3], const double nD[3],
+                                                                   const double xS[3], double zero, double *xi,
+                                                                   double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = nA[2] - nB[2], t4 = nA[1] - nB[1];
     const double t5 = 0.5 * (xD[2] - xC[2] - t1), t6 = xA[2] - xD[2] + t5, t7 = t1 - 2.0 * (xA[2] - xS[2]) + t6;
@@ -616,13 +621,14 @@ FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double 
     (void)footpoint_gregory_normals_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_normals_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_gregory_normals_detail_checked(const double *const *x, int full,
+                                                                           double zero, double *xi,
+                                                                           double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_gregory_normals_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_gregory_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_gregory_normals(const double xA[3], const double xB[3], const double xC[3],
@@ -677,10 +683,12 @@ FOOTPOINT_LOOP void footpoint_gregory_normals_over_n(const double *const nodes[8
  *   heldout_random: xi 1.020e-03 7.371e-03 2.353e-02, eta 1.527e-03 1.303e-02 4.280e-02, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_smooth_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_gregory_smooth_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double nA[3], const double nB[3],
+                                                                  const double nC[3], const double nD[3],
+                                                                  const double xS[3], double zero, double *xi,
+                                                                  double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -737,13 +745,14 @@ FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double x
     (void)footpoint_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_smooth_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_gregory_smooth_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_gregory_smooth_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
@@ -797,10 +806,12 @@ FOOTPOINT_LOOP void footpoint_gregory_smooth_over_n(const double *const nodes[8]
  *   heldout_random: xi 5.527e-04 4.808e-03 2.068e-02, eta 1.020e-03 1.231e-02 4.520e-02, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_corrected_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_gregory_corrected_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double nA[3], const double nB[3],
+                                                                     const double nC[3], const double nD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -897,19 +908,20 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     (void)footpoint_gregory_corrected_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_corrected_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_gregory_corrected_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_gregory_corrected_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_gregory_corrected_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_gregory_corrected(const double xA[3], const double xB[3], const double xC[3],
                                              const double xD[3], const double nA[3], const double nB[3],
-                                             const double nC[3], const double nD[3], const double xS[3],
-                                             double loc[2], double *gap)
+                                             const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                             double *gap)
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
@@ -967,10 +979,12 @@ FOOTPOINT_LOOP void footpoint_gregory_corrected_over_n(const double *const nodes
  *   heldout_random: xi 5.302e-05 6.853e-04 5.605e-03, eta 8.273e-05 1.200e-03 9.453e-03, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                 const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_gregory_precise_detail(const double xA[3], const double xB[3],
+                                                                   const double xC[3], const double xD[3],
+                                                                   const double nA[3], const double nB[3],
+                                                                   const double nC[3], const double nD[3],
+                                                                   const double xS[3], double zero, double *xi,
+                                                                   double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -1138,13 +1152,14 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     (void)footpoint_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_gregory_precise_detail_checked(const double *const *x, int full,
+                                                                           double zero, double *xi,
+                                                                           double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_gregory_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_gregory_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
@@ -1208,10 +1223,12 @@ FOOTPOINT_LOOP void footpoint_gregory_precise_over_n(const double *const nodes[8
  *   heldout_random: xi 3.843e-06 6.209e-05 1.050e-03, eta 5.732e-06 9.082e-05 3.287e-03, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                               const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_gregory_exact_detail(const double xA[3], const double xB[3],
+                                                                 const double xC[3], const double xD[3],
+                                                                 const double nA[3], const double nB[3],
+                                                                 const double nC[3], const double nD[3],
+                                                                 const double xS[3], double zero, double *xi,
+                                                                 double *eta)
 {
     const double t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xC[2] - xD[2], t4 = xA[2] - xB[2], t5 = xC[1] - xD[1];
     const double t6 = xA[1] - xB[1], t7 = nC[2] - nD[2] + t1, t8 = nC[1] - nD[1] + t2, t9 = nA[0] - nB[0];
@@ -1410,13 +1427,14 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     (void)footpoint_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_gregory_exact_detail_checked(const double *const *x, int full, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_gregory_exact_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_gregory_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
@@ -1482,10 +1500,12 @@ FOOTPOINT_LOOP void footpoint_gregory_exact_over_n(const double *const nodes[8],
  *   heldout_random: xi 8.639e-09 1.894e-08 6.097e-05, eta 1.962e-08 3.054e-08 9.877e-05, samples 20000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double nA[3], const double nB[3],
+                                                                const double nC[3], const double nD[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -1811,19 +1831,19 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     (void)footpoint_gregory_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_gregory_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_gregory_full_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_gregory_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_gregory_full(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double nA[3], const double nB[3],
-                                        const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                        double *gap)
+FOOTPOINT_FN int footpoint_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;

@@ -478,10 +478,12 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *   heldout_random: xi 2.231e-02 1.731e-01 9.748e-01, eta 3.048e-02 2.760e-01 9.080e-01, samples 28409
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_facet_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_facet_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double nA[3], const double nB[3],
+                                                                       const double nC[3], const double nD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, t7 = nA[0] - nD[0], t8 = t7 - (nB[0] - nC[0]);
@@ -519,13 +521,14 @@ FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const dou
     (void)footpoint_paper_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_facet_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_facet_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_paper_gregory_facet_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
@@ -583,10 +586,12 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_facet_over_n(const double *const nod
  *   heldout_random: xi 1.642e-02 2.164e-01 8.926e-01, eta 2.077e-02 2.817e-01 9.061e-01, samples 28409
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_smooth_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double nA[3], const double nB[3],
+                                                                        const double nC[3], const double nD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = xA[2] - xD[2];
     const double t6 = xA[1] - xD[1], t7 = nA[2] - nB[2], t8 = t1 + t2, t9 = t3 + t4, t10 = xC[0] - xD[0];
@@ -665,13 +670,14 @@ FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const do
     (void)footpoint_paper_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_smooth_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_paper_gregory_smooth_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_paper_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
@@ -732,11 +738,12 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_over_n(const double *const no
  *   heldout_random: xi 4.688e-03 6.972e-02 9.977e-01, eta 5.899e-03 1.018e-01 9.295e-01, samples 28409
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_weighted_detail(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double nA[3], const double nB[3],
-                                        const double nC[3], const double nD[3], const double xS[3], double zero,
-                                        double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_weighted_detail(const double xA[3], const double xB[3],
+                                                                          const double xC[3], const double xD[3],
+                                                                          const double nA[3], const double nB[3],
+                                                                          const double nC[3], const double nD[3],
+                                                                          const double xS[3], double zero, double *xi,
+                                                                          double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = nA[2] - nB[2];
     const double t6 = nA[1] - nB[1], t7 = t1 + t2, t8 = t3 + t4, t9 = xC[0] - xD[0], t10 = xA[0] - xB[0];
@@ -856,13 +863,14 @@ FOOTPOINT_FN void footpoint_paper_gregory_weighted_at(const double xA[3], const 
     (void)footpoint_paper_gregory_weighted_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_weighted_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_weighted_detail_checked(const double *const *x, int full,
+                                                                                  double zero, double *xi,
+                                                                                  double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_paper_gregory_weighted_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_paper_gregory_weighted_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3],
@@ -927,10 +935,12 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_over_n(const double *const 
  *   heldout_random: xi 2.634e-03 4.784e-02 6.411e-01, eta 3.576e-03 6.386e-02 9.080e-01, samples 28409
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                       const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_precise_detail(const double xA[3], const double xB[3],
+                                                                         const double xC[3], const double xD[3],
+                                                                         const double nA[3], const double nB[3],
+                                                                         const double nC[3], const double nD[3],
+                                                                         const double xS[3], double zero, double *xi,
+                                                                         double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = xA[2] - xD[2];
     const double t6 = t1 + t2, t7 = xA[1] - xD[1], t8 = t3 + t4, t9 = xC[0] - xD[0], t10 = xA[0] - xB[0];
@@ -1118,13 +1128,14 @@ FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const d
     (void)footpoint_paper_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_precise_detail_checked(const double *const *x, int full,
+                                                                                 double zero, double *xi,
+                                                                                 double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_paper_gregory_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_paper_gregory_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
@@ -1191,10 +1202,12 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const n
  *   heldout_random: xi 1.080e-03 1.641e-02 9.279e-01, eta 1.705e-03 2.223e-02 9.202e-01, samples 28409
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_exact_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double nA[3], const double nB[3],
+                                                                       const double nC[3], const double nD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = nA[2] - nB[2];
     const double t6 = nA[1] - nB[1], t7 = t1 + t2, t8 = t3 + t4, t9 = xC[0] - xD[0], t10 = xA[0] - xB[0];
@@ -1449,13 +1462,14 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
     (void)footpoint_paper_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_exact_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_paper_gregory_exact_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_paper_gregory_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
@@ -1523,10 +1537,12 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_exact_over_n(const double *const nod
  *   heldout_random: xi 1.378e-03 6.508e-03 9.987e-01, eta 1.701e-03 7.530e-03 9.833e-01, samples 28409
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double nA[3], const double nB[3],
+                                                                      const double nC[3], const double nD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xC[2] - xD[2], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1], t4 = xA[1] - xB[1], t5 = t1 + t2;
     const double t6 = t3 + t4, t7 = xC[0] - xD[0], t8 = xA[0] - xB[0], t9 = xA[2] - xD[2], t10 = xA[1] - xD[1];
@@ -1865,13 +1881,14 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     (void)footpoint_paper_gregory_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_gregory_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_paper_gregory_full_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_paper_gregory_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_gregory_full(const double xA[3], const double xB[3], const double xC[3],

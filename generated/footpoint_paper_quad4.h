@@ -485,9 +485,10 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   heldout_random: xi 2.677e-02 1.392e-01 1.057e+02, eta 3.970e-02 2.121e-01 1.217e+02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_gauss_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -509,17 +510,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const doubl
     (void)footpoint_paper_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_gauss_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_gauss_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_gauss_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_gauss_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
@@ -562,9 +573,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double
  *   heldout_random: xi 1.835e-02 1.177e-01 9.844e-01, eta 2.424e-02 1.624e-01 1.067e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.25 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -588,17 +600,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double
     (void)footpoint_paper_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_fast_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_fast_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_fast_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
@@ -641,9 +663,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_checked_n(size_t n, const double 
  *   heldout_random: xi 8.398e-03 9.140e-02 9.793e-01, eta 1.224e-02 1.389e-01 9.829e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_taper_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -671,17 +694,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const doubl
     (void)footpoint_paper_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_taper_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_taper_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_taper_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_taper_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
@@ -726,9 +759,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double
  *   heldout_random: xi 1.230e-02 6.036e-02 1.258e+02, eta 1.802e-02 8.296e-02 1.852e+02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -756,17 +790,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const doub
     (void)footpoint_paper_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_gauss2_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_gauss2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_gauss2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
@@ -812,9 +856,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const doubl
  *   heldout_random: xi 2.767e-03 3.843e-02 9.851e-01, eta 3.482e-03 5.120e-02 9.971e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.275 * t4, t7 = xD[2] - xA[2] + u1;
@@ -845,17 +890,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const doub
     (void)footpoint_paper_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_coarse_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_coarse_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_coarse_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
@@ -900,9 +955,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_checked_n(size_t n, const doubl
  *   heldout_random: xi 1.999e-03 2.213e-02 9.994e-01, eta 2.117e-03 2.568e-02 9.983e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_newton_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.275 * t4, t7 = xA[2] - xD[2] - u1;
@@ -934,17 +990,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const doub
     (void)footpoint_paper_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_newton_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_newton_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_newton_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_newton_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
@@ -990,9 +1056,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_newton_checked_n(size_t n, const doubl
  *   heldout_random: xi 5.860e-04 1.015e-02 9.918e-01, eta 7.744e-04 1.408e-02 9.660e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -1025,17 +1092,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const doub
     (void)footpoint_paper_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_medium_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_medium_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_medium_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
@@ -1081,9 +1158,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_medium_checked_n(size_t n, const doubl
  *   heldout_random: xi 2.134e-04 3.183e-03 9.428e-01, eta 2.909e-04 4.726e-03 9.436e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.275 * t3, t7 = t1 + u1, t8 = xA[2] - xD[2] + u1;
@@ -1121,17 +1199,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
     (void)footpoint_paper_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_balanced_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_balanced_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_balanced_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
@@ -1178,9 +1266,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_checked_n(size_t n, const dou
  *   heldout_random: xi 1.546e-04 2.667e-04 9.906e-01, eta 1.879e-04 3.743e-04 9.854e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1219,17 +1308,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double
     (void)footpoint_paper_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_fine_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_fine_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_fine_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
@@ -1276,9 +1375,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double 
  *   heldout_random: xi 6.204e-05 1.028e-06 9.753e-01, eta 7.440e-05 1.382e-06 9.424e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1323,17 +1423,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const dou
     (void)footpoint_paper_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail_nearest_shorter(const double *const *x,
+                                                                                       double zero, double *xi,
+                                                                                       double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_precise_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_precise_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_precise_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
@@ -1382,9 +1492,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_precise_checked_n(size_t n, const doub
  *   heldout_random: xi 2.487e-05 5.096e-08 9.392e-01, eta 3.249e-05 7.339e-08 9.660e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.275 * (xD[2] - xC[2] - t1);
     const double t5 = 0.275 * (xD[1] - xC[1] - t2), t6 = xA[2] - xD[2] + t4, t7 = t1 + t4, t8 = xA[1] - xD[1] + t5;
@@ -1433,17 +1544,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     (void)footpoint_paper_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_accurate_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_accurate_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_accurate_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
@@ -1492,9 +1613,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const dou
  *   heldout_random: xi 6.673e-05 4.196e-12 9.392e-01, eta 7.144e-05 5.885e-12 9.424e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1546,17 +1668,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double
     (void)footpoint_paper_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_full_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_full_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_full_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3],
@@ -1603,9 +1735,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double 
  *   heldout_random: xi 9.973e-05 6.345e-05 9.695e-01, eta 1.240e-04 7.587e-05 9.929e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_program1_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.25 * (xD[2] - xC[2] - t1);
     const double t5 = 0.25 * (xD[1] - xC[1] - t2), t6 = xA[2] - xD[2] + t4, t7 = t1 + t4, t8 = xA[1] - xD[1] + t5;
@@ -1647,17 +1780,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const do
     (void)footpoint_paper_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_program1_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_program1_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_program1_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_program1_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
@@ -1706,9 +1849,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program1_checked_n(size_t n, const dou
  *   heldout_random: xi 7.622e-05 1.269e-08 9.695e-01, eta 8.441e-05 1.643e-08 9.929e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_program2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = xB[0] - xA[0], t4 = xC[2] - xD[2] - t1;
     const double t5 = xC[1] - xD[1] - t2, t6 = xC[0] - xD[0] - t3, u1 = 0.25 * t4, t7 = xA[2] - xD[2] - u1;
@@ -1755,17 +1899,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const do
     (void)footpoint_paper_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_program2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_program2_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_program2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_program2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
@@ -1815,9 +1969,10 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program2_checked_n(size_t n, const dou
  *   heldout_random: xi 7.005e-05 1.998e-15 9.695e-01, eta 7.282e-05 2.442e-15 9.929e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_program3_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.25 * t3, t7 = xA[2] - xD[2] + u1;
@@ -1869,17 +2024,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const do
     (void)footpoint_paper_quad4_program3_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_paper_quad4_program3_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_paper_quad4_program3_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_program3_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_program3_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3],

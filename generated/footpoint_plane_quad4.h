@@ -1188,9 +1188,10 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   heldout_random: xi 5.402e-02 2.800e-01 4.257e-01, eta 5.403e-02 2.797e-01 4.125e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_plane_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_plane_quad4_fast_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1231,11 +1232,11 @@ footpoint_plane_quad4_fast_detail_gap(const double xA[3], const double xB[3], co
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_plane_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_plane_quad4_fast_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_plane_quad4_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_plane_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
     {
@@ -1285,8 +1286,7 @@ FOOTPOINT_PART int footpoint_plane_quad4_fast_detail_closest(const double *const
                                                              int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_plane_quad4_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_plane_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PLANE_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1332,9 +1332,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_fast_closest_of(size_t n, const double *c
  *   heldout_random: xi 1.134e-03 1.611e-02 7.317e-02, eta 1.135e-03 1.586e-02 7.271e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_plane_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_plane_quad4_coarse_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xB[2], t3 = xA[1] - xB[1], t4 = 0.5 * (xD[0] - xC[0] - t1);
     const double t5 = 0.5 * (xD[2] - xC[2] - t2), t6 = 0.5 * (xD[1] - xC[1] - t3), t7 = t2 + t5;
@@ -1378,11 +1379,11 @@ footpoint_plane_quad4_coarse_detail_gap(const double xA[3], const double xB[3], 
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_plane_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_plane_quad4_coarse_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_plane_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_plane_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
     {
@@ -1434,8 +1435,7 @@ FOOTPOINT_PART int footpoint_plane_quad4_coarse_detail_closest(const double *con
                                                                int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_plane_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_plane_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PLANE_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1481,9 +1481,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_coarse_closest_of(size_t n, const double 
  *   heldout_random: xi 1.593e-16 8.882e-16 4.774e-15, eta 1.593e-16 8.882e-16 5.107e-15, samples 200000
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_plane_quad4_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_plane_quad4_exact_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] + u1;
@@ -1528,11 +1529,11 @@ footpoint_plane_quad4_exact_detail_gap(const double xA[3], const double xB[3], c
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_plane_quad4_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_plane_quad4_exact_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_plane_quad4_exact_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_plane_quad4_exact_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PLANE_QUAD4_LEAST, gap);
     {
@@ -1583,8 +1584,7 @@ FOOTPOINT_PART int footpoint_plane_quad4_exact_detail_closest(const double *cons
                                                               int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_plane_quad4_exact_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_plane_quad4_exact_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PLANE_QUAD4_LEAST, xi, eta, at, region);
 }
 

@@ -1188,9 +1188,10 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   heldout_random: xi 1.475e-02 1.180e-01 2.934e-01, eta 1.422e-02 1.132e-01 2.994e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fast_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1231,11 +1232,11 @@ footpoint_punch_quad4_fast_detail_gap(const double xA[3], const double xB[3], co
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fast_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_punch_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
@@ -1285,8 +1286,7 @@ FOOTPOINT_PART int footpoint_punch_quad4_fast_detail_closest(const double *const
                                                              int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_punch_quad4_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_punch_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1331,9 +1331,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_fast_closest_of(size_t n, const double *c
  *   heldout_random: xi 4.126e-04 2.562e-03 1.062e-02, eta 4.154e-04 2.575e-03 1.865e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_coarse_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1377,11 +1378,11 @@ footpoint_punch_quad4_coarse_detail_gap(const double xA[3], const double xB[3], 
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_coarse_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
@@ -1433,8 +1434,7 @@ FOOTPOINT_PART int footpoint_punch_quad4_coarse_detail_closest(const double *con
                                                                int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1480,9 +1480,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_coarse_closest_of(size_t n, const double 
  *   heldout_random: xi 5.078e-05 9.017e-04 1.027e-02, eta 4.995e-05 9.005e-04 1.518e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_gauss2_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1530,11 +1531,11 @@ footpoint_punch_quad4_gauss2_detail_gap(const double xA[3], const double xB[3], 
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_gauss2_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
@@ -1586,8 +1587,7 @@ FOOTPOINT_PART int footpoint_punch_quad4_gauss2_detail_closest(const double *con
                                                                int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1633,9 +1633,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_gauss2_closest_of(size_t n, const double 
  *   heldout_random: xi 1.839e-06 2.620e-05 1.453e-03, eta 1.916e-06 2.688e-05 2.543e-03, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_medium_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -1684,11 +1685,11 @@ footpoint_punch_quad4_medium_detail_gap(const double xA[3], const double xB[3], 
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_medium_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_punch_quad4_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
@@ -1740,8 +1741,7 @@ FOOTPOINT_PART int footpoint_punch_quad4_medium_detail_closest(const double *con
                                                                int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_punch_quad4_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_punch_quad4_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1788,9 +1788,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_medium_closest_of(size_t n, const double 
  *   heldout_random: xi 3.651e-08 5.723e-07 4.354e-05, eta 3.598e-08 5.694e-07 4.232e-05, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_balanced_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1843,11 +1844,11 @@ footpoint_punch_quad4_balanced_detail_gap(const double xA[3], const double xB[3]
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_balanced_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_punch_quad4_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
@@ -1899,8 +1900,7 @@ FOOTPOINT_PART int footpoint_punch_quad4_balanced_detail_closest(const double *c
                                                                  int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_punch_quad4_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_punch_quad4_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1948,9 +1948,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_balanced_closest_of(size_t n, const doubl
  *   heldout_random: xi 1.590e-11 7.630e-11 6.933e-07, eta 1.880e-11 9.075e-11 8.278e-07, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fine_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2006,11 +2007,11 @@ footpoint_punch_quad4_fine_detail_gap(const double xA[3], const double xB[3], co
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fine_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_punch_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
@@ -2060,8 +2061,7 @@ FOOTPOINT_PART int footpoint_punch_quad4_fine_detail_closest(const double *const
                                                              int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_punch_quad4_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_punch_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -2109,9 +2109,10 @@ FOOTPOINT_FN int footpoint_punch_quad4_fine_closest_of(size_t n, const double *c
  *   heldout_random: xi 2.661e-14 8.205e-14 1.147e-09, eta 2.770e-14 6.151e-14 1.127e-09, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_accurate_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -2167,11 +2168,11 @@ footpoint_punch_quad4_accurate_detail_gap(const double xA[3], const double xB[3]
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_accurate_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_punch_quad4_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
     {
@@ -2223,8 +2224,7 @@ FOOTPOINT_PART int footpoint_punch_quad4_accurate_detail_closest(const double *c
                                                                  int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_punch_quad4_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_punch_quad4_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_PUNCH_QUAD4_LEAST, xi, eta, at, region);
 }
 

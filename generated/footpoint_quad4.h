@@ -1190,9 +1190,10 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   heldout_random: xi 5.334e-02 2.767e-01 4.259e-01, eta 5.338e-02 2.767e-01 4.459e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_fast_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xS[3], double zero, double *xi,
+                                                              double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
@@ -1233,8 +1234,9 @@ footpoint_quad4_fast_detail_gap(const double xA[3], const double xB[3], const do
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_fast_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
@@ -1326,9 +1328,10 @@ FOOTPOINT_FN int footpoint_quad4_fast_closest_of(size_t n, const double *const *
  *   heldout_random: xi 4.847e-03 3.710e-02 1.822e-01, eta 4.846e-03 3.716e-02 1.537e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_coarse_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
@@ -1372,11 +1375,11 @@ footpoint_quad4_coarse_detail_gap(const double xA[3], const double xB[3], const 
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_coarse_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
@@ -1385,8 +1388,8 @@ footpoint_quad4_coarse_detail_checked(const double *const *x, int full, double z
     }
 }
 
-FOOTPOINT_FN int footpoint_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
@@ -1424,8 +1427,7 @@ FOOTPOINT_PART int footpoint_quad4_coarse_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad4_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1469,9 +1471,10 @@ FOOTPOINT_FN int footpoint_quad4_coarse_closest_of(size_t n, const double *const
  *   heldout_random: xi 1.261e-03 1.604e-02 1.218e-01, eta 1.266e-03 1.613e-02 1.140e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_gauss2_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -1519,11 +1522,11 @@ footpoint_quad4_gauss2_detail_gap(const double xA[3], const double xB[3], const 
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_gauss2_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad4_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
@@ -1532,8 +1535,8 @@ footpoint_quad4_gauss2_detail_checked(const double *const *x, int full, double z
     }
 }
 
-FOOTPOINT_FN int footpoint_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
@@ -1571,8 +1574,7 @@ FOOTPOINT_PART int footpoint_quad4_gauss2_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad4_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1616,9 +1618,10 @@ FOOTPOINT_FN int footpoint_quad4_gauss2_closest_of(size_t n, const double *const
  *   heldout_random: xi 1.938e-04 3.022e-03 7.520e-02, eta 1.946e-04 3.059e-03 6.525e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_medium_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -1667,11 +1670,11 @@ footpoint_quad4_medium_detail_gap(const double xA[3], const double xB[3], const 
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_medium_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad4_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
@@ -1680,8 +1683,8 @@ footpoint_quad4_medium_detail_checked(const double *const *x, int full, double z
     }
 }
 
-FOOTPOINT_FN int footpoint_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
@@ -1719,8 +1722,7 @@ FOOTPOINT_PART int footpoint_quad4_medium_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad4_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1766,9 +1768,10 @@ FOOTPOINT_FN int footpoint_quad4_medium_closest_of(size_t n, const double *const
  *   heldout_random: xi 1.793e-05 2.391e-04 2.730e-02, eta 1.789e-05 2.455e-04 2.107e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_balanced_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double xS[3], double zero, double *xi,
+                                                                  double *eta)
 {
     const double t1 = xA[1] - xB[1], t2 = xA[0] - xB[0], t3 = xA[2] - xB[2], t4 = xC[1] - xD[1] + t1;
     const double t5 = xC[0] - xD[0] + t2, t6 = xC[2] - xD[2] + t3, u1 = 0.5 * t4, t7 = xA[1] - xD[1] - u1;
@@ -1820,11 +1823,11 @@ footpoint_quad4_balanced_detail_gap(const double xA[3], const double xB[3], cons
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_balanced_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad4_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
@@ -1873,8 +1876,7 @@ FOOTPOINT_PART int footpoint_quad4_balanced_detail_closest(const double *const *
                                                            int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad4_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -1922,9 +1924,10 @@ FOOTPOINT_FN int footpoint_quad4_balanced_closest_of(size_t n, const double *con
  *   heldout_even:   xi 8.042e-07 4.922e-06 2.314e-02, eta 5.979e-07 4.174e-06 1.330e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_fine_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xS[3], double zero, double *xi,
+                                                              double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -1982,8 +1985,9 @@ footpoint_quad4_fine_detail_gap(const double xA[3], const double xB[3], const do
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_fine_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
@@ -2079,9 +2083,10 @@ FOOTPOINT_FN int footpoint_quad4_fine_closest_of(size_t n, const double *const *
  *   heldout_even:   xi 6.513e-08 7.231e-08 5.994e-03, eta 5.083e-08 6.052e-08 3.594e-03, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                               const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_precise_detail(const double xA[3], const double xB[3],
+                                                                 const double xC[3], const double xD[3],
+                                                                 const double xS[3], double zero, double *xi,
+                                                                 double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
@@ -2138,11 +2143,11 @@ footpoint_quad4_precise_detail_gap(const double xA[3], const double xB[3], const
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_precise_detail_checked(const double *const *x, int full, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad4_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_precise_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
@@ -2190,8 +2195,7 @@ FOOTPOINT_PART int footpoint_quad4_precise_detail_closest(const double *const *x
                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad4_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_precise_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -2241,9 +2245,10 @@ FOOTPOINT_FN int footpoint_quad4_precise_closest_of(size_t n, const double *cons
  *   heldout_even:   xi 4.082e-12 1.593e-14 3.666e-07, eta 2.863e-12 1.388e-14 3.037e-07, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_accurate_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double xS[3], double zero, double *xi,
+                                                                  double *eta)
 {
     const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
     const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
@@ -2307,11 +2312,11 @@ footpoint_quad4_accurate_detail_gap(const double xA[3], const double xB[3], cons
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_accurate_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad4_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad4_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_LEAST, gap);
     {
@@ -2360,8 +2365,7 @@ FOOTPOINT_PART int footpoint_quad4_accurate_detail_closest(const double *const *
                                                            int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad4_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad4_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_LEAST, xi, eta, at, region);
 }
 
@@ -2411,9 +2415,10 @@ FOOTPOINT_FN int footpoint_quad4_accurate_closest_of(size_t n, const double *con
  *   heldout_even:   xi 9.844e-14 2.109e-15 1.959e-08, eta 6.022e-14 2.109e-15 1.197e-08, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad4_full_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xS[3], double zero, double *xi,
+                                                              double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
@@ -2479,8 +2484,9 @@ footpoint_quad4_full_detail_gap(const double xA[3], const double xB[3], const do
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad4_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad4_full_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_quad4_full_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)

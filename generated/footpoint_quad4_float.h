@@ -1289,9 +1289,9 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_closest_of(footpoint_detail_f_neares
  *   heldout_random: xi 5.334e-02 2.767e-01 4.259e-01, eta 5.338e-02 2.767e-01 4.459e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_fast_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                  const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail(const float xA[3], const float xB[3], const float xC[3],
+                                                              const float xD[3], const float xS[3], float zero,
+                                                              float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1320,17 +1320,18 @@ FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float x
     (void)footpoint_quad4_float_fast_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_fast_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail_checked(const float *const *x, int full, float zero,
+                                                                      float *xi,
+                                                                      float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3],
-                                            const float xD[3], const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                            const float xS[3], float loc[2], float *gap)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
@@ -1381,8 +1382,7 @@ FOOTPOINT_PART int footpoint_quad4_float_fast_detail_closest(const float *const 
                                                              int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 
@@ -1426,9 +1426,9 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *co
  *   heldout_random: xi 4.847e-03 3.710e-02 1.822e-01, eta 4.846e-03 3.716e-02 1.537e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_coarse_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                    const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_coarse_detail(const float xA[3], const float xB[3],
+                                                                const float xC[3], const float xD[3],
+                                                                const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1459,13 +1459,14 @@ FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float
     (void)footpoint_quad4_float_coarse_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_coarse_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_coarse_detail_checked(const float *const *x, int full, float zero,
+                                                                        float *xi,
+                                                                        float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_coarse(const float xA[3], const float xB[3], const float xC[3],
@@ -1521,8 +1522,7 @@ FOOTPOINT_PART int footpoint_quad4_float_coarse_detail_closest(const float *cons
                                                                int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 
@@ -1568,9 +1568,9 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *
  *   heldout_random: xi 1.261e-03 1.604e-02 1.218e-01, eta 1.266e-03 1.613e-02 1.140e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_gauss2_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                    const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_gauss2_detail(const float xA[3], const float xB[3],
+                                                                const float xC[3], const float xD[3],
+                                                                const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1605,13 +1605,14 @@ FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float
     (void)footpoint_quad4_float_gauss2_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_gauss2_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_gauss2_detail_checked(const float *const *x, int full, float zero,
+                                                                        float *xi,
+                                                                        float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_gauss2(const float xA[3], const float xB[3], const float xC[3],
@@ -1667,8 +1668,7 @@ FOOTPOINT_PART int footpoint_quad4_float_gauss2_detail_closest(const float *cons
                                                                int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_gauss2_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 
@@ -1714,9 +1714,9 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *
  *   heldout_random: xi 1.938e-04 3.022e-03 7.520e-02, eta 1.946e-04 3.060e-03 6.525e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_medium_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                    const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_medium_detail(const float xA[3], const float xB[3],
+                                                                const float xC[3], const float xD[3],
+                                                                const float xS[3], float zero, float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1752,13 +1752,14 @@ FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float
     (void)footpoint_quad4_float_medium_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_medium_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_medium_detail_checked(const float *const *x, int full, float zero,
+                                                                        float *xi,
+                                                                        float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_medium(const float xA[3], const float xB[3], const float xC[3],
@@ -1814,8 +1815,7 @@ FOOTPOINT_PART int footpoint_quad4_float_medium_detail_closest(const float *cons
                                                                int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 
@@ -1863,9 +1863,10 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *
  *   heldout_random: xi 1.794e-05 2.391e-04 2.736e-02, eta 1.790e-05 2.456e-04 2.112e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_balanced_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                      const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_balanced_detail(const float xA[3], const float xB[3],
+                                                                  const float xC[3], const float xD[3],
+                                                                  const float xS[3], float zero, float *xi,
+                                                                  float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -1905,13 +1906,14 @@ FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const flo
     (void)footpoint_quad4_float_balanced_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_balanced_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_balanced_detail_checked(const float *const *x, int full, float zero,
+                                                                          float *xi,
+                                                                          float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_balanced(const float xA[3], const float xB[3], const float xC[3],
@@ -1969,8 +1971,7 @@ FOOTPOINT_PART int footpoint_quad4_float_balanced_detail_closest(const float *co
                                                                  int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 
@@ -2018,9 +2019,9 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float
  *   heldout_random: xi 5.728e-07 3.541e-06 5.709e-03, eta 5.028e-07 3.311e-06 3.580e-03, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_fine_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                  const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_fine_detail(const float xA[3], const float xB[3], const float xC[3],
+                                                              const float xD[3], const float xS[3], float zero,
+                                                              float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -2065,17 +2066,18 @@ FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float x
     (void)footpoint_quad4_float_fine_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_fine_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_fine_detail_checked(const float *const *x, int full, float zero,
+                                                                      float *xi,
+                                                                      float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3],
-                                            const float xD[3], const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                            const float xS[3], float loc[2], float *gap)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
@@ -2126,8 +2128,7 @@ FOOTPOINT_PART int footpoint_quad4_float_fine_detail_closest(const float *const 
                                                              int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 
@@ -2174,9 +2175,10 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   heldout_random: xi 1.427e-07 9.507e-07 7.398e-04, eta 1.410e-07 9.049e-07 5.159e-04, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_precise_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                     const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_precise_detail(const float xA[3], const float xB[3],
+                                                                 const float xC[3], const float xD[3],
+                                                                 const float xS[3], float zero, float *xi,
+                                                                 float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -2220,13 +2222,14 @@ FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const floa
     (void)footpoint_quad4_float_precise_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_precise_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_precise_detail_checked(const float *const *x, int full, float zero,
+                                                                         float *xi,
+                                                                         float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_precise_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_precise(const float xA[3], const float xB[3], const float xC[3],
@@ -2283,8 +2286,7 @@ FOOTPOINT_PART int footpoint_quad4_float_precise_detail_closest(const float *con
                                                                 int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_precise_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 
@@ -2334,9 +2336,10 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float 
  *   heldout_random: xi 1.233e-07 8.853e-07 7.134e-06, eta 1.222e-07 8.470e-07 6.884e-06, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_accurate_detail(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                      const float xS[3], float zero, float *xi, float *eta)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_accurate_detail(const float xA[3], const float xB[3],
+                                                                  const float xC[3], const float xD[3],
+                                                                  const float xS[3], float zero, float *xi,
+                                                                  float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float *const corner[4] = {xA, xB, xC, xD};
@@ -2388,13 +2391,14 @@ FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const flo
     (void)footpoint_quad4_float_accurate_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int
-footpoint_quad4_float_accurate_detail_checked(const float *const *x, int full, float zero, float *xi, float *eta, float *gap)
+FOOTPOINT_PART unsigned int footpoint_quad4_float_accurate_detail_checked(const float *const *x, int full, float zero,
+                                                                          float *xi,
+                                                                          float *eta, float *gap)
 {
-    unsigned int flaw = footpoint_quad4_float_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned int flaw = footpoint_quad4_float_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_accurate(const float xA[3], const float xB[3], const float xC[3],
@@ -2452,8 +2456,7 @@ FOOTPOINT_PART int footpoint_quad4_float_accurate_detail_closest(const float *co
                                                                  int *region)
 {
     float xi, eta;
-    unsigned int flaw = footpoint_quad4_float_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned int flaw = footpoint_quad4_float_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
 }
 

@@ -1249,10 +1249,12 @@ FOOTPOINT_PART int footpoint_detail_quad8_closest_of(footpoint_detail_nearest *n
  *   heldout_random: xi 2.039e-02 1.209e-01 4.431e-01, eta 2.038e-02 1.201e-01 4.423e-01, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                            const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_fast_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xE[3], const double xF[3],
+                                                              const double xG[3], const double xH[3],
+                                                              const double xS[3], double zero, double *xi,
+                                                              double *eta)
 {
     const double t1 = xS[2] - xF[2] - (xH[2] - xC[2]) + (xS[2] - xG[2]) - (xE[2] - xA[2]);
     const double t2 = 0.5 * (xD[0] - xA[0] - (xC[0] - xB[0])), t3 = 0.5 * (xD[2] - xA[2] - (xC[2] - xB[2]));
@@ -1280,13 +1282,14 @@ FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3]
     (void)footpoint_quad8_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_fast_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1329,8 +1332,7 @@ FOOTPOINT_PART int footpoint_quad8_fast_detail_closest(const double *const *x, d
                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 
@@ -1375,10 +1377,12 @@ FOOTPOINT_FN int footpoint_quad8_fast_closest_of(size_t n, const double *const *
  *   heldout_random: xi 1.096e-03 1.365e-02 1.892e-01, eta 1.123e-03 1.304e-02 1.944e-01, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_coarse_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xE[3], const double xF[3],
+                                                                const double xG[3], const double xH[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xD[2] - xB[2], t2 = xC[2] - xA[2], t3 = xH[2] - xD[2], t4 = xF[2] - xC[2], t5 = xD[1] - xB[1];
     const double t6 = xC[1] - xA[1], t7 = xH[1] - xD[1], t8 = xF[1] - xC[1], t9 = xG[2] - xE[2], t10 = xH[2] - xF[2];
@@ -1422,19 +1426,19 @@ FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[
     (void)footpoint_quad8_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_coarse_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xS[3], double loc[2],
-                                        double *gap)
+FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
@@ -1472,8 +1476,7 @@ FOOTPOINT_PART int footpoint_quad8_coarse_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 
@@ -1521,10 +1524,12 @@ FOOTPOINT_FN int footpoint_quad8_coarse_closest_of(size_t n, const double *const
  *   heldout_random: xi 8.975e-05 1.319e-03 8.623e-02, eta 9.393e-05 1.360e-03 9.258e-02, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                              const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_medium_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xE[3], const double xF[3],
+                                                                const double xG[3], const double xH[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xH[2] - xA[2], t2 = xF[2] - xC[2], t3 = xH[1] - xA[1], t4 = xF[1] - xC[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xA[2], t10 = xC[2] - xB[2];
@@ -1580,19 +1585,19 @@ FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[
     (void)footpoint_quad8_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_medium_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xS[3], double loc[2],
-                                        double *gap)
+FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
@@ -1630,8 +1635,7 @@ FOOTPOINT_PART int footpoint_quad8_medium_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 
@@ -1679,10 +1683,12 @@ FOOTPOINT_FN int footpoint_quad8_medium_closest_of(size_t n, const double *const
  *   heldout_random: xi 5.838e-06 3.918e-05 3.006e-02, eta 6.574e-06 3.943e-05 5.537e-02, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_balanced_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double xE[3], const double xF[3],
+                                                                  const double xG[3], const double xH[3],
+                                                                  const double xS[3], double zero, double *xi,
+                                                                  double *eta)
 {
     const double t1 = xH[1] - xA[1], t2 = xF[1] - xC[1], t3 = xH[2] - xA[2], t4 = xF[2] - xC[2], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[1] - xA[1], t10 = xC[1] - xB[1];
@@ -1747,13 +1753,14 @@ FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double x
     (void)footpoint_quad8_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_balanced_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3], const double xC[3],
@@ -1798,8 +1805,7 @@ FOOTPOINT_PART int footpoint_quad8_balanced_detail_closest(const double *const *
                                                            int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 
@@ -1850,10 +1856,12 @@ FOOTPOINT_FN int footpoint_quad8_balanced_closest_of(size_t n, const double *con
  *   heldout_random: xi 9.358e-07 3.664e-06 7.057e-03, eta 9.381e-07 3.217e-06 8.531e-03, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                            const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_fine_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xE[3], const double xF[3],
+                                                              const double xG[3], const double xH[3],
+                                                              const double xS[3], double zero, double *xi,
+                                                              double *eta)
 {
     const double t1 = xH[2] - xA[2], t2 = xF[2] - xC[2], t3 = xH[1] - xA[1], t4 = xF[1] - xC[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xA[2], t10 = xC[2] - xB[2];
@@ -1924,13 +1932,14 @@ FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3]
     (void)footpoint_quad8_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_fine_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1973,8 +1982,7 @@ FOOTPOINT_PART int footpoint_quad8_fine_detail_closest(const double *const *x, d
                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 
@@ -2023,10 +2031,12 @@ FOOTPOINT_FN int footpoint_quad8_fine_closest_of(size_t n, const double *const *
  *   heldout_random: xi 2.202e-07 1.772e-07 1.804e-03, eta 2.433e-07 1.844e-07 2.885e-03, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_accurate_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double xE[3], const double xF[3],
+                                                                  const double xG[3], const double xH[3],
+                                                                  const double xS[3], double zero, double *xi,
+                                                                  double *eta)
 {
     const double t1 = xG[2] - xD[2], t2 = xE[2] - xB[2], t3 = xG[1] - xD[1], t4 = xE[1] - xB[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xC[2], t10 = xB[2] - xA[2];
@@ -2104,13 +2114,14 @@ FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double x
     (void)footpoint_quad8_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_accurate_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3], const double xC[3],
@@ -2155,8 +2166,7 @@ FOOTPOINT_PART int footpoint_quad8_accurate_detail_closest(const double *const *
                                                            int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 
@@ -2212,10 +2222,12 @@ FOOTPOINT_FN int footpoint_quad8_accurate_closest_of(size_t n, const double *con
  *   heldout_even:   xi 3.540e-11 6.661e-16 1.509e-06, eta 5.148e-11 7.355e-16 2.411e-06, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_sharp_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                             const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                             const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_sharp_detail(const double xA[3], const double xB[3],
+                                                               const double xC[3], const double xD[3],
+                                                               const double xE[3], const double xF[3],
+                                                               const double xG[3], const double xH[3],
+                                                               const double xS[3], double zero, double *xi,
+                                                               double *eta)
 {
     const double t1 = xD[2] - xA[2], t2 = xC[2] - xB[2], t3 = xD[1] - xA[1], t4 = xC[1] - xB[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = t2 - t1, t10 = xH[2] - xA[2];
@@ -2315,13 +2327,14 @@ FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3
     (void)footpoint_quad8_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_sharp_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_sharp_detail_checked(const double *const *x, int full, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_sharp_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad8_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -2364,8 +2377,7 @@ FOOTPOINT_PART int footpoint_quad8_sharp_detail_closest(const double *const *x, 
                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_sharp_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 
@@ -2422,10 +2434,12 @@ FOOTPOINT_FN int footpoint_quad8_sharp_closest_of(size_t n, const double *const 
  *   heldout_even:   xi 1.092e-16 5.551e-16 9.102e-13, eta 1.209e-16 6.106e-16 1.537e-12, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                            const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad8_full_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xE[3], const double xF[3],
+                                                              const double xG[3], const double xH[3],
+                                                              const double xS[3], double zero, double *xi,
+                                                              double *eta)
 {
     const double t1 = xE[2] - xA[2], t2 = xG[2] - xC[2], t3 = xE[1] - xA[1], t4 = xG[1] - xC[1], t5 = xG[2] - xE[2];
     const double t6 = xH[2] - xF[2], t7 = xG[1] - xE[1], t8 = xH[1] - xF[1], t9 = xD[2] - xC[2], t10 = xB[2] - xA[2];
@@ -2554,13 +2568,14 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
     (void)footpoint_quad8_full_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad8_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad8_full_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad8_full_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad8_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad8_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -2603,8 +2618,7 @@ FOOTPOINT_PART int footpoint_quad8_full_detail_closest(const double *const *x, d
                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad8_full_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad8_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
     return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
 }
 

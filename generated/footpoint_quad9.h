@@ -1250,10 +1250,12 @@ FOOTPOINT_PART int footpoint_detail_quad9_closest_of(footpoint_detail_nearest *n
  *   heldout_random: xi 5.971e-02 2.992e-01 6.153e-01, eta 5.957e-02 2.990e-01 6.287e-01, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                            const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_fast_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xE[3], const double xF[3],
+                                                              const double xG[3], const double xH[3],
+                                                              const double xI[3], const double xS[3], double zero,
+                                                              double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2], t2 = xE[1] - xG[1], t3 = xF[2] - xH[2], t4 = xF[1] - xH[1], t5 = xE[0] - xG[0];
     const double t6 = xF[0] - xH[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1275,13 +1277,14 @@ FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3]
     (void)footpoint_quad9_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_fast_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1324,8 +1327,7 @@ FOOTPOINT_PART int footpoint_quad9_fast_detail_closest(const double *const *x, d
                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 
@@ -1370,10 +1372,12 @@ FOOTPOINT_FN int footpoint_quad9_fast_closest_of(size_t n, const double *const *
  *   heldout_random: xi 8.610e-04 1.019e-02 1.884e-01, eta 8.712e-04 1.050e-02 3.263e-01, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                              const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_coarse_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xE[3], const double xF[3],
+                                                                const double xG[3], const double xH[3],
+                                                                const double xI[3], const double xS[3], double zero,
+                                                                double *xi, double *eta)
 {
     const double t1 = xF[2] - xH[2], t2 = xF[1] - xH[1], t3 = xE[2] - xG[2], t4 = xE[1] - xG[1], t5 = xF[0] - xH[0];
     const double t6 = xE[0] - xG[0], t7 = t3 * t1 + t4 * t2 + t6 * t5, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1418,19 +1422,19 @@ FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[
     (void)footpoint_quad9_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_coarse_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xI[3],
-                                        const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
@@ -1468,8 +1472,7 @@ FOOTPOINT_PART int footpoint_quad9_coarse_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 
@@ -1517,10 +1520,12 @@ FOOTPOINT_FN int footpoint_quad9_coarse_closest_of(size_t n, const double *const
  *   heldout_random: xi 1.299e-04 1.913e-03 1.393e-01, eta 1.334e-04 1.839e-03 2.410e-01, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                              const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_medium_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xE[3], const double xF[3],
+                                                                const double xG[3], const double xH[3],
+                                                                const double xI[3], const double xS[3], double zero,
+                                                                double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2], t2 = xE[1] - xG[1], t3 = xF[2] - xH[2], t4 = xF[1] - xH[1], t5 = xE[0] - xG[0];
     const double t6 = xF[0] - xH[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1579,19 +1584,19 @@ FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[
     (void)footpoint_quad9_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_medium_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xG[3], const double xH[3], const double xI[3],
-                                        const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
@@ -1629,8 +1634,7 @@ FOOTPOINT_PART int footpoint_quad9_medium_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 
@@ -1678,10 +1682,12 @@ FOOTPOINT_FN int footpoint_quad9_medium_closest_of(size_t n, const double *const
  *   heldout_random: xi 1.137e-05 5.915e-05 8.993e-02, eta 1.316e-05 6.229e-05 1.477e-01, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_balanced_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double xE[3], const double xF[3],
+                                                                  const double xG[3], const double xH[3],
+                                                                  const double xI[3], const double xS[3], double zero,
+                                                                  double *xi, double *eta)
 {
     const double t1 = xC[2] - xB[2], t2 = xD[2] - xA[2], t3 = xC[1] - xB[1], t4 = xD[1] - xA[1], t5 = xG[2] - xE[2];
     const double t6 = xG[1] - xE[1], t7 = xH[2] - xF[2], t8 = xH[1] - xF[1], t9 = xC[0] - xB[0], t10 = xD[0] - xA[0];
@@ -1750,13 +1756,14 @@ FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double x
     (void)footpoint_quad9_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_balanced_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad9_balanced(const double xA[3], const double xB[3], const double xC[3],
@@ -1801,8 +1808,7 @@ FOOTPOINT_PART int footpoint_quad9_balanced_detail_closest(const double *const *
                                                            int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 
@@ -1854,10 +1860,12 @@ FOOTPOINT_FN int footpoint_quad9_balanced_closest_of(size_t n, const double *con
  *   heldout_even:   xi 2.265e-06 4.768e-06 4.131e-02, eta 1.693e-06 5.085e-06 2.467e-02, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                            const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_fine_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xE[3], const double xF[3],
+                                                              const double xG[3], const double xH[3],
+                                                              const double xI[3], const double xS[3], double zero,
+                                                              double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2], t2 = xE[1] - xG[1], t3 = xF[2] - xH[2], t4 = xF[1] - xH[1], t5 = xE[0] - xG[0];
     const double t6 = xF[0] - xH[0], t7 = t2 * t4 - t1 * t3 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1933,13 +1941,14 @@ FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3]
     (void)footpoint_quad9_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_fine_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1982,8 +1991,7 @@ FOOTPOINT_PART int footpoint_quad9_fine_detail_closest(const double *const *x, d
                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 
@@ -2031,10 +2039,12 @@ FOOTPOINT_FN int footpoint_quad9_fine_closest_of(size_t n, const double *const *
  *   heldout_even:   xi 1.810e-06 4.392e-07 3.804e-02, eta 1.920e-06 4.298e-07 2.269e-02, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_accurate_detail(const double xA[3], const double xB[3],
+                                                                  const double xC[3], const double xD[3],
+                                                                  const double xE[3], const double xF[3],
+                                                                  const double xG[3], const double xH[3],
+                                                                  const double xI[3], const double xS[3], double zero,
+                                                                  double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2], t2 = xG[1] - xE[1], t3 = xH[2] - xF[2], t4 = xH[1] - xF[1];
     const double t5 = xI[2] - xG[2] + (xI[2] - xE[2]), t6 = xI[1] - xG[1] + (xI[1] - xE[1]), t7 = xG[0] - xE[0];
@@ -2115,13 +2125,14 @@ FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double x
     (void)footpoint_quad9_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_accurate_detail_checked(const double *const *x, int full,
+                                                                          double zero, double *xi,
+                                                                          double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad9_accurate(const double xA[3], const double xB[3], const double xC[3],
@@ -2166,8 +2177,7 @@ FOOTPOINT_PART int footpoint_quad9_accurate_detail_closest(const double *const *
                                                            int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 
@@ -2223,10 +2233,12 @@ FOOTPOINT_FN int footpoint_quad9_accurate_closest_of(size_t n, const double *con
  *   heldout_even:   xi 3.829e-08 1.110e-15 1.899e-03, eta 2.289e-08 1.332e-15 1.127e-03, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_sharp_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                             const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                             const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_sharp_detail(const double xA[3], const double xB[3],
+                                                               const double xC[3], const double xD[3],
+                                                               const double xE[3], const double xF[3],
+                                                               const double xG[3], const double xH[3],
+                                                               const double xI[3], const double xS[3], double zero,
+                                                               double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2], t2 = xG[1] - xE[1], t3 = xH[2] - xF[2], t4 = xH[1] - xF[1], t5 = xG[0] - xE[0];
     const double t6 = xH[0] - xF[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -2332,13 +2344,14 @@ FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3
     (void)footpoint_quad9_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_sharp_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_sharp_detail_checked(const double *const *x, int full, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_sharp_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad9_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -2381,8 +2394,7 @@ FOOTPOINT_PART int footpoint_quad9_sharp_detail_closest(const double *const *x, 
                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_sharp_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 
@@ -2439,10 +2451,12 @@ FOOTPOINT_FN int footpoint_quad9_sharp_closest_of(size_t n, const double *const 
  *   heldout_even:   xi 1.017e-10 4.441e-16 5.087e-06, eta 6.007e-11 5.551e-16 3.003e-06, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                            const double xI[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_quad9_full_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xD[3],
+                                                              const double xE[3], const double xF[3],
+                                                              const double xG[3], const double xH[3],
+                                                              const double xI[3], const double xS[3], double zero,
+                                                              double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2], t2 = xG[1] - xE[1], t3 = xH[2] - xF[2], t4 = xH[1] - xF[1], t5 = xG[0] - xE[0];
     const double t6 = xH[0] - xF[0], t7 = t1 * t1 + t2 * t2 + t5 * t5, t8 = t2 * t4 - t1 * t3 + t5 * t6;
@@ -2581,13 +2595,14 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
     (void)footpoint_quad9_full_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_quad9_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_quad9_full_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_quad9_full_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    unsigned long long flaw = footpoint_quad9_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_quad9_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -2630,8 +2645,7 @@ FOOTPOINT_PART int footpoint_quad9_full_detail_closest(const double *const *x, d
                                                        int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_quad9_full_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_quad9_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
     return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
 }
 

@@ -1188,9 +1188,10 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   heldout_random: xi 4.763e-16 3.886e-15 1.438e-14, eta 4.797e-16 3.941e-15 1.624e-14, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_rectangle_quad4_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_rectangle_quad4_exact_detail(const double xA[3], const double xB[3],
+                                                                         const double xC[3], const double xD[3],
+                                                                         const double xS[3], double zero, double *xi,
+                                                                         double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[2] - xD[2], t4 = xA[1] - xD[1], t5 = xA[0] - xB[0];
     const double t6 = xA[0] - xD[0], t7 = t3 * t3 + t4 * t4 + t6 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1221,11 +1222,11 @@ footpoint_rectangle_quad4_exact_detail_gap(const double xA[3], const double xB[3
     return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_RECTANGLE_QUAD4_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_rectangle_quad4_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_rectangle_quad4_exact_detail_checked(const double *const *x, int full,
+                                                                                 double zero, double *xi,
+                                                                                 double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_rectangle_quad4_exact_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    unsigned long long flaw = footpoint_rectangle_quad4_exact_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     if (full)
         flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_RECTANGLE_QUAD4_LEAST, gap);
     {
@@ -1277,8 +1278,7 @@ FOOTPOINT_PART int footpoint_rectangle_quad4_exact_detail_closest(const double *
                                                                   int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_rectangle_quad4_exact_detail(
-        x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_rectangle_quad4_exact_detail(x[0], x[1], x[2], x[3], x[4], zero, &xi, &eta);
     return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_RECTANGLE_QUAD4_LEAST, xi, eta, at, region);
 }
 

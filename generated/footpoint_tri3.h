@@ -1180,9 +1180,9 @@ FOOTPOINT_PART int footpoint_detail_tri3_closest_of(footpoint_detail_nearest *ne
  *   heldout_random: xi 7.719e-17 4.580e-16 2.245e-15, eta 7.682e-17 4.510e-16 3.053e-15, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri3_exact_detail(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
-                            double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail(const double xA[3], const double xB[3],
+                                                              const double xC[3], const double xS[3], double zero,
+                                                              double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2], t2 = xA[1] - xC[1], t3 = xA[2] - xB[2], t4 = xA[1] - xB[1], t5 = xA[0] - xC[0];
     const double t6 = xA[0] - xB[0], t7 = t1 * t3 + t2 * t4 + t5 * t6, t8 = t1 * t1 + t2 * t2 + t5 * t5;
@@ -1216,8 +1216,9 @@ footpoint_tri3_exact_detail_gap(const double xA[3], const double xB[3], const do
     return footpoint_detail_tri3_over(a, b, d, size, per, unit, xi, eta, FOOTPOINT_TRI3_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri3_exact_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail_checked(const double *const *x, int full, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_tri3_exact_detail(x[0], x[1], x[2], x[3], zero, xi, eta);
     if (full)

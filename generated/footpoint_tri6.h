@@ -1237,10 +1237,11 @@ FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *ne
  *   heldout_random: xi 8.158e-03 4.993e-02 1.305e-01, eta 8.153e-03 4.879e-02 1.389e-01, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                           const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
-                           double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri6_fast_detail(const double xA[3], const double xB[3],
+                                                             const double xC[3], const double xD[3],
+                                                             const double xE[3], const double xF[3],
+                                                             const double xS[3], double zero, double *xi,
+                                                             double *eta)
 {
     const double t1 = xB[2] - xE[2] + 4.0 * (xE[2] - xF[2]), t2 = xB[1] - xE[1] + 4.0 * (xE[1] - xF[1]);
     const double t3 = 4.0 * (xD[2] - xE[2]) + (xA[2] - xC[2]), t4 = xA[2] - xE[2], t5 = t4 - t1;
@@ -1266,13 +1267,14 @@ FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3],
     (void)footpoint_tri6_fast_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri6_fast_detail_checked(const double *const *x, int full, double zero,
+                                                                     double *xi,
+                                                                     double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_tri6_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri6_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1311,12 +1313,10 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_over_n(const double *const nodes[6], siz
                                  status);
 }
 
-FOOTPOINT_PART int footpoint_tri6_fast_detail_closest(const double *const *x, double zero, double at[3],
-                                                      int *region)
+FOOTPOINT_PART int footpoint_tri6_fast_detail_closest(const double *const *x, double zero, double at[3], int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_tri6_fast_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri6_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
 
@@ -1360,10 +1360,11 @@ FOOTPOINT_FN int footpoint_tri6_fast_closest_of(size_t n, const double *const *x
  *   heldout_random: xi 2.057e-04 2.281e-03 2.319e-02, eta 2.016e-04 2.179e-03 1.852e-02, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                             const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
-                             double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri6_coarse_detail(const double xA[3], const double xB[3],
+                                                               const double xC[3], const double xD[3],
+                                                               const double xE[3], const double xF[3],
+                                                               const double xS[3], double zero, double *xi,
+                                                               double *eta)
 {
     const double t1 = xE[2] - xF[2], t2 = xE[1] - xF[1], t3 = xA[2] - xD[2], t4 = xA[1] - xD[1], t5 = xE[0] - xF[0];
     const double t6 = xC[2] - xF[2], t7 = t3 - 4.0 * t1, t8 = xC[1] - xF[1], t9 = t4 - 4.0 * t2, t10 = xA[0] - xD[0];
@@ -1401,13 +1402,14 @@ FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3
     (void)footpoint_tri6_coarse_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri6_coarse_detail_checked(const double *const *x, int full, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_tri6_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri6_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1450,8 +1452,7 @@ FOOTPOINT_PART int footpoint_tri6_coarse_detail_closest(const double *const *x, 
                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_tri6_coarse_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri6_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
 
@@ -1496,10 +1497,11 @@ FOOTPOINT_FN int footpoint_tri6_coarse_closest_of(size_t n, const double *const 
  *   heldout_random: xi 6.331e-05 9.454e-04 1.487e-02, eta 6.161e-05 8.616e-04 1.406e-02, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                             const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
-                             double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri6_medium_detail(const double xA[3], const double xB[3],
+                                                               const double xC[3], const double xD[3],
+                                                               const double xE[3], const double xF[3],
+                                                               const double xS[3], double zero, double *xi,
+                                                               double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xE[2] - xF[2], t4 = xC[2] - xF[2], t5 = xE[1] - xF[1];
     const double t6 = xC[1] - xF[1], t7 = xD[0] - xE[0], t8 = xA[2] - xB[2], t9 = xA[2] - xF[2], t10 = t4 - 4.0 * t1;
@@ -1538,13 +1540,14 @@ FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3
     (void)footpoint_tri6_medium_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri6_medium_detail_checked(const double *const *x, int full, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_tri6_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri6_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1587,8 +1590,7 @@ FOOTPOINT_PART int footpoint_tri6_medium_detail_closest(const double *const *x, 
                                                         int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_tri6_medium_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri6_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
 
@@ -1635,10 +1637,11 @@ FOOTPOINT_FN int footpoint_tri6_medium_closest_of(size_t n, const double *const 
  *   heldout_even:   xi 4.776e-07 7.596e-06 1.987e-03, eta 4.867e-07 8.024e-06 1.710e-03, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                               const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
-                               double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri6_balanced_detail(const double xA[3], const double xB[3],
+                                                                 const double xC[3], const double xD[3],
+                                                                 const double xE[3], const double xF[3],
+                                                                 const double xS[3], double zero, double *xi,
+                                                                 double *eta)
 {
     const double t1 = xE[2] - xD[2], t2 = xE[1] - xD[1], t3 = xF[2] - xE[2], t4 = xF[1] - xE[1], t5 = xE[0] - xD[0];
     const double t6 = xF[2] - xC[2], t7 = xF[1] - xC[1], t8 = xF[2] - xA[2], t9 = xF[1] - xA[1], t10 = xB[2] - xA[2];
@@ -1686,13 +1689,14 @@ FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB
     (void)footpoint_tri6_balanced_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri6_balanced_detail_checked(const double *const *x, int full, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_tri6_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri6_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3],
@@ -1735,8 +1739,7 @@ FOOTPOINT_PART int footpoint_tri6_balanced_detail_closest(const double *const *x
                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_tri6_balanced_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri6_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
 
@@ -1784,10 +1787,11 @@ FOOTPOINT_FN int footpoint_tri6_balanced_closest_of(size_t n, const double *cons
  *   heldout_even:   xi 1.923e-09 5.186e-09 4.717e-05, eta 1.551e-09 5.059e-09 3.939e-05, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                           const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
-                           double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri6_fine_detail(const double xA[3], const double xB[3],
+                                                             const double xC[3], const double xD[3],
+                                                             const double xE[3], const double xF[3],
+                                                             const double xS[3], double zero, double *xi,
+                                                             double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xC[2] - xF[2], t4 = xC[1] - xF[1], t5 = xD[0] - xE[0];
     const double t6 = xE[2] - xF[2], t7 = xE[1] - xF[1], t8 = xF[2] - xA[2], t9 = t3 - 4.0 * t1, t10 = xA[1] - xF[1];
@@ -1844,13 +1848,14 @@ FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3],
     (void)footpoint_tri6_fine_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri6_fine_detail_checked(const double *const *x, int full, double zero,
+                                                                     double *xi,
+                                                                     double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_tri6_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri6_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -1889,12 +1894,10 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_over_n(const double *const nodes[6], siz
                                  status);
 }
 
-FOOTPOINT_PART int footpoint_tri6_fine_detail_closest(const double *const *x, double zero, double at[3],
-                                                      int *region)
+FOOTPOINT_PART int footpoint_tri6_fine_detail_closest(const double *const *x, double zero, double at[3], int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_tri6_fine_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri6_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
 
@@ -1942,10 +1945,11 @@ FOOTPOINT_FN int footpoint_tri6_fine_closest_of(size_t n, const double *const *x
  *   heldout_even:   xi 1.427e-10 8.299e-13 6.866e-06, eta 1.216e-10 7.773e-13 5.832e-06, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                              const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
-                              double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri6_precise_detail(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xE[3], const double xF[3],
+                                                                const double xS[3], double zero, double *xi,
+                                                                double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xE[2] - xF[2], t4 = xC[2] - xF[2], t5 = xE[1] - xF[1];
     const double t6 = xC[1] - xF[1], t7 = xD[0] - xE[0], t8 = xA[2] - xB[2], t9 = xA[2] - xF[2], t10 = t4 - 4.0 * t1;
@@ -2007,18 +2011,19 @@ FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[
     (void)footpoint_tri6_precise_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri6_precise_detail_checked(const double *const *x, int full, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_tri6_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri6_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    return flaw;
 }
 
-FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xE[3], const double xF[3],
-                                        const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xS[3], double loc[2],
+                                        double *gap)
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
@@ -2056,8 +2061,7 @@ FOOTPOINT_PART int footpoint_tri6_precise_detail_closest(const double *const *x,
                                                          int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_tri6_precise_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri6_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
 
@@ -2108,10 +2112,11 @@ FOOTPOINT_FN int footpoint_tri6_precise_closest_of(size_t n, const double *const
  *   heldout_even:   xi 1.576e-15 2.220e-16 7.663e-11, eta 1.346e-15 2.498e-16 6.507e-11, samples 50000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                               const double xE[3], const double xF[3], const double xS[3], double zero, double *xi,
-                               double *eta)
+FOOTPOINT_PART unsigned long long footpoint_tri6_accurate_detail(const double xA[3], const double xB[3],
+                                                                 const double xC[3], const double xD[3],
+                                                                 const double xE[3], const double xF[3],
+                                                                 const double xS[3], double zero, double *xi,
+                                                                 double *eta)
 {
     const double t1 = xD[2] - xE[2], t2 = xD[1] - xE[1], t3 = xE[2] - xF[2], t4 = xC[2] - xF[2], t5 = xE[1] - xF[1];
     const double t6 = xC[1] - xF[1], t7 = xD[0] - xE[0], t8 = xA[2] - xB[2], t9 = xA[2] - xF[2], t10 = t4 - 4.0 * t1;
@@ -2186,13 +2191,14 @@ FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB
     (void)footpoint_tri6_accurate_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_tri6_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_tri6_accurate_detail_checked(const double *const *x, int full, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_tri6_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    unsigned long long flaw = footpoint_tri6_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_tri6_accurate(const double xA[3], const double xB[3], const double xC[3],
@@ -2235,8 +2241,7 @@ FOOTPOINT_PART int footpoint_tri6_accurate_detail_closest(const double *const *x
                                                           int *region)
 {
     double xi, eta;
-    unsigned long long flaw = footpoint_tri6_accurate_detail(
-        x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    unsigned long long flaw = footpoint_tri6_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
     return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
 }
 

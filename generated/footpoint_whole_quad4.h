@@ -485,9 +485,10 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *   heldout_random: xi 4.075e-02 2.331e-01 7.418e+01, eta 5.863e-02 3.310e-01 8.786e+01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_gauss_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -509,17 +510,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_gauss_at(const double xA[3], const doubl
     (void)footpoint_whole_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_gauss_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_gauss_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_gauss_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_gauss_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
@@ -562,9 +573,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_checked_n(size_t n, const double
  *   heldout_random: xi 3.384e-02 2.431e-01 1.247e+00, eta 4.810e-02 4.207e-01 2.271e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_fast_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
     const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0], t11 = t10 - t9;
@@ -588,17 +600,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double
     (void)footpoint_whole_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_fast_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_fast_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_fast_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_fast_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
@@ -641,9 +663,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fast_checked_n(size_t n, const double 
  *   heldout_random: xi 1.154e-02 1.381e-01 1.342e+00, eta 1.594e-02 1.962e-01 1.918e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_taper_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                   const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail(const double xA[3], const double xB[3],
+                                                                     const double xC[3], const double xD[3],
+                                                                     const double xS[3], double zero, double *xi,
+                                                                     double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.425 * t4, t7 = xA[2] - xD[2] - u1;
@@ -671,17 +694,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const doubl
     (void)footpoint_whole_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_taper_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_taper_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_taper_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail_checked(const double *const *x, int full,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_taper_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
@@ -726,9 +759,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_taper_checked_n(size_t n, const double
  *   heldout_random: xi 1.364e-02 8.186e-02 1.411e+02, eta 1.964e-02 1.071e-01 2.133e+02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_gauss2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -756,17 +790,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_gauss2_at(const double xA[3], const doub
     (void)footpoint_whole_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_gauss2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_gauss2_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_gauss2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_gauss2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
@@ -811,9 +855,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_checked_n(size_t n, const doubl
  *   heldout_random: xi 4.209e-03 5.813e-02 1.985e+00, eta 5.268e-03 7.659e-02 1.933e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_coarse_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
@@ -844,17 +889,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const doub
     (void)footpoint_whole_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_coarse_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_coarse_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_coarse_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_coarse_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
@@ -900,9 +955,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_checked_n(size_t n, const doubl
  *   heldout_random: xi 3.284e-03 4.936e-02 1.985e+00, eta 4.313e-03 6.544e-02 1.990e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_newton_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -934,17 +990,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_newton_at(const double xA[3], const doub
     (void)footpoint_whole_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_newton_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_newton_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_newton_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_newton_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
@@ -989,9 +1055,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_newton_checked_n(size_t n, const doubl
  *   heldout_random: xi 1.640e-03 3.217e-02 1.947e+00, eta 2.216e-03 4.232e-02 1.892e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_medium_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                    const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
 {
     const double t1 = xB[1] - xA[1], t2 = xA[2] - xB[2], t3 = xC[1] - xD[1] - t1, t4 = xA[0] - xB[0];
     const double t5 = xC[2] - xD[2] + t2, t6 = xC[0] - xD[0] + t4, u1 = 0.425 * t3, t7 = xA[1] - xD[1] - u1;
@@ -1024,17 +1091,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const doub
     (void)footpoint_whole_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_medium_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_medium_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_medium_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail_checked(const double *const *x, int full,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_medium_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
@@ -1080,9 +1157,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_medium_checked_n(size_t n, const doubl
  *   heldout_random: xi 4.407e-04 6.493e-03 9.136e-01, eta 5.805e-04 8.980e-03 1.259e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_balanced_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.425 * t6, t7 = t5 + u1, u2 = 0.425 * t3;
@@ -1122,17 +1200,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const do
     (void)footpoint_whole_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_balanced_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_balanced_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_balanced_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_balanced_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
@@ -1179,9 +1267,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_checked_n(size_t n, const dou
  *   heldout_random: xi 3.153e-04 1.173e-03 1.330e+00, eta 3.304e-04 1.494e-03 1.358e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_fine_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1220,17 +1309,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double
     (void)footpoint_whole_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_fine_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_fine_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_fine_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_fine_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
@@ -1277,9 +1376,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fine_checked_n(size_t n, const double 
  *   heldout_random: xi 9.861e-05 4.409e-06 1.758e+00, eta 9.965e-05 6.278e-06 1.997e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_precise_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xB[0] - xA[0], t6 = xC[0] - xD[0] - t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1324,17 +1424,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const dou
     (void)footpoint_whole_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_precise_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail_nearest_shorter(const double *const *x,
+                                                                                       double zero, double *xi,
+                                                                                       double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_precise_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_precise_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_precise_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
@@ -1383,9 +1493,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_precise_checked_n(size_t n, const doub
  *   heldout_random: xi 2.707e-05 1.899e-07 1.758e+00, eta 2.559e-05 3.154e-07 1.245e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_accurate_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
     const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
@@ -1433,17 +1544,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     (void)footpoint_whole_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_accurate_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_accurate_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_accurate_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_accurate_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
@@ -1492,9 +1613,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_checked_n(size_t n, const dou
  *   heldout_random: xi 1.335e-04 7.987e-11 1.991e+00, eta 1.109e-04 1.071e-10 1.997e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_full_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.425 * (xD[2] - xC[2] - t1);
     const double t5 = 0.425 * (xD[1] - xC[1] - t2), t6 = xA[2] - xD[2] + t4, t7 = t1 + t4, t8 = xA[1] - xD[1] + t5;
@@ -1546,17 +1668,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double
     (void)footpoint_whole_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_full_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_full_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_full_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail_checked(const double *const *x, int full,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_full_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_full(const double xA[3], const double xB[3], const double xC[3],
@@ -1603,9 +1735,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_full_checked_n(size_t n, const double 
  *   heldout_random: xi 1.672e-04 7.617e-04 1.758e+00, eta 1.987e-04 9.330e-04 1.581e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_program1_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] + u1;
@@ -1645,17 +1778,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_program1_at(const double xA[3], const do
     (void)footpoint_whole_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_program1_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_program1_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_program1_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_program1_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
@@ -1704,9 +1847,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program1_checked_n(size_t n, const dou
  *   heldout_random: xi 2.646e-05 5.837e-07 1.723e+00, eta 2.628e-05 1.050e-06 1.245e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_program2_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
     const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.425 * t4, t7 = xA[2] - xD[2] - u1;
@@ -1754,17 +1898,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_program2_at(const double xA[3], const do
     (void)footpoint_whole_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_program2_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_program2_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_program2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_program2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
@@ -1814,9 +1968,10 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program2_checked_n(size_t n, const dou
  *   heldout_random: xi 1.249e-05 3.276e-12 1.758e+00, eta 1.177e-05 4.706e-12 1.245e+00, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_program3_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
     const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] + u1;
@@ -1867,17 +2022,27 @@ FOOTPOINT_FN void footpoint_whole_quad4_program3_at(const double xA[3], const do
     (void)footpoint_whole_quad4_program3_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_whole_quad4_program3_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_whole_quad4_program3_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_program3_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_program3_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_whole_quad4_program3(const double xA[3], const double xB[3], const double xC[3],

@@ -504,9 +504,10 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *     2.774e-01 max 3.417e+00
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_perceptron_hidden_8_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail(const double xA[3], const double xB[3],
+                                                                       const double xC[3], const double xD[3],
+                                                                       const double xS[3], double zero, double *xi,
+                                                                       double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xD[2], t3 = xA[0] - xD[0], t4 = xA[2] - xB[2], t5 = xA[1] - xB[1];
     const double t6 = xA[1] - xD[1], t7 = t3 * t4 - t2 * t1, t8 = t6 * t1 - t3 * t5, t9 = t2 * t5 - t6 * t4;
@@ -584,17 +585,27 @@ FOOTPOINT_FN void footpoint_perceptron_hidden_8_at(const double xA[3], const dou
     (void)footpoint_perceptron_hidden_8_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_perceptron_hidden_8_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail_nearest_shorter(const double *const *x,
+                                                                                       double zero, double *xi,
+                                                                                       double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_perceptron_hidden_8_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_perceptron_hidden_8_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail_checked(const double *const *x, int full,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_perceptron_hidden_8_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_perceptron_hidden_8(const double xA[3], const double xB[3], const double xC[3],
@@ -653,9 +664,10 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const doub
  *     1.437e+00 max 8.449e+00
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_perceptron_hidden_16_detail(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xD[2], t3 = xA[0] - xD[0], t4 = xA[2] - xB[2], t5 = xA[1] - xB[1];
     const double t6 = xA[1] - xD[1], t7 = t3 * t4 - t2 * t1, t8 = t6 * t1 - t3 * t5, t9 = t2 * t5 - t6 * t4;
@@ -776,17 +788,27 @@ FOOTPOINT_FN void footpoint_perceptron_hidden_16_at(const double xA[3], const do
     (void)footpoint_perceptron_hidden_16_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_perceptron_hidden_16_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_perceptron_hidden_16_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_perceptron_hidden_16_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail_checked(const double *const *x, int full,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_perceptron_hidden_16_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_perceptron_hidden_16(const double xA[3], const double xB[3], const double xC[3],
@@ -845,9 +867,10 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const dou
  *     3.229e-01 max 4.303e+00
  *   vectorises:     -O3 -fno-math-errno
  */
-FOOTPOINT_PART unsigned long long
-footpoint_perceptron_hidden_16_16_detail(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xS[3], double zero, double *xi, double *eta)
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail(const double xA[3], const double xB[3],
+                                                                           const double xC[3], const double xD[3],
+                                                                           const double xS[3], double zero, double *xi,
+                                                                           double *eta)
 {
     const double t1 = xA[0] - xB[0], t2 = xA[2] - xD[2], t3 = xA[0] - xD[0], t4 = xA[2] - xB[2], t5 = xA[1] - xB[1];
     const double t6 = xA[1] - xD[1], t7 = t3 * t4 - t2 * t1, t8 = t6 * t1 - t3 * t5, t9 = t2 * t5 - t6 * t4;
@@ -1121,21 +1144,32 @@ FOOTPOINT_FN void footpoint_perceptron_hidden_16_16_at(const double xA[3], const
     (void)footpoint_perceptron_hidden_16_16_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_perceptron_hidden_16_16_detail_checked(const double *const *x, int full, double zero, double *xi, double *eta, double *gap)
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail_nearest_shorter(const double *const *x,
+                                                                                           double zero, double *xi,
+                                                                                           double *eta)
 {
     const double *const xS = x[4];
-    double u, v;
     const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    unsigned long long flaw = footpoint_perceptron_hidden_16_16_detail(
-        x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_perceptron_hidden_16_16_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
     footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail_checked(const double *const *x, int full,
+                                                                                   double zero, double *xi,
+                                                                                   double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_perceptron_hidden_16_16_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
     (void)full;
-    return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_perceptron_hidden_16_16(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double loc[2], double *gap)
+                                                   const double xD[3], const double xS[3], double loc[2],
+                                                   double *gap)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;

@@ -21,18 +21,19 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             parameters="$parameters${parameters:+, }const REAL x$k[3]"
         done
         case $kind in tri*) shape=triangle corners=3 ;; *) shape=square corners=4 ;; esac
-        words="VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH"
+        words="VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH VECTOR_ROWS LEAST_SIZE"
         printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" "#define CORNERS $corners" "#define SCALABLE 1" \
             "#define COORDINATES $((3 * others + 3))" "#define SCALED_NODES $nodes" "#define COLUMNS $columns" "#define ROWS $rows" \
             "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
-            '#define REACH_TO_GROWTH (reach * reach)'
+            '#define REACH_TO_GROWTH (reach * reach)' '#define LEAST_SIZE 1e-20' \
+            "#define VECTOR_ROWS $(echo "$rows" | sed 's/p/x/g')"
         for name in $(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u); do
             is=$(echo "$name" | sed "s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/")
             echo "#define $name $is"
             words="$words $name"
         done
         closest="inward ${nearest}_nearest fan closest_again closest_arrays"
-        [ "$kind" != quad4 ] || closest="quad4_surface $closest"
+        [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
         files="$files arrays over"
@@ -41,7 +42,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
         *) files="$files $closest ${nearest}_along along_again along_calls closest_calls" ;;
         esac
-        calls='arrays_calls over_calls'
+        files="search $files" calls='checked arrays_calls over_calls'
+        [ "$kind" != quad4 ] || calls="nearest nearest_shorter $calls"
         if [ $kind = face ]; then # functions at a place of it
             files='place_detail place_calls place_joined' calls=
             for word in ROW SET_ROW REQUIRE GAP_LAST GAP_AMONG_ROWS; do echo "#define WITH_$word"; echo "#define END_$word"; done
@@ -53,14 +55,16 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             echo "REAL_BITS face_search_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
         else
-            echo "REAL_BITS ${kind}_name_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
-            echo "REAL_BITS ${kind}_name_detail_checked(const REAL *const *x, int full, REAL zero, REAL *xi, REAL *eta, REAL *gap);"
-            echo "int ${kind}_name_detail_closest(const REAL *const *x, REAL zero, REAL at[3], int *region);"
+            for word in SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
+            echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"
+            echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
+            words="$words SEARCH_CALL STATEMENTS DENOMINATORS WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
         fi
         for name in $files $calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in corners quad4_sure contract contract_closest contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in quad4_sure contract contract_closest contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

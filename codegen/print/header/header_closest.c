@@ -7,13 +7,10 @@
 #include "header_closest.h"
 
 #include "../../base/text.h"
-#include "../c_text.h"
 #include "../templates.h"
 #include "header_lines.h"
-#include "header_sizes.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 bool closest_exists(const struct unit *u)
 {
@@ -43,27 +40,7 @@ void closest_print_contract(const struct unit *u, FILE *out)
     lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_closest", NULL}, out);
 }
 
-/* The search and what is nearest. */
-static void print_nearest(const struct unit *u, const struct function *f, FILE *out)
-{
-    char *name = new_format("%s_detail_closest", f->name);
-    const enum precision precision = u->options.precision;
-    char *vectors = lines_rows(u, "x"), *least = sizes_least_name(u);
-    char *nearest = new_format("    return footpoint_detail_%s_nearest(x, flaw, ", u->file->segment->name);
-    fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s zero, %s at[3],\n%*sint *region)\n{\n", name,
-            lines_real(u), lines_real(u), lines_real(u), (int)strlen(name) + 20, "");
-    fprintf(out, "    %s xi, eta;\n", lines_real(u));
-    lines_print_search(u, f, vectors, "&xi, &eta", "    ", out);
-    c_print(nearest, precision, out);
-    fprintf(out, "%s, xi, eta, at, region);\n}\n", least);
-    free(nearest);
-    free(least);
-    free(vectors);
-    free(name);
-}
-
 void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    print_nearest(u, f, out);
     lines_print_templates(u, f, NULL, (const char *const[]){"closest_calls", NULL}, out);
 }

@@ -161,6 +161,8 @@ struct words lines_words(const struct unit *u, const struct function *f)
     words_add(&w, "COLUMNS", columns_text(n));
     words_add(&w, "ROWS", rows_text("p", n));
     words_add(&w, "SEGMENT_ROWS", rows_text("c", n - 1));
+    words_add(&w, "VECTOR_ROWS", rows_text("x", n));
+    words_add(&w, "LEAST_SIZE", sizes_least_name(u));
     words_add(&w, "NAME", new_format("%s", f ? f->name : ""));
     words_add(&w, "SCALED_NODES", new_format("%zu", scaled));
     words_add(&w, "SCALABLE", new_format("%d", scaled > 0));
@@ -180,39 +182,4 @@ void lines_print_templates(const struct unit *u, const struct function *f, const
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f)
 {
     return sizes_scalable(f, u->file->segment) ? strlen(u->file->segment->nodes) : 0;
-}
-
-/* Corners into the assumed order, and (u,v) found there back to the caller's. */
-static void print_ordered_search(const struct unit *u, const struct function *f, const char *results,
-                                 const char *indent, FILE *out)
-{
-    const bool shorter = u->file->order == CORNERS_NEAREST_SHORTER;
-    fputs(indent, out);
-    c_print("const int k = footpoint_detail_nearest_corner(x, xS)", u->options.precision, out);
-    c_print(shorter ? ", mirror = footpoint_detail_mirrored(x, k);\n" : ";\n", u->options.precision, out);
-    fputs(indent, out);
-    c_print("REAL_BITS ", u->options.precision, out);
-    fprintf(out, "flaw = %s_detail(\n%s    x[k], ", f->name, indent);
-    fputs(shorter ? "x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);\n"
-                  : "x[(k + 1) & 3], x[(k + 2) & 3], x[(k + 3) & 3], xS, zero, &u, &v);\n",
-          out);
-    fputs(indent, out);
-    c_print("footpoint_detail_turn_back(k, ", u->options.precision, out);
-    fprintf(out, "%s, %s);\n", shorter ? "mirror ? v : u, mirror ? u : v" : "u, v", results);
-}
-
-void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *results,
-                        const char *indent, FILE *out)
-{
-    if (u->file->order != CORNERS_ANY) {
-        print_ordered_search(u, f, results, indent, out);
-        return;
-    }
-    const bool fits = strlen(f->name) + strlen(vectors) + 70 <= WIDTH;
-    fputs(indent, out);
-    c_print("REAL_BITS ", u->options.precision, out);
-    fprintf(out, "flaw = %s_detail(", f->name);
-    if (!fits)
-        fprintf(out, "\n%s    ", indent);
-    fprintf(out, "%s, zero, %s);\n", vectors, results);
 }

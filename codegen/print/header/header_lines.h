@@ -29,12 +29,12 @@ struct words {
 void words_add(struct words *w, const char *word, char *text); /* takes the text */
 void words_clear(struct words *w);
 
-/** Returns words about the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, ACCURACY and MISSED
- *  for contracts; VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES, CORNERS,
- *  COORDINATES, of all vectors; NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the
- *  vectors of pair i, is made of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", and SEGMENT_ROWS, "c[0], ...",
- *  without the slave node; and about a function, unless it is NULL: NAME; SCALED_NODES, how many vectors another unit of
- *  length changes, and SCALABLE, whether it changes any. */
+/** Returns words about the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, ACCURACY and MISSED for contracts;
+ *  VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES, CORNERS, COORDINATES, of all vectors;
+ *  NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the vectors of pair i, is made
+ *  of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", VECTOR_ROWS, "x[0], ...", and SEGMENT_ROWS,
+ *  "c[0], ...", without the slave node; LEAST_SIZE, see sizes_least_name().  About a function, unless it is NULL: NAME;
+ *  SCALED_NODES, how many vectors another unit of length changes, and SCALABLE, whether it changes any. */
 struct words lines_words(const struct unit *u, const struct function *f);
 
 /** Prints templates with these words.
@@ -45,10 +45,5 @@ void lines_print_templates(const struct unit *u, const struct function *f, const
 
 /** How many vectors another unit of length changes: none of a search that depends on it. */
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f);
-
-/** The search: from the vectors, which are x, too, to the two results (pointers) and flaw, which it declares.  Corners go
- *  into the order that the scene assumes, and u and v, declared where there is one, found there back to the caller's. */
-void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *results,
-                        const char *indent, FILE *out);
 
 #endif

@@ -1,4 +1,11 @@
-/* What callers have of closest points. */
+/* The search and what is nearest; what callers have of closest points. */
+
+FOOTPOINT_PART int NAME_detail_closest(const REAL *const *x, REAL zero, REAL at[3], int *region)
+{
+    REAL xi, eta;
+    REAL_BITS flaw = NAME_detail(VECTOR_ROWS, zero, &xi, &eta);
+    return footpoint_detail_KIND_nearest(x, flaw, LEAST_SIZE, xi, eta, at, region);
+}
 
 FOOTPOINT_FN int NAME_closest(NODE_PARAMETERS, REAL loc[2], REAL *dist, int *region)
 {
