@@ -13,7 +13,6 @@
 #include "header_gap.h"
 #include "header_lines.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
