@@ -42,7 +42,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
         *) files="$files $closest ${nearest}_along along_again along_calls closest_calls" ;;
         esac
-        files="search $files" calls='checked arrays_calls over_calls'
+        files="straight $files" calls='checked arrays_calls over_calls'
         [ "$kind" != quad4 ] || calls="nearest nearest_shorter $calls"
         if [ $kind = face ]; then # functions at a place of it
             files='place_detail place_calls place_joined' calls=

@@ -99,7 +99,7 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
     words_add(&w, "STATEMENTS", statements_text(u, f));
     words_add(&w, "DENOMINATORS", denominators_text(u, f));
     words_add(&w, "SEARCH_CALL", call_text(u, f));
-    templates_print_blocks("search", u->options.precision, w.word, NULL, out);
+    templates_print_blocks("straight", u->options.precision, w.word, NULL, out);
     if (shares)
         gap_print(u, f, out);
     templates_print(NULL, (const char *const[]){ordering(u), NULL}, u->options.precision, w.word, out);
