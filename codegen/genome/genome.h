@@ -1,7 +1,7 @@
 /* Genome text: a small straight-line program with named inputs, named values (`let`), functions and any number of
  * genomes.
  *
- *     footpoint-genome 2                   the format and its version: the first words of the file
+ *     footpoint-genome 3                   the format and its version: the first words of the file
  *     # comment                            anywhere, to the end of the line
  *     note scene quad4                     provenance: a key and the rest of the line; any number
  *     segment quad4 any                    the inputs are nodes of a segment and the slave node: a kind of segment_kind.h
@@ -12,25 +12,25 @@
  *     range xC -0.5 2                      closed interval of an input; at most one for each
  *     range D 0 1 0 1 -0.3 0.3, xS 0 1     the same of a vector of inputs: of xD, yD and zD; and of another
  *     region ... end                       lines that say where the inputs are, by other numbers; see below
- *     let c1 = - B A                       a value: one expression of inputs and earlier values; here a vector
- *     let c11 = dot c1 c1                  a number
+ *     let c1 = B - A                       a value: one expression of inputs and earlier values; here a vector
+ *     let c11 = dot(c1, c1)                a number
  *     function step u v vector w -> un j   a function: from numbers and a vector to two values of its body
- *         let j = + c11 * u v
- *         let un = / dot w c1 j
+ *         let j = c11 + u*v
+ *         let un = dot(w, c1)/j
  *     end
- *     let ju = derivative j xC             the derivative of a value by another
- *     let u2 j2 = step 0.5 * 2 c11 - S A   the values of a function
- *     let p = * c11 xS, q = * c11 yS       several lets in a line
+ *     let ju = derivative(j, xC)           the derivative of a value by another
+ *     let u2 j2 = step(0.5, 2*c11, S - A)  the values of a function
+ *     let p = c11*xS, q = c11*yS           several lets in a line
  *     exchange u2 c11                      of a frame: exchanging xi and eta turns the one number into the other
  *     least c11                            of a frame: an expression whose least value on samples bounds the region
- *     require - xC xD, - 5 abs u2          expressions that are > 0 on the region; any number
+ *     require xC - xD, 5 - abs(u2)         expressions that are > 0 on the region; any number
  *     genome fast                          a function to be made
  *     note training_xi genes 5 mean 1e-3   its own provenance
- *     xi = + * 0.05 c1x yA                 an output: one expression; any number
- *     eta = u2, gap = * u2 3               outputs in a line
+ *     xi = 0.05*c1x + yA                   an output: one expression; any number
+ *     eta = u2, gap = 3*u2                 outputs in a line
  *     end
  *
- *     file       = "footpoint-genome" "2" { line | function | genome }
+ *     file       = "footpoint-genome" "3" { line | function | genome }
  *     line       = note | input | segment | face | region | list
  *     list       = ( range | let | exchange | least | require ) { "," item }      an item is such a line without its first word
  *     note       = "note" KEY text-to-the-end-of-the-line
@@ -42,26 +42,46 @@
  *                | "range" VECTOR NUMBER NUMBER NUMBER NUMBER NUMBER NUMBER
  *     region     = "region" newline { input | range | let | function | require } "end"   at most one
  *     let        = "let" NAME "=" expression                   before the first genome
- *                | "let" NAME { NAME } "=" FUNCTION { expression }
- *                | "let" NAME "=" "derivative" SYMBOL SYMBOL   outside functions
+ *                | "let" NAME { NAME } "=" FUNCTION "(" expression { "," expression } ")"
+ *                | "let" NAME "=" "derivative" "(" SYMBOL "," SYMBOL ")"   outside functions
  *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let { "," item } } "end"
  *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one exchange at most
  *     least      = "least" expression
  *     require    = "require" expression
  *     genome     = "genome" NAME newline { note | output { "," output } } "end"
  *     output     = NAME "=" expression
- *                | NAME "=" expression { expression }          of a face; a vector stands for its components
- *                | "require" expression { expression }         of a face
- *     expression = OP2 expression expression | OP1 expression | SYMBOL | NUMBER
- *     OP2        = "+" | "-" | "*" | "/" | "%" | "min" | "max" | "dot" | "cross"
- *     OP1        = "neg" | "sqrt" | "abs"
+ *                | NAME "=" expression { "," expression }      of a face; a vector stands for its components
+ *                | "require" expression { "," expression }     of a face
+ *     expression = product { ( "+" | "-" ) product }
+ *     product    = signed { ( "*" | "/" | "%" ) signed }
+ *     signed     = { "-" } operand
+ *     operand    = SYMBOL | NUMBER | "(" expression ")"
+ *                | OF2 "(" expression "," expression ")" | OF1 "(" expression ")"
+ *     OF2        = "min" | "max" | "dot" | "cross"
+ *     OF1        = "sqrt" | "abs" | "neg"
  *
- * Words are parted by blanks; a comma is a word.  Each of the lines above is one line of the file, but expressions may
- * go on over several: an expression is complete when its stack count reaches 1 (an operator of two operands counts -1,
- * of one operand 0, a leaf +1), and nothing may follow it on its line, but for the next argument of a function or, in a
- * list, a comma.  / is the quotient, % the protected quotient, which is 1 where the divisor is 0.  A NAME has letters,
- * digits and underscores, 63 at most, does not begin with a digit and is no operator or keyword; a SYMBOL is the name of
- * an input or of an earlier let.  A NUMBER is decimal, has an exponent if need be (1e-3), and is exact: 0.05 means 1/20.
+ * Sums and products group from the left: a - b + c is (a - b) + c.  A minus directly before a number is the number's sign,
+ * any other is neg: -a*b is neg(a)*b.  / is the quotient, % the protected quotient, which is 1 where the divisor is 0.
+ * A NAME has letters, digits and underscores, 63 at most, does not begin with a digit and is no operator or keyword; a
+ * SYMBOL is the name of an input or of an earlier let.  A NUMBER is decimal, has an exponent if need be (1e-3), and is
+ * exact: 0.05 means 1/20.
+ *
+ * Each of the lines above is one line of the file, with two exceptions.  An expression goes on in the next line if it is
+ * not complete: a parenthesis is open, or its last word is "=" or an operator.  A list or a row goes on after a comma.
+ * Otherwise an expression ends with its line, or before a comma outside parentheses.  Words are parted by blanks; a mark
+ * + - * / % ( ) , = in an expression needs none.
+ *
+ * Version 2, which programs write, has the same lines with prefix expressions.  Version 3 is read as the version 2 that it
+ * stands for: the expression tree, each operator before its operands.
+ *
+ *     expression = OP2 expression expression | OP1 expression | SYMBOL | NUMBER
+ *     OP2        = "+" | "-" | "*" | "/" | "%" | OF2           let u = * - + a 1 b neg c      (a + 1 - b)*-c
+ *     OP1        = "neg" | "sqrt" | "abs"                      let u2 j2 = step 0.5 * 2 c11 - S A
+ *
+ * There, the operands of a function, of derivative and of a row follow each other without parentheses and commas.  All
+ * words but the comma are parted by blanks.  An expression is complete when its stack count reaches 1 (an operator of two
+ * operands counts -1, of one operand 0, a leaf +1), and may run over several lines; only the next argument or, in a list,
+ * a comma may follow it on its line.
  *
  * A value is a number or a vector of three: + - and neg take either, * also a number and a vector in any order, dot and
  * cross two vectors, all else numbers, as do exchange, require and outputs.  The components of a vector e are the
@@ -72,7 +92,7 @@
  * parameters; the names behind "->" are those of its values.  A file has GENOME_FUNCTIONS functions at most.  Reading
  * expands all lets to lets of numbers, in which there may be GENOME_MOST genes.
  *
- * derivative y x is dy/dx, where x is varied by itself: an input or a let, of which nothing but y follows.  One of the two
+ * derivative(y, x) is dy/dx, where x is varied by itself: an input or a let, of which nothing but y follows.  One of the two
  * may be a vector; the result is a vector then.  What y is made of must have derivatives: no minima, maxima, magnitudes or
  * protected quotients.
  *
@@ -90,8 +110,9 @@
  * such name itself.  What the block's other lets are equal to, but for a factor, is enclosed by them as well: other forms of
  * the values on the way make bounds closer.
  *
- * Version 1 has no vectors and no lists, "vector", "face", "derivative", "least", "region", "dot" and "cross" are names like others, `input` lines name the inputs of a
- * segment, too, and what a function is made of are lets of the file:
+ * Version 1 is version 2 without vectors and lists; "vector", "face", "derivative", "least", "region", "dot" and "cross"
+ * are names like others, `input` lines name the inputs of a segment, too, and what a function is made of are lets of the
+ * file:
  *
  *     function newton u v un vn            newton of a pair (a,b) is what the values un and vn are where a stands for u
  *                                          and b for v */
@@ -102,7 +123,7 @@
 #include "genes.h"
 #include "segment_kind.h"
 
-#define GENOME_FORMAT 2 /* the version that is written; version 1 is read, too */
+#define GENOME_FORMAT 2 /* the version that is written; 1 and 3 are read, too */
 
 /** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
  *  GENE_LOCAL+k, in the body of a function: number k of its parameters and lets, in a require: symbol k of the file's

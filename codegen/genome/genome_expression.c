@@ -8,15 +8,10 @@
 /* The numbers that a vector operator stands for: component (c + digit) % 3 of its operands a and b. */
 static const char dot[] = "++*a0b0*a1b1*a2b2", cross[] = "-*a1b2*a2b1";
 
-static int arity(int gene)
-{
-    return gene == GENE_DOT || gene == GENE_CROSS ? 2 : gene_arity(gene);
-}
-
 bool read_gene(struct reader *r, int *gene)
 {
     char name[NAME_ROOM];
-    if (read_operator(r, gene))
+    if (word_is_operator(&r->w, r->file->format, gene))
         return true;
     if (looks_like_number(r))
         return read_number(r, gene);
@@ -70,7 +65,7 @@ static bool fail_type(struct reader *r, const struct node *n, bool a, bool b)
 {
     static const char *const type[] = {"a number", "a vector"};
     const char *gene = operator_name(n->gene);
-    if (arity(n->gene) == 1)
+    if (operator_arity(n->gene) == 1)
         return diag_at(r->d, r->file->path, n->line, n->column, "'%s' of %s", gene, type[a]);
     return diag_at(r->d, r->file->path, n->line, n->column, "'%s' of %s and %s", gene, type[a], type[b]);
 }
@@ -82,7 +77,7 @@ static bool find_types(struct reader *r)
     bool good = true;
     for (size_t i = r->nodes; good && i-- > 0;) {
         struct node *n = &r->node[i];
-        const int operands = arity(n->gene);
+        const int operands = operator_arity(n->gene);
         if (operands > 0) {
             n->second = operands == 2 ? stack[depth - 2] : 0;
             const bool a = r->node[i + 1].vector, b = operands == 2 && r->node[n->second].vector;
@@ -111,7 +106,8 @@ bool read_expression(struct reader *r, const char *name, bool more)
     long missing = 1;
     r->nodes = 0;
     while (missing > 0) {
-        if (!next_word(r, false) || word_is_keyword(r) || word_is(&r->w, "=") || word_is(&r->w, ","))
+        if (!next_word(r, false) || word_is_keyword(&r->w, r->file->format) || word_is(&r->w, "=") ||
+            word_is(&r->w, ","))
             return diag_at(r->d, r->file->path, r->w.word_line, r->w.word_column,
                            "the expression of '%s' ends early: %ld operand%s missing", name, missing,
                            missing == 1 ? " is" : "s are");
@@ -120,7 +116,7 @@ bool read_expression(struct reader *r, const char *name, bool more)
         if (!read_gene(r, &n->gene))
             return false;
         n->vector = n->gene >= GENE_VECTOR;
-        missing += arity(n->gene) - 1;
+        missing += operator_arity(n->gene) - 1;
     }
     return (more || end_of_expression(r)) && find_types(r);
 }
@@ -173,9 +169,9 @@ bool expand(struct reader *r, int component)
             put_gene(r, n->gene - GENE_VECTOR + GENE_SYMBOL + t.component);
         } else {
             put_gene(r, n->gene);
-            if (arity(n->gene) == 2)
+            if (operator_arity(n->gene) == 2)
                 push(r, n->second, t.component);
-            if (arity(n->gene) > 0)
+            if (operator_arity(n->gene) > 0)
                 push(r, t.at + 1, t.component);
         }
         if (r->genes > r->nodes && r->genes + r->total > GENOME_MOST)

@@ -1,5 +1,6 @@
 /* Reader of genome text (grammar: genome.h), line by line; see genome_reader.h.  One pass over words; every refusal says
  * file, line and column. */
+#include "genome_infix.h"
 #include "genome_reader.h"
 
 #include "../base/text.h"
@@ -96,7 +97,7 @@ static bool is_element(const char *output, const char *name)
 static bool row_goes_on(struct reader *r)
 {
     const struct words before = r->w;
-    bool more = next_word(r, false) && !word_is_keyword(r);
+    bool more = next_word(r, false) && !word_is_keyword(&r->w, r->file->format);
     more = more && !(next_word(r, true) && word_is(&r->w, "="));
     r->w = before;
     return more;
@@ -323,10 +324,22 @@ static bool read_version(struct reader *r)
 {
     if (!next_word(r, false) || !word_is(&r->w, "footpoint-genome"))
         return reader_fail(r, "not a genome file: the first word must be 'footpoint-genome'");
-    if (!next_word(r, true) || !(word_is(&r->w, "1") || word_is(&r->w, "2")))
-        return reader_fail(r, "format version '%s' is not supported (this program reads versions 1 and 2)");
+    if (!next_word(r, true) || !(r->w.length == 1 && *r->w.word >= '1' && *r->w.word <= '3'))
+        return reader_fail(r, "format version '%s' is not supported (this program reads versions 1 to 3)");
     r->file->format = *r->w.word - '0';
     return end_of_line(r);
+}
+
+/* Version 3 is read as the text of version 2 that it stands for. */
+static bool translate(struct reader *r, struct prefix_text *prefix)
+{
+    if (r->file->format <= GENOME_FORMAT)
+        return true;
+    r->file->format = GENOME_FORMAT;
+    if (!infix_to_prefix(r->w, r->file->path, prefix, r->d))
+        return false;
+    r->w = words_placed(prefix->text, prefix->size, prefix->place);
+    return true;
 }
 
 /* The line that begins with the current word. */
@@ -401,8 +414,10 @@ bool genome_read_statement(struct genome_file *f, const char *text, struct diag 
 struct genome_file *genome_parse(const char *path, const char *text, size_t size, struct diag *d)
 {
     struct reader r = reader_of(genome_file_new(path), text, size, d);
-    const bool good = read_version(&r) && read_lines(&r) && check_segment(r.file, d);
+    struct prefix_text prefix = {0};
+    const bool good = read_version(&r) && translate(&r, &prefix) && read_lines(&r) && check_segment(r.file, d);
     reader_free(&r);
+    prefix_text_free(&prefix);
     if (good)
         return r.file;
     genome_file_free(r.file);

@@ -15,14 +15,25 @@ static const char *const keywords[] = {"note",     "input",    "segment",    "ra
                                        "vector",   "face",     "derivative", "least",  "region"};
 enum { NEW_KEYWORDS = 5 }; /* the last ones are version 2's */
 
-bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)
+static bool fail_at(const struct words *w, const char *format, const char *text, size_t length, const char *path,
+                    struct diag *d)
 {
     char shown[48];
     snprintf(shown, sizeof shown, "%.*s%s", length > 40 ? 40 : (int)length, text, length > 40 ? "..." : "");
     for (char *c = shown; *c; c++)
         if (!isprint((unsigned char)*c))
             *c = '?';
-    return diag_at(r->d, r->file->path, r->w.word_line, r->w.word_column, format, shown);
+    return diag_at(d, path, w->word_line, w->word_column, format, shown);
+}
+
+bool word_fail(const struct words *w, const char *format, const char *path, struct diag *d)
+{
+    return fail_at(w, format, w->word, w->length, path, d);
+}
+
+bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)
+{
+    return fail_at(&r->w, format, text, length, r->file->path, r->d);
 }
 
 bool reader_fail(struct reader *r, const char *format)
@@ -76,11 +87,11 @@ bool read_list(struct reader *r, bool (*read_item)(struct reader *))
     return good;
 }
 
-bool word_is_keyword(const struct reader *r)
+bool word_is_keyword(const struct words *w, int format)
 {
-    const size_t n = sizeof keywords / sizeof *keywords - (r->file->format == 1 ? NEW_KEYWORDS : 0);
+    const size_t n = sizeof keywords / sizeof *keywords - (format == 1 ? NEW_KEYWORDS : 0);
     for (size_t i = 0; i < n; i++)
-        if (word_is(&r->w, keywords[i]))
+        if (word_is(w, keywords[i]))
             return true;
     return false;
 }
@@ -95,9 +106,9 @@ bool read_name(struct reader *r, char name[NAME_ROOM])
         if (!(c < 128 && (isalpha(c) || c == '_' || (i > 0 && isdigit(c)))))
             return reader_fail(r, "'%s' is not a name");
     }
-    if (word_is_keyword(r))
+    if (word_is_keyword(&r->w, r->file->format))
         return reader_fail(r, "'%s' is a keyword, not a name");
-    if (read_operator(r, &gene))
+    if (word_is_operator(&r->w, r->file->format, &gene))
         return reader_fail(r, "'%s' is a gene, not a name");
     return word_copy(&r->w, name, NAME_ROOM);
 }
@@ -126,11 +137,16 @@ const char *operator_name(int gene)
     return gene == GENE_DOT ? "dot" : gene == GENE_CROSS ? "cross" : gene_name(gene);
 }
 
-bool read_operator(const struct reader *r, int *gene)
+int operator_arity(int gene)
 {
-    const int operators = r->file->format == 1 ? GENE_OPERATORS : GENE_CROSS + 1;
+    return gene == GENE_DOT || gene == GENE_CROSS ? 2 : gene_arity(gene);
+}
+
+bool word_is_operator(const struct words *w, int format, int *gene)
+{
+    const int operators = format == 1 ? GENE_OPERATORS : GENE_CROSS + 1;
     for (*gene = 0; *gene < operators; ++*gene)
-        if (word_is(&r->w, operator_name(*gene)))
+        if (word_is(w, operator_name(*gene)))
             return true;
     return false;
 }

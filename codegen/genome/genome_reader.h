@@ -60,16 +60,20 @@ bool end_of_item(struct reader *r);
 bool next_is_comma(struct reader *r);
 /** The items of a line, of which commas part all but the first. */
 bool read_list(struct reader *r, bool (*read_item)(struct reader *));
-bool word_is_keyword(const struct reader *r);
+
+/** Fills the diagnostic with the place of the current word, which is %s in the format. */
+bool word_fail(const struct words *w, const char *format, const char *path, struct diag *d);
+/** Keywords and operators of a version of the format. */
+bool word_is_keyword(const struct words *w, int format);
+bool word_is_operator(const struct words *w, int format, int *gene);
+const char *operator_name(int gene);
+int operator_arity(int gene);
 
 /** The current word as a name that is neither keyword nor operator, or one that is new, too. */
 bool read_name(struct reader *r, char name[NAME_ROOM]);
 bool read_new_name(struct reader *r, char name[NAME_ROOM]);
 /** What a name that is used stands for: the function's first, then the file's; NULL if it is nothing. */
 const struct name *find_name(struct reader *r, const char *text);
-/** Whether the current word is an operator, and the text of one. */
-bool read_operator(const struct reader *r, int *gene);
-const char *operator_name(int gene);
 /** A decimal number as a constant. */
 bool looks_like_number(const struct reader *r);
 bool read_number(struct reader *r, int *gene);

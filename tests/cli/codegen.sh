@@ -38,7 +38,7 @@ done
 expect 'missing file' 3 '' "$work/none.gen: error: cannot open: No such file or directory" "$codegen" --count "$work/none.gen"
 
 : > "$g";                                           refused 'empty file' 1:1 "not a genome file: the first word must be 'footpoint-genome'"
-echo 'footpoint-genome 3' > "$g";                   refused 'wrong version' 1:18 "format version '3' is not supported (this program reads versions 1 and 2)"
+echo 'footpoint-genome 4' > "$g";                   refused 'wrong version' 1:18 "format version '4' is not supported (this program reads versions 1 to 3)"
 genome 'input x' 'genome g' 'r = sqr x' 'end';      refused 'unknown gene' 4:5 "unknown gene 'sqr'"
 genome 'input x' 'genome g' 'r = + x' 'end';        refused 'stack underflow' 5:1 "the expression of 'r' ends early: 1 operand is missing"
 genome 'input x' 'genome g' 'r = + x x x' 'end';    refused 'stack overflow' 4:11 "gene 'x' follows a complete expression"

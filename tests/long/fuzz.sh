@@ -13,7 +13,7 @@ clang -std=c11 -D_DEFAULT_SOURCE -O1 -g -fsanitize=fuzzer,address,undefined -fno
     -I"$work" tests/fuzz/fuzz_genome.c $sources $(pkg-config --libs libmd) -lflint-arb -lflint -lmpfr -lgmp -lm -o "$fuzzer"
 report $((! $?)) 'the fuzzer builds'
 printf '"%s"\n' 'footpoint-genome 1\x0a' 'input ' 'note ' 'segment quad4 any\x0a' 'range x ' 'require ' 'least ' ', ' 'let a = ' 'genome h\x0a' \
-    'end\x0a' ' = ' ' + ' ' - ' ' * ' ' / ' ' % ' ' min ' ' max ' ' neg ' ' sqrt ' ' abs ' ' dot ' ' cross ' ' vector ' ' -> ' ' step 1' 'footpoint-genome 2\x0a' 'function f u v -> w\x0a' ' 0.5' ' -1e3' ' 1e-300' ' x' ' y' > "$work/words"
+    'end\x0a' ' = ' ' + ' ' - ' ' * ' ' / ' ' % ' ' min ' ' max ' ' neg ' ' sqrt ' ' abs ' ' dot ' ' cross ' ' vector ' ' -> ' ' step 1' 'footpoint-genome 2\x0a' 'footpoint-genome 3\x0a' '(' ')' 'f(x, ' '*' '-' 'function f u v -> w\x0a' ' 0.5' ' -1e3' ' 1e-300' ' x' ' y' > "$work/words"
 mkdir "$work/corpus"
 cp tests/fuzz/corpus/*.gen "$work/corpus"
 "$fuzzer" -dict="$work/words" -max_len=600 -timeout=20 -rss_limit_mb=2048 -max_total_time=${FUZZ_SECONDS:-60} -seed=1 -print_final_stats=1 \
