@@ -112,7 +112,7 @@ sum=$(sed -n 's/^scene-sha256 //p' "$work/good" | cut -c1-12)
 other=$("$evolve" --scene "$work/other.scene" --resume "$work/bad" 2>&1 | sed -n 's/.*, not \(.*\)\.\.\.$/\1/p')
 refused 'another scene' 1 "$work/bad: error: checkpoint of another scene: SHA-256 $sum..., not $other..." --scene "$work/other.scene"
 mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/"
-sed 's/ p = \* dp inv, q = \* dq inv,/ q = * dq inv, p = * dp inv,/' evolve/frames/parallelogram.gen \
+sed 's/ p = dp\*inv, q = dq\*inv,/ q = dq*inv, p = dp*inv,/' evolve/frames/parallelogram.gen \
     > "$work/root/evolve/frames/parallelogram.gen"
 sum=$(sed -n 's/^frames-sha256 //p' "$work/good" | cut -c1-12)
 other=$("$evolve" --resume "$work/bad" --root "$work/root" 2>&1 | sed -n 's/.*, not \(.*\)\.\.\.$/\1/p')

@@ -31,7 +31,7 @@ scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
 refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
 
 # A frame's value that is infinite somewhere is refused; values that never change are taken as they are.
-mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/" && echo 'let bad = / 1 - xi0 -0.5' >> "$work/root/evolve/frames/parallelogram.gen"
+mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/" && echo 'let bad = 1/(xi0 - -0.5)' >> "$work/root/evolve/frames/parallelogram.gen"
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "bad"/'
 expect 'infinite value' 1 '' "$work/s.scene:13: error: 'bad' is not finite on 700 of 700 training samples" \
     "$evolve" --root "$work/root" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
@@ -39,8 +39,8 @@ expect 'infinite value' 1 '' "$work/s.scene:13: error: 'bad' is not finite on 70
 # Where nothing has a finite error, the other tiers are written, and it is told.
 cp evolve/frames/parallelogram.gen "$work/root/evolve/frames/" && cat >> "$work/root/evolve/frames/parallelogram.gen" <<'FUNCTION'
 function blow u v -> xi eta j
-    let j = - p 0.01
-    let xi = / u j
+    let j = p - 0.01
+    let xi = u/j
     let eta = v
 end
 FUNCTION
