@@ -45,6 +45,8 @@ struct infix {
     bool in_genome;
 };
 
+static const char missing_parenthesis[] = "')' is missing at the end of the file";
+
 static bool fail(struct infix *x, const char *format)
 {
     return word_fail(&x->w, format, x->path, x->d);
@@ -248,28 +250,31 @@ static bool begin_operand(struct infix *x, bool *complete)
     return true;
 }
 
-/* After an operand: an operator, a parenthesis or a comma, or else the expression has ended.  An argument of a function
- * ends before a comma or the function's parenthesis only. */
-static bool continue_expression(struct infix *x, bool argument, bool *complete, bool *ended)
+/* After an operand: an expression ends before the end of its line, or before a comma outside parentheses; an argument of
+ * a function before a comma or the function's parenthesis. */
+static bool expression_ends(struct infix *x, bool argument)
 {
     const struct words before = x->w;
-    const bool inside = argument || x->parentheses > 0;
-    if (!next_part(x, !inside) && inside)
-        return fail(x, "')' is missing at the end of the file");
-    const bool comma = word_is(&x->w, ",");
-    *ended = x->w.length == 0 || (x->parentheses == 0 && (comma || (argument && word_is(&x->w, ")"))));
-    if (*ended)
-        x->w = before;
-    if (*ended || word_is(&x->w, ")"))
-        return *ended || close_parenthesis(x);
+    const bool more = next_part(x, !argument && x->parentheses == 0);
+    const bool ends = !more || word_is(&x->w, ",") || (argument && word_is(&x->w, ")"));
+    x->w = before;
+    return ends && x->parentheses == 0;
+}
+
+static bool continue_expression(struct infix *x, bool *complete)
+{
+    if (!next_part(x, false))
+        return fail(x, missing_parenthesis);
+    if (word_is(&x->w, ")"))
+        return close_parenthesis(x);
     *complete = false;
-    if (comma)
+    if (word_is(&x->w, ","))
         return part_operands(x);
-    if (!strchr("+-*/%", *x->w.word) || *x->w.word == '\0')
+    const bool sum = word_is(&x->w, "+") || word_is(&x->w, "-");
+    if (!sum && !word_is(&x->w, "*") && !word_is(&x->w, "/") && !word_is(&x->w, "%"))
         return fail(x, "an operator is missing before '%s'");
-    const enum binding binding = strchr("+-", *x->w.word) ? SUM : PRODUCT;
-    complete_operators(x, binding);
-    push_operator(x, binding);
+    complete_operators(x, sum ? SUM : PRODUCT);
+    push_operator(x, sum ? SUM : PRODUCT);
     return true;
 }
 
@@ -289,10 +294,10 @@ static void put_expression(struct infix *x)
 
 static bool read_infix(struct infix *x, bool argument)
 {
-    bool complete = false, ended = false;
+    bool complete = false;
     x->terms = x->operands = x->pendings = x->parentheses = 0;
-    while (!ended)
-        if (!(complete ? continue_expression(x, argument, &complete, &ended) : begin_operand(x, &complete)))
+    while (!complete || !expression_ends(x, argument))
+        if (!(complete ? continue_expression(x, &complete) : begin_operand(x, &complete)))
             return false;
     put_expression(x);
     return true;
@@ -314,7 +319,7 @@ static bool put_arguments(struct infix *x)
             return false;
         next_part(x, false);
     } while (word_is(&x->w, ","));
-    return true;
+    return word_is(&x->w, ")") || fail(x, missing_parenthesis);
 }
 
 /* A function of the file or a derivative makes up all of the right side. */

@@ -156,6 +156,7 @@ static void test_refusals(void **state)
         {"let r = + a b", "3:9: error: an operand is missing before '+'"},
         {"let r = - a b", "3:13: error: an operator is missing before 'b'"},
         {"let r = (a + b", "4:1: error: ')' is missing at the end of the file"},
+        {"let r = f(a", "4:1: error: ')' is missing at the end of the file"},
         {"let r = a + b)", "3:14: error: ')' without its '('"},
         {"let r = (a, b)", "3:11: error: ',' inside parentheses that group"},
         {"let r = a(b)*2", "3:13: error: '*' is too much here"},
