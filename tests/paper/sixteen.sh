@@ -83,7 +83,7 @@ from_inputs "$runs/sixteen-front.members" | awk -F, -v OFS=, '
         print substr($1, 1, 4) == "poly" ? "polynomial" : "rational", $2, operations[name], $9, $11, $12, $13, $15, $16, $17
     }' - "$runs/sixteen-front.judged.csv" > "$runs/front.rows"
 {
-    sed '/^segment/d' evolve/frames/similarity_gregory.gen
+    sed 's/^segment \(.*\) any/face \1/' evolve/frames/similarity_gregory.gen
     echo genome inputs
     for input in $sixteen; do echo "of_$input = $input"; done
     echo end
