@@ -46,41 +46,55 @@ def decimal(n, d):
 # ---- formulas as written ---------------------------------------------------------------------------------------------
 
 
-class E:
-    """A formula; str() is its prefix text."""
+SUM, PRODUCT, OPERAND = range(3)
 
-    def __init__(self, text):
-        self.text = text
+
+class E:
+    """A formula; str() is its infix text."""
+
+    def __init__(self, text, kind=OPERAND):
+        self.text, self.kind = str(text), kind
 
     def __str__(self):
         return self.text
 
     def __add__(self, o):
-        return E(f'+ {self} {o}')
+        return combined(self, ' + ', o, SUM)
 
     def __radd__(self, o):
-        return E(f'+ {o} {self}')
+        return combined(o, ' + ', self, SUM)
 
     def __sub__(self, o):
-        return E(f'- {self} {o}')
+        return combined(self, ' - ', o, SUM)
 
     def __rsub__(self, o):
-        return E(f'- {o} {self}')
+        return combined(o, ' - ', self, SUM)
 
     def __mul__(self, o):
-        return E(f'* {self} {o}')
+        return combined(self, '*', o, PRODUCT)
 
     def __rmul__(self, o):
-        return E(f'* {o} {self}')
+        return combined(o, '*', self, PRODUCT)
 
     def __truediv__(self, o):
-        return E(f'/ {self} {o}')
+        return combined(self, '/', o, PRODUCT)
 
     def __rtruediv__(self, o):
-        return E(f'/ {o} {self}')
+        return combined(o, '/', self, PRODUCT)
 
     def __neg__(self):
-        return E(f'neg {self}')
+        return E(f'-{within(self, PRODUCT)}', PRODUCT)
+
+
+def within(formula, kind, first=True):
+    """As an operand, in parentheses where the text would group otherwise."""
+    f = formula if isinstance(formula, E) else E(formula)
+    needed = f.kind < kind or not first and (f.kind == kind or f.text.startswith('-'))
+    return f'({f})' if needed else f.text
+
+
+def combined(a, operator, b, kind):
+    return E(within(a, kind) + operator + within(b, kind, False), kind)
 
 
 def names(text):
@@ -191,8 +205,7 @@ def variables(text):
 
 
 def term_text(coefficient, monomial):
-    factors = ([] if coefficient == '1' and monomial else [coefficient]) + list(monomial)
-    return '* ' * (len(factors) - 1) + ' '.join(factors)
+    return '*'.join(([] if coefficient == '1' and monomial else [coefficient]) + list(monomial))
 
 
 def terms_text(terms):
@@ -202,9 +215,9 @@ def terms_text(terms):
         negative = coefficient.startswith('-')
         if text is None:
             text = term_text(coefficient[1:] if negative and monomial else coefficient, monomial)
-            text = 'neg ' + text if negative and monomial else text
+            text = '-' + text if negative and monomial else text
         else:
-            text = f'{"-" if negative else "+"} {text} {term_text(coefficient.lstrip("-"), monomial)}'
+            text += f' {"-" if negative else "+"} {term_text(coefficient.lstrip("-"), monomial)}'
     return text
 
 

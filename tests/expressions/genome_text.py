@@ -1,10 +1,10 @@
-"""Reads genome files (codegen/genome.h) into trees: a name, a Fraction, or (operator, tree, ...)."""
+"""Reads genome files (codegen/genome/genome.h), version 3 without vectors and functions, into trees: a name, a Fraction, or (operator, tree, ...)."""
 import os
 import re
 from fractions import Fraction
 
-BINARY = {'+', '-', '*', '/', '%', 'min', 'max'}
-UNARY = {'neg', 'sqrt', 'abs'}
+WORD = re.compile(r'[0-9.]+(?:[eE][-+]?[0-9]+)?|\w+|[-+*/%(),]')
+BINDING = {'+': 1, '-': 1, '*': 2, '/': 2, '%': 2}
 KEYWORDS = {'footpoint-genome', 'note', 'segment', 'input', 'range', 'let', 'genome', 'end'}
 
 
@@ -43,18 +43,48 @@ def operators_in(tree):
             yield from operators_in(t)
 
 
-def parse_prefix(words):
-    def one(i):
-        word = words[i]
-        if word in BINARY:
-            a, i = one(i + 1)
-            b, i = one(i)
-            return ('/' if word == '%' else word, a, b), i  # no denominator is 0 at random points
-        if word in UNARY:
-            a, i = one(i + 1)
-            return (word, a), i
-        return (Fraction(word) if re.fullmatch(r'[-+]?[0-9.]+(e[-+]?[0-9]+)?', word) else word), i + 1
-    return one(0)[0]
+def parse(text):
+    """By precedence climbing; a minus directly before a number is its sign."""
+    words = [(w.group(), w.start(), w.end()) for w in WORD.finditer(text)]
+    words.append((')', len(text), len(text)))
+    at = 0
+
+    def number(k):
+        return words[k][0][0] in '0123456789.'
+
+    def operand():
+        nonlocal at
+        word, _, end = words[at]
+        at += 1
+        if word == '-' and number(at) and words[at][1] == end:
+            at += 1
+            return -Fraction(words[at - 1][0])
+        if word == '-':
+            return ('neg', operand())
+        if word == '(':
+            tree = expression(1)
+            at += 1
+            return tree
+        if number(at - 1):
+            return Fraction(word)
+        if words[at][0] != '(':
+            return word
+        tree = (word,)
+        while words[at][0] != ')':
+            at += 1
+            tree += (expression(1),)
+        at += 1
+        return tree
+
+    def expression(least):
+        nonlocal at
+        tree = operand()
+        while BINDING.get(words[at][0], 0) >= least:
+            op = words[at][0]
+            at += 1
+            tree = ('/' if op == '%' else op, tree, expression(BINDING[op] + 1))  # no denominator is 0 at random points
+        return tree
+    return expression(1)
 
 
 def read_genomes(path):
@@ -63,7 +93,7 @@ def read_genomes(path):
 
     def finish():
         if statement:
-            (lets if outputs is None else outputs).append((statement[0], parse_prefix(statement[1:])))
+            (lets if outputs is None else outputs).append((statement[0], parse(' '.join(statement[1:]))))
             statement.clear()
     base = os.path.basename(path)[:-len('.gen')]
     with open(path, encoding='ascii') as text:
@@ -76,6 +106,8 @@ def read_genomes(path):
                 finish()
             if words[0] == 'input':
                 inputs += words[1:]
+            elif words[0] == 'segment':  # quad4
+                inputs += [axis + node for node in 'ABCDS' for axis in 'xyz']
             elif words[0] == 'genome':
                 outputs = []
                 genomes.append((base if words[1] == 'g' else f'{base}/{words[1]}', outputs))
@@ -84,7 +116,7 @@ def read_genomes(path):
             elif len(words) > 1 and words[1] == '=':
                 statement[:] = [words[0]] + words[2:]
             elif not begins:
-                statement.extend(words)
+                statement += words
     return [Genome(label, inputs, lets, outputs) for label, outputs in genomes]
 
 

@@ -6,17 +6,16 @@ Random ones come from a fixed generator, so the files are always the same; searc
 """
 import os
 import sys
-import textwrap
 
 sys.dont_write_bytecode = True
 from formulas import E, P, Random, cofactor, determinant, monomials, names, product, terms_text, total, variables
-from random_genome import SIMILARITY, prefix, random_genome
+from random_genome import SIMILARITY, formula, random_genome
 
 
 def write(folder, name, inputs, outputs, about, lets=()):
     """outputs, lets: (name, formula) pairs."""
     with open(os.path.join(folder, name + '.gen'), 'w', encoding='ascii') as out:
-        out.write(f'footpoint-genome 1\n# {about}\ninput {inputs}\n')
+        out.write(f'footpoint-genome 3\n# {about}\ninput {inputs}\n')
         for let, formula in lets:
             out.write(wrapped(f'let {let} = {formula}'))
         out.write('genome g\n')
@@ -26,7 +25,17 @@ def write(folder, name, inputs, outputs, about, lets=()):
 
 
 def wrapped(text):
-    return '\n'.join(textwrap.wrap(text, 118, subsequent_indent='    ')) + '\n'
+    """Lines end with the operator of a sum, as far outside parentheses as there is one in their second half."""
+    lines, indent = [], ''
+    while len(indent + text) > 118:
+        depth, best = 0, (len(text), 0)
+        for i, c in enumerate(text[:118 - len(indent)]):
+            depth += (c == '(') - (c == ')')
+            if c in '+-' and text[i + 1] == ' ' and i > 50:
+                best = min(best, (depth, -i))
+        lines.append(indent + text[:1 - best[1]])
+        text, indent = text[1 - best[1]:].lstrip(), '    '
+    return '\n'.join(lines + [indent + text]) + '\n'
 
 
 def paper_pair(folder):
@@ -77,7 +86,7 @@ def random_genomes(folder):
         for genes in 50, 100, 150, 200, 250:
             rng = Random(genes + (kind == 'rational'))
             write(folder, f'random-{kind}-{genes}', ' '.join(SIMILARITY),
-                  [('xi', prefix(random_genome(rng, genes, kind == 'rational')))],
+                  [('xi', formula(random_genome(rng, genes, kind == 'rational')))],
                   f'a genome as evolution makes them, {genes} genes, with redundancies')
 
 
@@ -162,11 +171,11 @@ def newton(folder):
     jacobian = [('a', at(dxi, 'x')), ('b', at(deta, 'x')), ('c', at(dxi, 'y')), ('d', at(deta, 'y'))]
     inputs = 'xA yA xB yB xC yC xD yD xS yS xi eta'
     write(folder, 'newton-quad', inputs,
-          [('xi1', '+ xi / - * rx d * ry b det'), ('eta1', '+ eta / - * ry a * rx c det')],
+          [('xi1', 'xi + (rx*d - ry*b)/det'), ('eta1', 'eta + (ry*a - rx*c)/det')],
           'a Newton step on a plane bilinear quad',
-          [('rx', rx), ('ry', ry)] + jacobian + [('det', '- * a d * b c')])
+          [('rx', rx), ('ry', ry)] + jacobian + [('det', 'a*d - b*c')])
     write(folder, 'isoparametric-quad', inputs,
-          [('x', at(shape, 'x')), ('y', at(shape, 'y')), ('det', '- * a d * b c')],
+          [('x', at(shape, 'x')), ('y', at(shape, 'y')), ('det', 'a*d - b*c')],
           'position and Jacobian determinant of a plane bilinear quad', jacobian)
 
 
@@ -302,8 +311,8 @@ def rational(folder):
     rng = Random(28)
     chosen = rng.sample(monomials(SIMILARITY, 2), 24)
     write(folder, 'rational-quadratics', ' '.join(SIMILARITY),
-          [('xi', '/ ' + terms_text([(rng.grid(), m) for m in chosen[:14]]) + ' ' +
-            terms_text([(rng.grid(), m) for m in [()] + chosen[14:]]))], 'a quotient of two sparse quadratics')
+          [('xi', '(' + terms_text([(rng.grid(), m) for m in chosen[:14]]) + ')/(' +
+            terms_text([(rng.grid(), m) for m in [()] + chosen[14:]]) + ')')], 'a quotient of two sparse quadratics')
 
 
 def univariate(folder):

@@ -1,6 +1,6 @@
 """Random genomes like those of evolution, with planted redundancies."""
 from count import PRIME
-from formulas import decimal
+from formulas import E, decimal
 
 SIMILARITY = 'xC yC zC xD yD xS yS zS'.split()
 
@@ -23,8 +23,11 @@ def size(tree):
     return 1 if isinstance(tree, str) else 1 + size(tree[1]) + size(tree[2])
 
 
-def prefix(tree):
-    return tree if isinstance(tree, str) else f'{tree[0]} {prefix(tree[1])} {prefix(tree[2])}'
+def formula(tree):
+    if isinstance(tree, str):
+        return E(tree)
+    a, b = formula(tree[1]), formula(tree[2])
+    return {'+': lambda: a + b, '-': lambda: a - b, '*': lambda: a * b, '/': lambda: a / b}[tree[0]]()
 
 
 def paths(tree, path=()):
