@@ -171,7 +171,7 @@ static size_t print_row(const struct genome_file *f, const struct genome *g, siz
     const char *name = g->out[k].name;
     const size_t n = strcspn(name, "[");
     struct memory *m = memory_open();
-    fprintf(m->stream, "%.*s%s", (int)n, name, name[n] && strncmp(name, "require", n) == 0 ? "" : " =");
+    fprintf(m->stream, "%.*s%s", (int)n, name, strncmp(name, "require[", n + 1) == 0 ? "" : " =");
     do {
         char *text = genome_expr_text(f, "", &g->out[k]);
         fputs(text, m->stream);

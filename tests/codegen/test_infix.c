@@ -86,10 +86,12 @@ static char *print_text(const char *text)
 
 static void assert_same(const char *a, const char *b)
 {
-    char *of_a = print_text(a), *of_b = print_text(b);
+    char *of_a = print_text(a), *of_b = print_text(b), *again = print_text(of_a);
     assert_string_equal(of_a, of_b);
+    assert_string_equal(of_a, again);
     free(of_a);
     free(of_b);
+    free(again);
 }
 
 static void test_infix_prints_as_prefix(void **state)
