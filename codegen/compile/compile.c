@@ -21,7 +21,7 @@ struct compile_options compile_defaults(void)
 }
 
 /* The genome as written.  Where differences come first, the cheapest of many ways to put the vectors together. */
-static void add_written(struct search *s, const struct genome_file *f, struct dag *g, const char *what)
+static void add_written(struct form_search *s, const struct genome_file *f, struct dag *g, const char *what)
 {
     enum { WAYS = 32 };
     struct dag *made = NULL;
@@ -35,7 +35,7 @@ static void add_written(struct search *s, const struct genome_file *f, struct da
 }
 
 /* What multiplying out, with or without common denominators, and factoring makes of the genome as written. */
-static void add_factored(struct search *s)
+static void add_factored(struct form_search *s)
 {
     const struct policy all = {.dissolve = 1, .combine = 1};
     for (int combine = 0; combine <= 1; combine++) {
@@ -77,7 +77,7 @@ static bool print_and_read(const struct genome_file *f, const struct genome *gen
 bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,
                     struct compiled *c, struct diag *d)
 {
-    struct search *s = search_new(f, o);
+    struct form_search *s = search_new(f, o);
     *c = (struct compiled){0};
     if (o->explain)
         fprintf(o->explain, "%s\n", genome->name);

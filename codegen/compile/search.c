@@ -52,7 +52,7 @@ struct candidate {
     double cost;
 };
 
-struct search {
+struct form_search {
     const struct genome_file *file;
     const struct compile_options *options;
     struct shape *shape; /* owned */
@@ -73,9 +73,9 @@ struct search {
     bool explaining;  /* the passes print what they made */
 };
 
-struct search *search_new(const struct genome_file *f, const struct compile_options *o)
+struct form_search *search_new(const struct genome_file *f, const struct compile_options *o)
 {
-    struct search *s = new_array(1, sizeof *s);
+    struct form_search *s = new_array(1, sizeof *s);
     s->file = f;
     s->options = o;
     s->random = o->seed;
@@ -86,7 +86,7 @@ struct search *search_new(const struct genome_file *f, const struct compile_opti
     return s;
 }
 
-void search_free(struct search *s)
+void search_free(struct form_search *s)
 {
     for (size_t i = 0; i < s->shapes; i++)
         dag_free(s->shape[i].dag);
@@ -97,7 +97,7 @@ void search_free(struct search *s)
     free(s);
 }
 
-void search_add(struct search *s, struct dag *g, double behind, const char *what)
+void search_add(struct form_search *s, struct dag *g, double behind, const char *what)
 {
     grow_array(&s->shape, s->shapes, &s->shape_room, sizeof *s->shape);
     if (s->shapes == 0)
@@ -105,7 +105,7 @@ void search_add(struct search *s, struct dag *g, double behind, const char *what
     s->shape[s->shapes++] = (struct shape){.dag = g, .behind = behind, .what = what};
 }
 
-const struct dag *search_first(const struct search *s)
+const struct dag *search_first(const struct form_search *s)
 {
     return s->shape[0].dag;
 }
@@ -118,21 +118,21 @@ static void copy_candidate(struct candidate *to, const struct candidate *from)
     policy_copy(&to->policy, &from->policy);
 }
 
-static void count_work(struct search *s, const struct dag *g)
+static void count_work(struct form_search *s, const struct dag *g)
 {
     for (size_t i = 0; i < g->nodes; i++)
         s->work += 1 + (double)g->node[i].edges;
 }
 
 /* Comparisons of pairs are counted only where they are so many that they take longer than what is counted else. */
-static void count_dear(struct search *s, double pairs)
+static void count_dear(struct form_search *s, double pairs)
 {
     if (pairs > FREE_PAIRS)
         s->work += (pairs - FREE_PAIRS) / PAIRS;
 }
 
 /* One pass done: its result takes the place of the graph that it was made from. */
-static void step(struct search *s, struct dag **g, struct dag *made, const char *pass)
+static void step(struct form_search *s, struct dag **g, struct dag *made, const char *pass)
 {
     count_work(s, made);
     dag_free(*g);
@@ -149,7 +149,7 @@ static bool divides(const struct dag *g)
     return false;
 }
 
-static struct dag *run_passes(struct search *s, const struct candidate *c, struct record *record)
+static struct dag *run_passes(struct form_search *s, const struct candidate *c, struct record *record)
 {
     const struct policy *p = &c->policy;
     struct dag *g = dag_copy(s->shape[c->shape].dag);
@@ -180,7 +180,7 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
 
 /* Lowers a scheduled graph; the program is kept if it is the cheapest so far.  Returns the cost.  Programs that do not
  * steer the search leave no trace where they do not win. */
-static double lower_schedule(struct search *s, const struct schedule *schedule, const struct candidate *from,
+static double lower_schedule(struct form_search *s, const struct schedule *schedule, const struct candidate *from,
                              bool steers)
 {
     struct lowered e;
@@ -205,7 +205,7 @@ static double lower_schedule(struct search *s, const struct schedule *schedule, 
 }
 
 /* Once more with multiples of values shared, if that may be the cheapest. */
-static void lower_multiples(struct search *s, const struct schedule *schedule, const struct candidate *from,
+static void lower_multiples(struct form_search *s, const struct schedule *schedule, const struct candidate *from,
                             double cost)
 {
     size_t saved;
@@ -219,7 +219,8 @@ static void lower_multiples(struct search *s, const struct schedule *schedule, c
 }
 
 /* Lowers a graph, in its own scales or in those that a search finds; returns the cost. */
-static double lower_graph(struct search *s, const struct dag *g, const struct candidate *from, enum scale_search scales)
+static double lower_graph(struct form_search *s, const struct dag *g, const struct candidate *from,
+                          enum scale_search scales)
 {
     struct schedule *schedule = scaled_schedule(g, &s->options->cost, scales);
     const bool steers = scales != SCALES_GROUPS;
@@ -236,7 +237,7 @@ static double lower_graph(struct search *s, const struct dag *g, const struct ca
 
 /* Lowers the candidate; the program is kept if it is the cheapest so far.  One whose estimate is beyond `limit` is not
  * looked at any further. */
-static void evaluate(struct search *s, struct candidate *c, struct record *record, double limit)
+static void evaluate(struct form_search *s, struct candidate *c, struct record *record, double limit)
 {
     rational_take_overflow();
     struct dag *g = run_passes(s, c, record);
@@ -270,7 +271,7 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
 }
 
 /* Puts the candidate under trial in its place of the beam. */
-static void enter_beam(struct search *s)
+static void enter_beam(struct form_search *s)
 {
     const struct candidate c = s->beam[BEAM];
     size_t i = s->n < BEAM ? s->n++ : BEAM;
@@ -284,7 +285,7 @@ static void enter_beam(struct search *s)
     s->beam[i] = c;
 }
 
-static struct policy starting_policy(const struct search *s, int form)
+static struct policy starting_policy(const struct form_search *s, int form)
 {
     return (struct policy){.plain = form % 3 == 1,
                            .early = form % 3 == 2,
@@ -295,7 +296,7 @@ static struct policy starting_policy(const struct search *s, int form)
 }
 
 /* What has been found so far is forgotten. */
-static void start_again(struct search *s, double work)
+static void start_again(struct form_search *s, double work)
 {
     program_free(s->best.program);
     s->best = (struct lowered){0};
@@ -304,7 +305,7 @@ static void start_again(struct search *s, double work)
 }
 
 /* Least cost of a shape without choices, then fewest multiplications. */
-static double first_cost(struct search *s, size_t shape)
+static double first_cost(struct form_search *s, size_t shape)
 {
     const double work = s->work;
     struct candidate c = {.shape = shape, .policy = {.plain = true, .differences = s->differences}};
@@ -314,7 +315,7 @@ static double first_cost(struct search *s, size_t shape)
     return cost;
 }
 
-void search_select(struct search *s, size_t n)
+void search_select(struct form_search *s, size_t n)
 {
     double *cost = new_array(s->shapes, sizeof *cost);
     for (size_t i = 0; s->shapes > n && i < s->shapes; i++)
@@ -333,7 +334,7 @@ void search_select(struct search *s, size_t n)
 
 /* Gives up shapes that are far behind the first one from the beginning, unless trying them is dear.  That is not
  * counted as work, so that they leave no trace. */
-static void drop_shapes(struct search *s)
+static void drop_shapes(struct form_search *s)
 {
     const double work = s->work;
     struct candidate first = {.policy.differences = s->differences};
@@ -355,7 +356,7 @@ static void drop_shapes(struct search *s)
 }
 
 /* Evaluates a shape under a policy without choices, for the beam. */
-static void try_policy(struct search *s, size_t shape, const struct policy *p)
+static void try_policy(struct form_search *s, size_t shape, const struct policy *p)
 {
     struct candidate *c = &s->beam[BEAM];
     c->shape = shape;
@@ -367,7 +368,7 @@ static void try_policy(struct search *s, size_t shape, const struct policy *p)
 /* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
  * or not, in all mixtures; then with random preferences.  Multiplying out is not tried again on a shape where it is dear.
  */
-static void try_first(struct search *s)
+static void try_first(struct form_search *s)
 {
     static const double preference[] = {0.9, 3, 1000};
     const double first = s->limit > FIRST * (double)UNIT ? s->limit : FIRST * (double)UNIT;
@@ -401,7 +402,7 @@ static void try_first(struct search *s)
 }
 
 /* One choice of the candidate under trial overruled. */
-static void mutate(struct search *s, struct candidate *c, const struct record *record)
+static void mutate(struct form_search *s, struct candidate *c, const struct record *record)
 {
     if (c->policy.choices > 0 && random_next(&s->random) % 8 == 0) {
         const size_t k = random_next(&s->random) % c->policy.choices;
@@ -414,13 +415,13 @@ static void mutate(struct search *s, struct candidate *c, const struct record *r
     policy_choose(&c->policy, (struct choice){d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
 }
 
-static double uniform(struct search *s)
+static double uniform(struct form_search *s)
 {
     return (double)(random_next(&s->random) >> 11) * 0x1p-53;
 }
 
 /* Simulated annealing from a candidate until so much work is done; it becomes the best that was met. */
-static void anneal(struct search *s, struct candidate *best, double hot, double until)
+static void anneal(struct form_search *s, struct candidate *best, double hot, double until)
 {
     struct record record = {0}, next = {0};
     struct candidate at = {0}, *trial = &s->beam[BEAM];
@@ -449,7 +450,7 @@ static void anneal(struct search *s, struct candidate *best, double hot, double 
 
 /* Once more multiplied out, the outputs' coefficients absorbed.  It comes last and is no start for the others, so that
  * it leaves no trace where it does not win. */
-static void try_absorbing(struct search *s)
+static void try_absorbing(struct form_search *s)
 {
     for (size_t i = 0; i < s->shapes; i++) {
         struct candidate c = {.shape = i, .policy = {.plain = true, .dissolve = 1, .absorb = true}};
@@ -460,7 +461,7 @@ static void try_absorbing(struct search *s)
 }
 
 /* The last shape from all starting points that keep quotients. */
-static void try_keeping(struct search *s)
+static void try_keeping(struct form_search *s)
 {
     const double before = s->work;
     s->starting = true;
@@ -472,7 +473,7 @@ static void try_keeping(struct search *s)
 }
 
 /* The first shape with quotients by single factors; last, too. */
-static void try_splitting(struct search *s)
+static void try_splitting(struct form_search *s)
 {
     struct dag *g = s->shapes > 0 && divides(s->shape[0].dag) ? shape_split(s->shape[0].dag) : NULL;
     if (!g)
@@ -482,7 +483,7 @@ static void try_splitting(struct search *s)
 }
 
 /* The winner's shape, with the vectors of a segment by the fewest differences, under its own choices, too; last. */
-static void try_differences(struct search *s)
+static void try_differences(struct form_search *s)
 {
     struct candidate c = {0};
     if (!s->file->segment || s->differences || !s->best.program)
@@ -500,7 +501,7 @@ static void try_differences(struct search *s)
 }
 
 /* How the result came about: the winner's passes once more. */
-static void explain(struct search *s)
+static void explain(struct form_search *s)
 {
     FILE *out = s->options->explain;
     fprintf(out, "  %zu shapes, %.0f units of work; the cheapest is \"%s\" with %zu choices overruled\n", s->shapes,
@@ -514,7 +515,7 @@ static void explain(struct search *s)
             s->options->cost.name);
 }
 
-struct removed search_run(struct search *s, struct lowered *l)
+struct removed search_run(struct form_search *s, struct lowered *l)
 {
     drop_shapes(s);
     try_first(s);

@@ -16,23 +16,23 @@ struct compile_options {
     const char *explained; /* not owned: after this pass the graph in infix, too; or NULL */
 };
 
-struct search;
+struct form_search;
 
-struct search *search_new(const struct genome_file *f, const struct compile_options *o);
-void search_free(struct search *s);
+struct form_search *search_new(const struct genome_file *f, const struct compile_options *o);
+void search_free(struct form_search *s);
 
 /** Another shape of the same outputs; the graph becomes the search's.  `what` says in a few words how it was made.  It is
  *  given up if its first estimate is not below `behind` times that of the first shape. */
-void search_add(struct search *s, struct dag *g, double behind, const char *what);
+void search_add(struct form_search *s, struct dag *g, double behind, const char *what);
 
 /** Gives up all shapes but the n that are cheapest at first. */
-void search_select(struct search *s, size_t n);
+void search_select(struct form_search *s, size_t n);
 
 /** The shape that was added first. */
-const struct dag *search_first(const struct search *s);
+const struct dag *search_first(const struct form_search *s);
 
 /** The cheapest program found with the options' effort, NULL if there is none, and how many singularities it removed.
  *  l->program is the caller's. */
-struct removed search_run(struct search *s, struct lowered *l);
+struct removed search_run(struct form_search *s, struct lowered *l);
 
 #endif

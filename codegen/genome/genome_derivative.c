@@ -20,7 +20,7 @@ struct operand {
 };
 
 struct derivation {
-    struct reader *r;
+    struct genome_reader *r;
     const char *target; /* not owned: the name that hidden lets begin with */
     int by, line;
     int *slope; /* owned: by let, the gene of its derivative; 0 where that is 0 */
@@ -197,7 +197,7 @@ static bool hide_slope(struct derivation *v, size_t let)
     return good;
 }
 
-bool derive(struct reader *r, int of, int by, const char *target, int line, int *gene)
+bool derive(struct genome_reader *r, int of, int by, const char *target, int line, int *gene)
 {
     const int first = GENE_SYMBOL + (int)r->file->inputs;
     const size_t lets = of >= first ? (size_t)(of - first) + 1 : 0;

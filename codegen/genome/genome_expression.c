@@ -8,7 +8,7 @@
 /* The numbers that a vector operator stands for: component (c + digit) % 3 of its operands a and b. */
 static const char dot[] = "++*a0b0*a1b1*a2b2", cross[] = "-*a1b2*a2b1";
 
-bool read_gene(struct reader *r, int *gene)
+bool read_gene(struct genome_reader *r, int *gene)
 {
     char name[NAME_ROOM];
     if (word_is_operator(&r->w, r->file->format, gene))
@@ -30,7 +30,7 @@ bool read_gene(struct reader *r, int *gene)
     return true;
 }
 
-bool read_symbol(struct reader *r, int *gene)
+bool read_symbol(struct genome_reader *r, int *gene)
 {
     if (!next_word(r, true))
         return reader_fail(r, "a value is missing here");
@@ -61,7 +61,7 @@ static int is_vector(int gene, bool a, bool b)
     }
 }
 
-static bool fail_type(struct reader *r, const struct node *n, bool a, bool b)
+static bool fail_type(struct genome_reader *r, const struct node *n, bool a, bool b)
 {
     static const char *const type[] = {"a number", "a vector"};
     const char *gene = operator_name(n->gene);
@@ -71,7 +71,7 @@ static bool fail_type(struct reader *r, const struct node *n, bool a, bool b)
 }
 
 /* Finds type and second operand of each node, from the last to the first. */
-static bool find_types(struct reader *r)
+static bool find_types(struct genome_reader *r)
 {
     size_t *stack = new_array(r->nodes, sizeof *stack), depth = 0;
     bool good = true;
@@ -92,7 +92,7 @@ static bool find_types(struct reader *r)
     return good;
 }
 
-bool end_of_expression(struct reader *r)
+bool end_of_expression(struct genome_reader *r)
 {
     const struct words end = r->w;
     if (!next_is_comma(r) && next_word(r, true))
@@ -101,7 +101,7 @@ bool end_of_expression(struct reader *r)
     return true;
 }
 
-bool read_expression(struct reader *r, const char *name, bool more)
+bool read_expression(struct genome_reader *r, const char *name, bool more)
 {
     long missing = 1;
     r->nodes = 0;
@@ -123,12 +123,12 @@ bool read_expression(struct reader *r, const char *name, bool more)
 
 /* ---- expansion ---- */
 
-static void push(struct reader *r, size_t at, int component)
+static void push(struct genome_reader *r, size_t at, int component)
 {
     APPEND(r->task, r->tasks, r->task_room) = (struct task){at, component};
 }
 
-static void push_products(struct reader *r, size_t at, int component)
+static void push_products(struct genome_reader *r, size_t at, int component)
 {
     const struct node *n = &r->node[at];
     const char *form = n->gene == GENE_DOT ? dot : cross;
@@ -147,12 +147,12 @@ static void push_products(struct reader *r, size_t at, int component)
         }
 }
 
-void put_gene(struct reader *r, int gene)
+void put_gene(struct genome_reader *r, int gene)
 {
     APPEND(r->gene, r->genes, r->gene_room) = gene;
 }
 
-bool expand(struct reader *r, int component)
+bool expand(struct genome_reader *r, int component)
 {
     r->genes = r->tasks = 0;
     push(r, 0, component);
@@ -181,7 +181,7 @@ bool expand(struct reader *r, int component)
     return true;
 }
 
-bool expand_number(struct reader *r, const char *name)
+bool expand_number(struct genome_reader *r, const char *name)
 {
     if (r->node[0].vector)
         return diag_at(r->d, r->file->path, r->node[0].line, r->node[0].column, "'%s' is a vector, not a number", name);

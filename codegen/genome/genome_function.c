@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool read_parameters(struct reader *r, struct genome_function *x)
+static bool read_parameters(struct genome_reader *r, struct genome_function *x)
 {
     while (next_word(r, true) && !word_is(&r->w, "->")) {
         struct target t = {.line = r->w.word_line, .column = r->w.word_column};
@@ -21,7 +21,7 @@ static bool read_parameters(struct reader *r, struct genome_function *x)
     return x->parameters > 0 || reader_fail(r, "function without parameters");
 }
 
-static bool read_body(struct reader *r, const char *name)
+static bool read_body(struct genome_reader *r, const char *name)
 {
     while (next_word(r, false)) {
         if (word_is(&r->w, "end"))
@@ -35,7 +35,7 @@ static bool read_body(struct reader *r, const char *name)
 }
 
 /* The names behind "->", which the body has defined meanwhile. */
-static bool read_results(struct reader *r, struct genome_function *x)
+static bool read_results(struct genome_reader *r, struct genome_function *x)
 {
     char name[NAME_ROOM];
     while (next_word(r, true)) {
@@ -47,7 +47,7 @@ static bool read_results(struct reader *r, struct genome_function *x)
     return x->results > 0 || reader_fail(r, "function without values");
 }
 
-static bool read_definitions(struct reader *r, struct genome_function *x)
+static bool read_definitions(struct genome_reader *r, struct genome_function *x)
 {
     if (!read_parameters(r, x))
         return false;
@@ -96,7 +96,7 @@ static void take_lets(const struct genome_file *f, const int from[2], const int 
     free(local);
 }
 
-static bool read_function_of_lets(struct reader *r, struct genome_function *x)
+static bool read_function_of_lets(struct genome_reader *r, struct genome_function *x)
 {
     int symbol[4];
     for (int k = 0; k < 4; k++)
@@ -106,7 +106,7 @@ static bool read_function_of_lets(struct reader *r, struct genome_function *x)
     return end_of_line(r);
 }
 
-static bool read_function_name(struct reader *r, char name[NAME_ROOM])
+static bool read_function_name(struct genome_reader *r, char name[NAME_ROOM])
 {
     if (!next_word(r, true))
         return reader_fail(r, "function without a name");
@@ -120,7 +120,7 @@ static bool read_function_name(struct reader *r, char name[NAME_ROOM])
     return r->file->functions < GENOME_FUNCTIONS || reader_fail(r, "function '%s' is one too many");
 }
 
-bool read_function(struct reader *r)
+bool read_function(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
     const char *start = r->w.at;

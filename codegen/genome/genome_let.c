@@ -19,7 +19,7 @@ static void component_name(const char *vector, int component, char name[NAME_ROO
     snprintf(name, NAME_ROOM, "%.63s%c", vector, "xyz"[component]);
 }
 
-bool add_name(struct reader *r, const struct target *t, bool vector, int gene)
+bool add_name(struct genome_reader *r, const struct target *t, bool vector, int gene)
 {
     void **names = r->function ? &r->function->names : &r->file->names;
     for (int c = vector ? -1 : 0; c < (vector ? 3 : 1); c++) {
@@ -35,7 +35,7 @@ bool add_name(struct reader *r, const struct target *t, bool vector, int gene)
 }
 
 /* An expression as the value of a name. */
-static bool read_value(struct reader *r, const struct target *t)
+static bool read_value(struct genome_reader *r, const struct target *t)
 {
     int gene = 0, first = 0;
     const bool vector = r->node[0].vector;
@@ -52,7 +52,7 @@ static bool read_value(struct reader *r, const struct target *t)
 /* ---- derivatives ---- */
 
 /* A symbol: the gene of a number or of a vector's first component. */
-static bool read_variable(struct reader *r, int *gene, bool *vector)
+static bool read_variable(struct genome_reader *r, int *gene, bool *vector)
 {
     if (!next_word(r, true))
         return reader_fail(r, "a value is missing here");
@@ -64,7 +64,7 @@ static bool read_variable(struct reader *r, int *gene, bool *vector)
 }
 
 /* derivative y x: of a vector by a number, or of a number by a vector, the vector of three derivatives. */
-static bool read_derivative(struct reader *r, const struct target *t)
+static bool read_derivative(struct genome_reader *r, const struct target *t)
 {
     int of, by, slope[3], gene = 0, first = 0;
     bool of_vector = false, by_vector = false, good = true;
@@ -135,7 +135,7 @@ static char *name_of_let(const struct call *call, size_t i)
     return new_joined(call->target->item[0].name, ".", inner ? inner + 1 : x->let[i].name);
 }
 
-static bool read_argument(struct reader *r, struct call *call, size_t k)
+static bool read_argument(struct genome_reader *r, struct call *call, size_t k)
 {
     const bool vector = call->function->parameter[k].vector;
     if (!read_expression(r, call->function->name, true))
@@ -162,7 +162,7 @@ static int gene_here(const struct call *call, int gene)
     return gene >= GENE_LOCAL ? call->gene[gene - GENE_LOCAL] : gene;
 }
 
-static bool copy_body(struct reader *r, struct call *call)
+static bool copy_body(struct genome_reader *r, struct call *call)
 {
     for (size_t i = 0; i < call->function->lets; i++) {
         const struct genome_expr *let = &call->function->let[i];
@@ -179,7 +179,7 @@ static bool copy_body(struct reader *r, struct call *call)
 }
 
 /* A result that is no let of the body, or an earlier result, too, is a let of its own. */
-static bool name_result(struct reader *r, const struct call *call, size_t k)
+static bool name_result(struct genome_reader *r, const struct call *call, size_t k)
 {
     const struct genome_value *result = &call->function->result[k];
     const struct target *t = &call->target->item[k];
@@ -198,7 +198,7 @@ static bool name_result(struct reader *r, const struct call *call, size_t k)
     return add_name(r, t, result->vector, first);
 }
 
-static bool read_call(struct reader *r, const struct genome_function *x, const struct targets *target)
+static bool read_call(struct genome_reader *r, const struct genome_function *x, const struct targets *target)
 {
     const size_t locals = (size_t)(x->first_let - GENE_LOCAL) + x->lets;
     struct call call = {x, target, new_array(locals, sizeof *call.gene), new_array(locals, sizeof *call.owner), 0};
@@ -217,7 +217,7 @@ static bool read_call(struct reader *r, const struct genome_function *x, const s
 /* ---- lets ---- */
 
 /* Names up to "=". */
-static bool read_targets(struct reader *r, struct targets *t)
+static bool read_targets(struct genome_reader *r, struct targets *t)
 {
     while (next_word(r, true) && !(t->n > 0 && word_is(&r->w, "="))) {
         if (t->n > 0 && r->file->format == 1)
@@ -236,7 +236,7 @@ static bool read_targets(struct reader *r, struct targets *t)
 }
 
 /* The function that the next word names, or NULL; then the word is still to be read. */
-static const struct genome_function *next_function(struct reader *r)
+static const struct genome_function *next_function(struct genome_reader *r)
 {
     char text[NAME_ROOM];
     const struct words before = r->w;
@@ -250,7 +250,7 @@ static const struct genome_function *next_function(struct reader *r)
 }
 
 /* Whether the next word is the keyword; it is read then. */
-static bool next_is_derivative(struct reader *r)
+static bool next_is_derivative(struct genome_reader *r)
 {
     const struct words before = r->w;
     if (r->file->format > 1 && next_word(r, false) && word_is(&r->w, "derivative"))
@@ -259,7 +259,7 @@ static bool next_is_derivative(struct reader *r)
     return false;
 }
 
-static bool read_definition(struct reader *r, struct targets *t)
+static bool read_definition(struct genome_reader *r, struct targets *t)
 {
     if (!read_targets(r, t))
         return false;
@@ -273,7 +273,7 @@ static bool read_definition(struct reader *r, struct targets *t)
     return read_expression(r, t->item[0].name, false) && read_value(r, &t->item[0]);
 }
 
-bool read_let(struct reader *r)
+bool read_let(struct genome_reader *r)
 {
     const char *start = r->w.at;
     const int line = r->w.word_line;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool read_note(struct reader *r, struct genome_note **note, size_t *n, size_t *room)
+static bool read_note(struct genome_reader *r, struct genome_note **note, size_t *n, size_t *room)
 {
     if (!next_word(r, true))
         return reader_fail(r, "note without a key");
@@ -27,7 +27,7 @@ static bool read_note(struct reader *r, struct genome_note **note, size_t *n, si
     return true;
 }
 
-static bool read_order(struct reader *r, const struct segment_kind *kind, enum corner_order *order)
+static bool read_order(struct genome_reader *r, const struct segment_kind *kind, enum corner_order *order)
 {
     if (!next_word(r, true))
         return reader_fail(r, "segment without an order of corners");
@@ -38,7 +38,7 @@ static bool read_order(struct reader *r, const struct segment_kind *kind, enum c
     return reader_fail(r, "unknown order of corners '%s'");
 }
 
-static const struct segment_kind *read_kind(struct reader *r)
+static const struct segment_kind *read_kind(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
     if (f->segment)
@@ -57,7 +57,7 @@ static const struct segment_kind *read_kind(struct reader *r)
 }
 
 /* A segment and a place on it. */
-static bool read_face(struct reader *r)
+static bool read_face(struct genome_reader *r)
 {
     const struct segment_kind *kind = r->file->format == 1 ? NULL : read_kind(r);
     if (r->file->format == 1)
@@ -72,7 +72,7 @@ static bool read_face(struct reader *r)
 }
 
 /* In version 1 the inputs stand in lines of their own. */
-static bool read_segment(struct reader *r)
+static bool read_segment(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
     enum corner_order order = CORNERS_ANY;
@@ -94,7 +94,7 @@ static bool is_element(const char *output, const char *name)
 }
 
 /* Whether another value follows, on any line: no keyword, and no name of another row. */
-static bool row_goes_on(struct reader *r)
+static bool row_goes_on(struct genome_reader *r)
 {
     const struct words before = r->w;
     bool more = next_word(r, false) && !word_is_keyword(&r->w, r->file->format);
@@ -104,7 +104,7 @@ static bool row_goes_on(struct reader *r)
 }
 
 /* The values of a row, vectors by their components. */
-static bool read_row(struct reader *r, struct genome *g, const char *name, int line)
+static bool read_row(struct genome_reader *r, struct genome *g, const char *name, int line)
 {
     for (size_t n = 0; n == 0 || row_goes_on(r);) {
         if (!read_expression(r, name, true))
@@ -121,7 +121,7 @@ static bool read_row(struct reader *r, struct genome *g, const char *name, int l
     return true;
 }
 
-static bool read_output(struct reader *r, struct genome *g)
+static bool read_output(struct genome_reader *r, struct genome *g)
 {
     char name[NAME_ROOM];
     if (r->file->face && word_is(&r->w, "require") ? !word_copy(&r->w, name, sizeof name) : !read_name(r, name))
@@ -143,7 +143,7 @@ static bool read_output(struct reader *r, struct genome *g)
     return next_word(r, true) ? read_output(r, g) : reader_fail(r, "an output is missing behind the comma");
 }
 
-static bool read_genome(struct reader *r)
+static bool read_genome(struct genome_reader *r)
 {
     char name[NAME_ROOM];
     const int line = r->w.word_line;
@@ -170,7 +170,7 @@ static bool read_genome(struct reader *r)
     return reader_fail_text(r, "the file ends inside genome '%s'", name, strlen(name));
 }
 
-static bool read_exchange(struct reader *r)
+static bool read_exchange(struct genome_reader *r)
 {
     int gene[2];
     if (!read_symbol(r, &gene[0]) || !read_symbol(r, &gene[1]))
@@ -185,7 +185,7 @@ static bool read_exchange(struct reader *r)
 }
 
 /* A number, or the components of a vector. */
-static bool add_inputs(struct reader *r, const char *name, bool vector)
+static bool add_inputs(struct genome_reader *r, const char *name, bool vector)
 {
     const int gene = GENE_SYMBOL + (int)r->file->inputs;
     for (int c = 0; c < (vector ? 3 : 1); c++) {
@@ -200,7 +200,7 @@ static bool add_inputs(struct reader *r, const char *name, bool vector)
     return true;
 }
 
-static bool read_inputs(struct reader *r)
+static bool read_inputs(struct genome_reader *r)
 {
     char name[NAME_ROOM];
     if (r->file->segment && r->file->format > 1)
@@ -219,7 +219,7 @@ static bool read_inputs(struct reader *r)
     return true;
 }
 
-static bool read_limit(struct reader *r, const char *input, int *gene)
+static bool read_limit(struct genome_reader *r, const char *input, int *gene)
 {
     if (!next_word(r, true))
         return reader_fail_text(r, "the range of '%s' needs two numbers", input, strlen(input));
@@ -228,7 +228,7 @@ static bool read_limit(struct reader *r, const char *input, int *gene)
     return read_number(r, gene);
 }
 
-static bool read_interval(struct reader *r, size_t input)
+static bool read_interval(struct genome_reader *r, size_t input)
 {
     struct genome_file *f = r->file;
     int lo, hi;
@@ -242,7 +242,7 @@ static bool read_interval(struct reader *r, size_t input)
     return true;
 }
 
-static bool read_range(struct reader *r)
+static bool read_range(struct genome_reader *r)
 {
     char text[NAME_ROOM];
     if (!next_word(r, true))
@@ -256,7 +256,7 @@ static bool read_range(struct reader *r)
     return end_of_item(r);
 }
 
-static bool read_require(struct reader *r)
+static bool read_require(struct genome_reader *r)
 {
     r->in_require = true;
     const bool good = read_expression(r, "require", false) && expand_number(r, "require");
@@ -269,7 +269,7 @@ static bool read_require(struct reader *r)
 }
 
 /* Of a frame; a statement, so that it goes wherever the lets go. */
-static bool read_least(struct reader *r)
+static bool read_least(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
     const char *start = r->w.at;
@@ -283,7 +283,7 @@ static bool read_least(struct reader *r)
 }
 
 /* Every input must be a value of the region. */
-static bool check_region(struct reader *r, int line)
+static bool check_region(struct genome_reader *r, int line)
 {
     const struct genome_file *f = r->file;
     for (size_t i = 0; i < f->inputs; i++)
@@ -292,10 +292,10 @@ static bool check_region(struct reader *r, int line)
     return true;
 }
 
-static bool read_line(struct reader *r);
+static bool read_line(struct genome_reader *r);
 
 /* A block of lines that are read as a file of their own. */
-static bool read_region(struct reader *r)
+static bool read_region(struct genome_reader *r)
 {
     const int line = r->w.word_line;
     struct genome_file *f = r->file;
@@ -305,7 +305,7 @@ static bool read_region(struct reader *r)
         return reader_fail(r, "a second '%s'");
     if (!end_of_line(r))
         return false;
-    struct reader inner = {.file = genome_file_new(f->path), .d = r->d, .w = r->w, .in_region = true};
+    struct genome_reader inner = {.file = genome_file_new(f->path), .d = r->d, .w = r->w, .in_region = true};
     f->region = inner.file;
     bool good = true, ended = false;
     while (good && !ended && next_word(&inner, false)) {
@@ -320,7 +320,7 @@ static bool read_region(struct reader *r)
     return good && check_region(r, line);
 }
 
-static bool read_version(struct reader *r)
+static bool read_version(struct genome_reader *r)
 {
     if (!next_word(r, false) || !word_is(&r->w, "footpoint-genome"))
         return reader_fail(r, "not a genome file: the first word must be 'footpoint-genome'");
@@ -331,7 +331,7 @@ static bool read_version(struct reader *r)
 }
 
 /* Version 3 is read as the text of version 2 that it stands for. */
-static bool translate(struct reader *r, struct prefix_text *prefix)
+static bool translate(struct genome_reader *r, struct prefix_text *prefix)
 {
     if (r->file->format <= GENOME_FORMAT)
         return true;
@@ -343,7 +343,7 @@ static bool translate(struct reader *r, struct prefix_text *prefix)
 }
 
 /* The line that begins with the current word. */
-static bool read_line(struct reader *r)
+static bool read_line(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
     if (r->in_region && !(word_is(&r->w, "input") || word_is(&r->w, "range") || word_is(&r->w, "let") ||
@@ -364,7 +364,7 @@ static bool read_line(struct reader *r)
                                         : reader_fail(r, "unknown keyword '%s'");
 }
 
-static bool read_lines(struct reader *r)
+static bool read_lines(struct genome_reader *r)
 {
     while (next_word(r, false)) {
         r->needs = 0;
@@ -397,14 +397,14 @@ static bool check_segment(const struct genome_file *f, struct diag *d)
     return true;
 }
 
-static struct reader reader_of(struct genome_file *f, const char *text, size_t size, struct diag *d)
+static struct genome_reader reader_of(struct genome_file *f, const char *text, size_t size, struct diag *d)
 {
-    return (struct reader){.file = f, .d = d, .w = words_of(text, size)};
+    return (struct genome_reader){.file = f, .d = d, .w = words_of(text, size)};
 }
 
 bool genome_read_statement(struct genome_file *f, const char *text, struct diag *d)
 {
-    struct reader r = reader_of(f, text, strlen(text), d);
+    struct genome_reader r = reader_of(f, text, strlen(text), d);
     r.alone = true;
     const bool good = read_lines(&r);
     reader_free(&r);
@@ -413,7 +413,7 @@ bool genome_read_statement(struct genome_file *f, const char *text, struct diag 
 
 struct genome_file *genome_parse(const char *path, const char *text, size_t size, struct diag *d)
 {
-    struct reader r = reader_of(genome_file_new(path), text, size, d);
+    struct genome_reader r = reader_of(genome_file_new(path), text, size, d);
     struct prefix_text prefix = {0};
     const bool good = read_version(&r) && translate(&r, &prefix) && read_lines(&r) && check_segment(r.file, d);
     reader_free(&r);

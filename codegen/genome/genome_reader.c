@@ -31,17 +31,17 @@ bool word_fail(const struct words *w, const char *format, const char *path, stru
     return fail_at(w, format, w->word, w->length, path, d);
 }
 
-bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)
+bool reader_fail_text(struct genome_reader *r, const char *format, const char *text, size_t length)
 {
     return fail_at(&r->w, format, text, length, r->file->path, r->d);
 }
 
-bool reader_fail(struct reader *r, const char *format)
+bool reader_fail(struct genome_reader *r, const char *format)
 {
     return reader_fail_text(r, format, r->w.word, r->w.length);
 }
 
-void reader_free(struct reader *r)
+void reader_free(struct genome_reader *r)
 {
     free(r->gene);
     free(r->node);
@@ -49,17 +49,17 @@ void reader_free(struct reader *r)
     free(r->need);
 }
 
-bool next_word(struct reader *r, bool same_line)
+bool next_word(struct genome_reader *r, bool same_line)
 {
     return words_next(&r->w, same_line);
 }
 
-bool end_of_line(struct reader *r)
+bool end_of_line(struct genome_reader *r)
 {
     return !next_word(r, true) || reader_fail(r, "'%s' is too much here");
 }
 
-bool next_is_comma(struct reader *r)
+bool next_is_comma(struct genome_reader *r)
 {
     const struct words before = r->w;
     if (r->file->format > 1 && next_word(r, true) && word_is(&r->w, ","))
@@ -68,7 +68,7 @@ bool next_is_comma(struct reader *r)
     return false;
 }
 
-bool end_of_item(struct reader *r)
+bool end_of_item(struct genome_reader *r)
 {
     const struct words before = r->w;
     const bool more = next_is_comma(r);
@@ -76,7 +76,7 @@ bool end_of_item(struct reader *r)
     return more || end_of_line(r);
 }
 
-bool read_list(struct reader *r, bool (*read_item)(struct reader *))
+bool read_list(struct genome_reader *r, bool (*read_item)(struct genome_reader *))
 {
     bool good = read_item(r);
     while (good && next_is_comma(r)) {
@@ -96,7 +96,7 @@ bool word_is_keyword(const struct words *w, int format)
     return false;
 }
 
-bool read_name(struct reader *r, char name[NAME_ROOM])
+bool read_name(struct genome_reader *r, char name[NAME_ROOM])
 {
     int gene;
     if (r->w.length > MAX_NAME)
@@ -113,7 +113,7 @@ bool read_name(struct reader *r, char name[NAME_ROOM])
     return word_copy(&r->w, name, NAME_ROOM);
 }
 
-const struct name *find_name(struct reader *r, const char *text)
+const struct name *find_name(struct genome_reader *r, const char *text)
 {
     const struct name *n = r->function ? names_find(&r->function->names, text) : NULL;
     if (n)
@@ -124,7 +124,7 @@ const struct name *find_name(struct reader *r, const char *text)
     return n;
 }
 
-bool read_new_name(struct reader *r, char name[NAME_ROOM])
+bool read_new_name(struct genome_reader *r, char name[NAME_ROOM])
 {
     if (!read_name(r, name))
         return false;
@@ -151,7 +151,7 @@ bool word_is_operator(const struct words *w, int format, int *gene)
     return false;
 }
 
-bool looks_like_number(const struct reader *r)
+bool looks_like_number(const struct genome_reader *r)
 {
     size_t i = 0;
     if (r->w.length > 1 && (r->w.word[0] == '-' || r->w.word[0] == '+'))
@@ -160,7 +160,7 @@ bool looks_like_number(const struct reader *r)
 }
 
 /* Plain decimal with an optional exponent, so that text is an exact rational of bounded size. */
-bool read_number(struct reader *r, int *gene)
+bool read_number(struct genome_reader *r, int *gene)
 {
     char text[MAX_NUMBER + 1];
     char *rest;
@@ -182,7 +182,7 @@ bool read_number(struct reader *r, int *gene)
 }
 
 /* A line for each "let" of a function. */
-static char *plain_text(const struct reader *r, const char *keyword, const char *start)
+static char *plain_text(const struct genome_reader *r, const char *keyword, const char *start)
 {
     struct memory *m = memory_open();
     struct words w = words_of(start, (size_t)(r->w.at - start));
@@ -195,7 +195,7 @@ static char *plain_text(const struct reader *r, const char *keyword, const char 
     return memory_close(m);
 }
 
-void add_statement(struct reader *r, const char *keyword, const char *name, const char *start, int line)
+void add_statement(struct genome_reader *r, const char *keyword, const char *name, const char *start, int line)
 {
     char *text = plain_text(r, keyword, start);
     genome_add_statement(
@@ -204,7 +204,7 @@ void add_statement(struct reader *r, const char *keyword, const char *name, cons
     r->needs = r->need_room = 0;
 }
 
-bool add_number(struct reader *r, const char *name, int line, int *gene)
+bool add_number(struct genome_reader *r, const char *name, int line, int *gene)
 {
     struct genome_function *x = r->function;
     struct genome_file *f = r->file;

@@ -24,7 +24,7 @@ struct task {
     int component;
 };
 
-struct reader {
+struct genome_reader {
     struct genome_file *file;
     struct diag *d;
     struct words w;
@@ -45,21 +45,21 @@ struct reader {
 };
 
 /** Fills the diagnostic; %s in the format is the current word. */
-bool reader_fail(struct reader *r, const char *format);
+bool reader_fail(struct genome_reader *r, const char *format);
 /** The same with a text of `length` characters in the place of the word. */
-bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length);
+bool reader_fail_text(struct genome_reader *r, const char *format, const char *text, size_t length);
 
 /** What the reader owns, but the file. */
-void reader_free(struct reader *r);
+void reader_free(struct genome_reader *r);
 
-bool next_word(struct reader *r, bool same_line);
-bool end_of_line(struct reader *r);
+bool next_word(struct genome_reader *r, bool same_line);
+bool end_of_line(struct genome_reader *r);
 /** A comma, or the end of the line; the comma is still to be read. */
-bool end_of_item(struct reader *r);
+bool end_of_item(struct genome_reader *r);
 /** Whether a comma comes next; it is read then. */
-bool next_is_comma(struct reader *r);
+bool next_is_comma(struct genome_reader *r);
 /** The items of a line, of which commas part all but the first. */
-bool read_list(struct reader *r, bool (*read_item)(struct reader *));
+bool read_list(struct genome_reader *r, bool (*read_item)(struct genome_reader *));
 
 /** Fills the diagnostic with the place of the current word, which is %s in the format. */
 bool word_fail(const struct words *w, const char *format, const char *path, struct diag *d);
@@ -70,30 +70,30 @@ const char *operator_name(int gene);
 int operator_arity(int gene);
 
 /** The current word as a name that is neither keyword nor operator, or one that is new, too. */
-bool read_name(struct reader *r, char name[NAME_ROOM]);
-bool read_new_name(struct reader *r, char name[NAME_ROOM]);
+bool read_name(struct genome_reader *r, char name[NAME_ROOM]);
+bool read_new_name(struct genome_reader *r, char name[NAME_ROOM]);
 /** What a name that is used stands for: the function's first, then the file's; NULL if it is nothing. */
-const struct name *find_name(struct reader *r, const char *text);
+const struct name *find_name(struct genome_reader *r, const char *text);
 /** A decimal number as a constant. */
-bool looks_like_number(const struct reader *r);
-bool read_number(struct reader *r, int *gene);
+bool looks_like_number(const struct genome_reader *r);
+bool read_number(struct genome_reader *r, int *gene);
 
 /** The operator, number or value that the current word is. */
-bool read_gene(struct reader *r, int *gene);
+bool read_gene(struct genome_reader *r, int *gene);
 /** The next word, the name of a number. */
-bool read_symbol(struct reader *r, int *gene);
+bool read_symbol(struct genome_reader *r, int *gene);
 /** An expression, to the node array.  Unless `more` may follow, it ends its line or its item of a list.
  *  @param[in] name  whose it is, for messages */
-bool read_expression(struct reader *r, const char *name, bool more);
+bool read_expression(struct genome_reader *r, const char *name, bool more);
 /** Nothing but a comma follows on its line; the comma is still to be read. */
-bool end_of_expression(struct reader *r);
+bool end_of_expression(struct genome_reader *r);
 /** A component of the expression that was read, or its number, to the gene array. */
-bool expand(struct reader *r, int component);
+bool expand(struct genome_reader *r, int component);
 /** The expression must be a number; it is expanded. */
-bool expand_number(struct reader *r, const char *name);
+bool expand_number(struct genome_reader *r, const char *name);
 
 /** Appends to the gene array. */
-void put_gene(struct reader *r, int gene);
+void put_gene(struct genome_reader *r, int gene);
 
 /** A name to be defined. */
 struct target {
@@ -101,19 +101,19 @@ struct target {
     int line, column;
 };
 /** Says what the name, and the names of a vector's components, stand for from here on. */
-bool add_name(struct reader *r, const struct target *t, bool vector, int gene);
+bool add_name(struct genome_reader *r, const struct target *t, bool vector, int gene);
 /** Appends a keyword and the words from `start` to here as a statement; its name is empty if it defines none. */
-void add_statement(struct reader *r, const char *keyword, const char *name, const char *start, int line);
+void add_statement(struct genome_reader *r, const char *keyword, const char *name, const char *start, int line);
 
 /** Appends what is in the gene array as a let of the function or the file; its gene. */
-bool add_number(struct reader *r, const char *name, int line, int *gene);
+bool add_number(struct genome_reader *r, const char *name, int line, int *gene);
 
 /** The gene of the derivative of a number by a number, both of them symbols; on the way lets are added, "TARGET.LET", which
  *  no text can name. */
-bool derive(struct reader *r, int of, int by, const char *target, int line, int *gene);
+bool derive(struct genome_reader *r, int of, int by, const char *target, int line, int *gene);
 
 /** An item of a line "let ...", and a "function ...", behind the keyword. */
-bool read_let(struct reader *r);
-bool read_function(struct reader *r);
+bool read_let(struct genome_reader *r);
+bool read_function(struct genome_reader *r);
 
 #endif

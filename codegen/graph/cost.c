@@ -32,7 +32,7 @@ static const char *const key_name[KEYS] = {"mul", "add", "div", "sqrt", "compare
 
 #define MOST 1e9 /* so that no sum of costs overflows */
 
-struct reader {
+struct cost_reader {
     const char *path;
     struct diag *d;
     const char *word, *line_start;
@@ -41,7 +41,7 @@ struct reader {
 };
 
 /* The format may show the word. */
-static bool refuse(const struct reader *r, const char *format)
+static bool refuse(const struct cost_reader *r, const char *format)
 {
     char shown[44];
     snprintf(shown, sizeof shown, "%.*s%s", r->length > 40 ? 40 : (int)r->length, r->word, r->length > 40 ? "..." : "");
@@ -51,7 +51,7 @@ static bool refuse(const struct reader *r, const char *format)
     return diag_at(r->d, r->path, r->line, (int)(r->word - r->line_start) + 1, format, shown);
 }
 
-static bool next_word(struct reader *r)
+static bool next_word(struct cost_reader *r)
 {
     r->word += r->length;
     r->word += strspn(r->word, " \t\r");
@@ -60,7 +60,7 @@ static bool next_word(struct reader *r)
 }
 
 /* First word of the next line that has one. */
-static bool next_line(struct reader *r)
+static bool next_line(struct cost_reader *r)
 {
     while (!next_word(r)) {
         r->word += strcspn(r->word, "\n");
@@ -72,12 +72,12 @@ static bool next_line(struct reader *r)
     return true;
 }
 
-static bool word_is(const struct reader *r, const char *text)
+static bool word_is(const struct cost_reader *r, const char *text)
 {
     return r->length == strlen(text) && memcmp(r->word, text, r->length) == 0;
 }
 
-static bool read_version(struct reader *r)
+static bool read_version(struct cost_reader *r)
 {
     if (!next_word(r) || !word_is(r, "footpoint-costs"))
         return refuse(r, "not a cost file: the first word must be 'footpoint-costs'");
@@ -86,7 +86,7 @@ static bool read_version(struct reader *r)
     return !next_word(r) || refuse(r, "'%s' follows the version");
 }
 
-static bool read_cost(struct reader *r, double value[KEYS], bool given[KEYS])
+static bool read_cost(struct cost_reader *r, double value[KEYS], bool given[KEYS])
 {
     char *rest;
     int k = 0;
@@ -109,7 +109,7 @@ static bool read_cost(struct reader *r, double value[KEYS], bool given[KEYS])
     return !next_word(r) || refuse(r, "'%s' follows the number");
 }
 
-static bool read_costs(struct reader *r, const char *end, double value[KEYS])
+static bool read_costs(struct cost_reader *r, const char *end, double value[KEYS])
 {
     bool given[KEYS] = {false};
     if (!read_version(r))
@@ -133,7 +133,7 @@ static bool read_model(const char *path, struct cost_model *m, struct diag *d)
     char *text = read_text(path, &size, d);
     if (!text)
         return false;
-    struct reader r = {.path = path, .d = d, .word = text, .line_start = text, .line = 1};
+    struct cost_reader r = {.path = path, .d = d, .word = text, .line_start = text, .line = 1};
     const bool good = read_costs(&r, text + size, value);
     free(text);
     if (!good)

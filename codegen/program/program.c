@@ -11,7 +11,7 @@
 
 enum { MOST_WORD = 79 };
 
-struct reader {
+struct statement_reader {
     const struct genome_file *file;
     const struct genome *genome;
     struct program *program;
@@ -57,13 +57,13 @@ static void forget_ops(struct program *p, size_t ops)
 
 /* ---- words ---- */
 
-static void skip_blanks(struct reader *r)
+static void skip_blanks(struct statement_reader *r)
 {
     while (isspace((unsigned char)*r->at))
         r->at++;
 }
 
-static bool accept(struct reader *r, const char *text)
+static bool accept(struct statement_reader *r, const char *text)
 {
     skip_blanks(r);
     const size_t n = strlen(text);
@@ -74,7 +74,7 @@ static bool accept(struct reader *r, const char *text)
 }
 
 /* The text from..to once more, wherever its lines are broken. */
-static bool accept_again(struct reader *r, const char *from, const char *to)
+static bool accept_again(struct statement_reader *r, const char *from, const char *to)
 {
     skip_blanks(r);
     while (from < to) {
@@ -90,7 +90,7 @@ static bool accept_again(struct reader *r, const char *from, const char *to)
     return true;
 }
 
-static bool read_word(struct reader *r, char word[MOST_WORD + 1])
+static bool read_word(struct statement_reader *r, char word[MOST_WORD + 1])
 {
     size_t n = 0;
     skip_blanks(r);
@@ -105,7 +105,7 @@ static bool read_word(struct reader *r, char word[MOST_WORD + 1])
 }
 
 /* A literal of type double: digits, point, digits. */
-static bool read_literal(struct reader *r, fmpq *q)
+static bool read_literal(struct statement_reader *r, fmpq *q)
 {
     skip_blanks(r);
     const size_t whole = strspn(r->at, "0123456789");
@@ -121,7 +121,7 @@ static bool read_literal(struct reader *r, fmpq *q)
 /* ---- operands; each returns an operation, or -1 when the text is something else ---- */
 
 /* "n.0 / d.0)" after its parenthesis. */
-static int read_quotient(struct reader *r)
+static int read_quotient(struct statement_reader *r)
 {
     const char *start = r->at;
     fmpq_t n, d;
@@ -151,7 +151,7 @@ static void read_coordinate(const char *word, char input[5])
 }
 
 /* A named value or an input: in_NAME; of a segment xA[2], which is its input zA. */
-static int find_name(const struct reader *r, char *word)
+static int find_name(const struct statement_reader *r, char *word)
 {
     const struct name *found = names_find(&r->names, word);
     char coordinate[5];
@@ -169,7 +169,7 @@ static int find_name(const struct reader *r, char *word)
 }
 
 /* A name or a literal. */
-static int read_atom(struct reader *r)
+static int read_atom(struct statement_reader *r)
 {
     char word[MOST_WORD + 1];
     fmpq_t q;
@@ -183,7 +183,7 @@ static int read_atom(struct reader *r)
 }
 
 /* What is written twice in a choice: a name or a constant. */
-static int read_repeated(struct reader *r)
+static int read_repeated(struct statement_reader *r)
 {
     const bool negative = accept(r, "-");
     const int op = accept(r, "(") ? read_quotient(r) : read_atom(r);
@@ -191,7 +191,7 @@ static int read_repeated(struct reader *r)
 }
 
 /* The operator of a choice between what stands on its sides, or OP_INPUT. */
-static enum op_kind read_comparison(struct reader *r, bool inverted)
+static enum op_kind read_comparison(struct statement_reader *r, bool inverted)
 {
     if (inverted)
         return accept(r, ">=") ? OP_MIN : accept(r, "<=") ? OP_MAX : OP_INPUT;
@@ -200,7 +200,7 @@ static enum op_kind read_comparison(struct reader *r, bool inverted)
 
 /* "a < b ? a : b)", "!(a >= b) ? a : b)", the same with > and <=, or "d == 0.0 ? 1.0 : n / d)" after its parenthesis.
  */
-static int read_choice(struct reader *r)
+static int read_choice(struct statement_reader *r)
 {
     const char *start = r->at;
     const bool inverted = accept(r, "!(");
@@ -243,13 +243,13 @@ static void push(int **stack, size_t *n, size_t *room, int what)
     APPEND(*stack, *n, *room) = what;
 }
 
-static void defer(struct reader *r, int kind)
+static void defer(struct statement_reader *r, int kind)
 {
     push(&r->waiting, &r->waits, &r->wait_room, kind);
 }
 
 /* Applies the waiting operators of at least this precedence. */
-static void apply(struct reader *r, int least)
+static void apply(struct statement_reader *r, int least)
 {
     while (r->waits && precedence(r->waiting[r->waits - 1]) >= least) {
         const int kind = r->waiting[--r->waits];
@@ -260,14 +260,14 @@ static void apply(struct reader *r, int least)
 }
 
 /* A minus; two in a row are another operator of C. */
-static bool accept_minus(struct reader *r)
+static bool accept_minus(struct statement_reader *r)
 {
     skip_blanks(r);
     return r->at[0] == '-' && r->at[1] != '-' && accept(r, "-");
 }
 
 /* The name of a function of one operand and its parenthesis. */
-static bool accept_unary(struct reader *r)
+static bool accept_unary(struct statement_reader *r)
 {
     const char *start = r->at;
     for (unsigned k = 0; k < UNARIES; k++) {
@@ -281,7 +281,7 @@ static bool accept_unary(struct reader *r)
 }
 
 /* Signs and opening parentheses, then an operand; -1 if there is none. */
-static int read_operand(struct reader *r)
+static int read_operand(struct statement_reader *r)
 {
     for (;;) {
         if (accept_minus(r))
@@ -301,7 +301,7 @@ static int read_operand(struct reader *r)
 }
 
 /* Closes the innermost parenthesis; false if there is none. */
-static bool close_parenthesis(struct reader *r)
+static bool close_parenthesis(struct statement_reader *r)
 {
     apply(r, 1);
     if (!r->waits)
@@ -315,7 +315,7 @@ static bool close_parenthesis(struct reader *r)
 }
 
 /* An expression up to what cannot continue it; -1 if it is none. */
-static int read_expression(struct reader *r)
+static int read_expression(struct statement_reader *r)
 {
     r->values = r->waits = 0;
     for (;;) {
@@ -347,7 +347,7 @@ void program_add_statement(struct program *p, const char *name, int op, size_t f
 }
 
 /* "*out_NAME" (of a segment "*NAME", of a face "NAME[0]"): the genome's outputs, in its order. */
-static bool is_next_output(const struct reader *r, const char *word)
+static bool is_next_output(const struct statement_reader *r, const char *word)
 {
     const size_t k = r->program->outputs;
     const char *name = r->file->segment ? word : strncmp(word, "out_", 4) == 0 ? word + 4 : "";
@@ -364,7 +364,7 @@ bool program_hides_constants(const struct genome_file *f)
     return f->segment && !f->face;
 }
 
-static bool read_statement(struct reader *r)
+static bool read_statement(struct statement_reader *r)
 {
     struct program *p = r->program;
     char word[MOST_WORD + 1];
@@ -401,7 +401,7 @@ struct program *program_read(const struct genome_file *f, const struct genome *g
                              struct diag *d)
 {
     struct program *p = program_new(f, genome->outs);
-    struct reader r = {.file = f, .genome = genome, .program = p, .at = statements};
+    struct statement_reader r = {.file = f, .genome = genome, .program = p, .at = statements};
     bool good = true;
     const char *start = statements;
     for (skip_blanks(&r); good && *r.at; skip_blanks(&r)) {

@@ -11,18 +11,18 @@ enum { WORD = 80 };
 
 /* ---- from a genome ---- */
 
-struct reader {
+struct symbol_reader {
     struct lines *to; /* not owned, as are these */
     const struct genome_file *file;
     const struct gene_set *genes;
     int *line; /* owned: by symbol of the file; -1: not read yet, -2: it is no value of the program */
 };
 
-static int read_symbol(struct reader *r, size_t symbol);
+static int read_symbol(struct symbol_reader *r, size_t symbol);
 
 /* The expression that begins at *gene, which moves behind it; -2 where it needs an input that is none of the program's
  * values.  Operands come in their order, as programs have them. */
-static int read_genes(struct reader *r, const int **gene)
+static int read_genes(struct symbol_reader *r, const int **gene)
 {
     const int own = *(*gene)++, arity = gene_arity(own);
     if (arity == 0)
@@ -33,7 +33,7 @@ static int read_genes(struct reader *r, const int **gene)
     return a < 0 || b < -1 ? -2 : lines_operation(r->to, own, a, b);
 }
 
-static int read_expression(struct reader *r, const struct genome_expr *e)
+static int read_expression(struct symbol_reader *r, const struct genome_expr *e)
 {
     const int *gene = e->gene;
     return read_genes(r, &gene);
@@ -47,7 +47,7 @@ static bool is_terminal(const struct gene_set *s, int gene)
     return false;
 }
 
-static int read_symbol(struct reader *r, size_t symbol)
+static int read_symbol(struct symbol_reader *r, size_t symbol)
 {
     int *line = &r->line[symbol];
     if (*line != -1)
@@ -86,7 +86,7 @@ bool lines_read(struct lines *c, const struct genome_file *f, const struct genom
                 const struct gene_set *genes, bool called, size_t max, struct genes *t)
 {
     const size_t symbols = f->inputs + f->lets;
-    struct reader r = {c, f, genes, no_lines(symbols)};
+    struct symbol_reader r = {c, f, genes, no_lines(symbols)};
     lines_begin(c);
     size_t argument[2];
     bool good = !called || find_arguments(f, out, argument);
@@ -108,7 +108,7 @@ bool lines_respell(struct lines *c, const struct genes *t, const struct gene_set
     struct line *from = new_array(n, sizeof *from);
     memcpy(from, c->line, n * sizeof *from);
     int *map = new_array(n, sizeof *map);
-    struct reader r = {c, f, genes, no_lines(symbols)};
+    struct symbol_reader r = {c, f, genes, no_lines(symbols)};
     lines_begin(c);
     bool good = true;
     for (size_t i = 0; i < n && good; i++) {

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct reader {
+struct inp_reader {
     struct inp_model *m;
     size_t set;                  /* that receives nodes or elements, if any */
     bool in_set, run, generate;  /* run: its last item may grow */
@@ -27,12 +27,12 @@ struct reader {
 
 static const char *const what_name[] = {"node", "element"};
 
-static bool read_number(struct reader *r, struct inp_text t, int *number)
+static bool read_number(struct inp_reader *r, struct inp_text t, int *number)
 {
     return inp_number(t, number) || FAIL(r, "'%s' is not a whole number from 1 to 2147483647", inp_show(t).s);
 }
 
-static bool read_name(struct reader *r, struct inp_text t, int *name)
+static bool read_name(struct inp_reader *r, struct inp_text t, int *name)
 {
     *name = inp_names_index(&r->m->names, t);
     return r->m->names.name[*name].text[0] ? true : FAIL(r, "name expected");
@@ -44,7 +44,7 @@ static void add_item(struct inp_items *items, struct inp_item item)
 }
 
 /* Member of a set or surface: a number, or the name of a set. */
-static bool read_member(struct reader *r, struct inp_text t, struct inp_item *item)
+static bool read_member(struct inp_reader *r, struct inp_text t, struct inp_item *item)
 {
     *item = (struct inp_item){.name = -1, .step = 1, .face = INP_FACE_NONE, .at = r->m->lines.place};
     if (inp_number(t, &item->first)) {
@@ -58,13 +58,13 @@ static bool read_member(struct reader *r, struct inp_text t, struct inp_item *it
 }
 
 /* What stands for something that is not supported: an error where contact needs it. */
-static struct inp_item refused_item(const struct reader *r, const char *why)
+static struct inp_item refused_item(const struct inp_reader *r, const char *why)
 {
     return (struct inp_item){.name = -1, .refused = why, .face = INP_FACE_NONE, .at = r->m->lines.place};
 }
 
 /* From here on `r` collects nodes or elements in the set of this name. */
-static bool open_set(struct reader *r, enum inp_what what, struct inp_text t)
+static bool open_set(struct inp_reader *r, enum inp_what what, struct inp_text t)
 {
     struct inp_model *m = r->m;
     int name;
@@ -82,7 +82,7 @@ static bool open_set(struct reader *r, enum inp_what what, struct inp_text t)
 }
 
 /* A node or element just defined joins the open set; numbers in a row share an item. */
-static void join_set(struct reader *r, int number)
+static void join_set(struct inp_reader *r, int number)
 {
     if (!r->in_set)
         return;
@@ -96,13 +96,13 @@ static void join_set(struct reader *r, int number)
 }
 
 /* Data lines may lie in a file of their own. */
-static bool follow_input(struct reader *r)
+static bool follow_input(struct inp_reader *r)
 {
     struct inp_text file;
     return inp_parameter(&r->m->lines, "INPUT", &file) ? inp_include(&r->m->lines, file) : true;
 }
 
-static bool begin_node(struct reader *r)
+static bool begin_node(struct inp_reader *r)
 {
     struct inp_text t;
     if (inp_parameter(&r->m->lines, "SYSTEM", &t) && !inp_equals(t, "R"))
@@ -112,7 +112,7 @@ static bool begin_node(struct reader *r)
     return follow_input(r);
 }
 
-static bool read_node(struct reader *r)
+static bool read_node(struct inp_reader *r)
 {
     struct inp_model *m = r->m;
     struct inp_text t;
@@ -146,7 +146,7 @@ static const struct inp_type *other_type(struct inp_model *m, struct inp_text na
     return APPEND(m->other, m->others, m->other_room) = type;
 }
 
-static bool begin_element(struct reader *r)
+static bool begin_element(struct inp_reader *r)
 {
     struct inp_text t;
     if (!inp_parameter(&r->m->lines, "TYPE", &t) || t.n == 0)
@@ -167,7 +167,7 @@ static void add_connection(struct inp_model *m, struct inp_element *e, int node)
 
 /* Whatever is a node number on a line of an element whose type is not known: nobody says how many there are.  A comma
  * at the end leaves the element open for the next line. */
-static void read_some_nodes(struct reader *r, struct inp_element *e)
+static void read_some_nodes(struct inp_reader *r, struct inp_element *e)
 {
     struct inp_text t;
     int node;
@@ -178,7 +178,7 @@ static void read_some_nodes(struct reader *r, struct inp_element *e)
 }
 
 /* Nodes of one element; a line that ends with a comma goes on in the next one until all nodes are there. */
-static bool read_all_nodes(struct reader *r, struct inp_element *e, struct inp_place at, int number)
+static bool read_all_nodes(struct inp_reader *r, struct inp_element *e, struct inp_place at, int number)
 {
     struct inp_model *m = r->m;
     struct inp_text t;
@@ -204,7 +204,7 @@ static bool read_all_nodes(struct reader *r, struct inp_element *e, struct inp_p
     return true;
 }
 
-static bool read_element(struct reader *r)
+static bool read_element(struct inp_reader *r)
 {
     struct inp_model *m = r->m;
     const struct inp_place at = m->lines.place;
@@ -228,7 +228,7 @@ static bool read_element(struct reader *r)
     return true;
 }
 
-static bool begin_set(struct reader *r, enum inp_what what)
+static bool begin_set(struct inp_reader *r, enum inp_what what)
 {
     struct inp_text t;
     const bool nodes = what == INP_NODE;
@@ -244,17 +244,17 @@ static bool begin_set(struct reader *r, enum inp_what what)
     return follow_input(r);
 }
 
-static bool begin_nset(struct reader *r)
+static bool begin_nset(struct inp_reader *r)
 {
     return begin_set(r, INP_NODE);
 }
 
-static bool begin_elset(struct reader *r)
+static bool begin_elset(struct inp_reader *r)
 {
     return begin_set(r, INP_ELEMENT);
 }
 
-static bool read_range(struct reader *r)
+static bool read_range(struct inp_reader *r)
 {
     struct inp_text t;
     struct inp_item item = {-1, NULL, 0, 0, 1, INP_FACE_NONE, r->m->lines.place};
@@ -274,7 +274,7 @@ static bool read_range(struct reader *r)
     return true;
 }
 
-static bool read_set(struct reader *r)
+static bool read_set(struct inp_reader *r)
 {
     struct inp_text t;
     struct inp_item item;
@@ -291,7 +291,7 @@ static bool read_set(struct reader *r)
 }
 
 /* Faces and nodes may share a surface's name; a second *SURFACE extends the first, as in CalculiX. */
-static bool begin_surface(struct reader *r)
+static bool begin_surface(struct inp_reader *r)
 {
     struct inp_model *m = r->m;
     struct inp_text t = {"ELEMENT", 7};
@@ -319,7 +319,7 @@ static bool begin_surface(struct reader *r)
 }
 
 /* Node or node set (what follows is a node's area), or element or element set and face label. */
-static bool read_surface(struct reader *r)
+static bool read_surface(struct inp_reader *r)
 {
     struct inp_text t;
     struct inp_item item;
@@ -333,14 +333,14 @@ static bool read_surface(struct reader *r)
     return true;
 }
 
-static bool begin_pair(struct reader *r)
+static bool begin_pair(struct inp_reader *r)
 {
     r->needs_pair = true;
     return true;
 }
 
 /* Two surfaces, or one in contact with itself. */
-static bool read_pair(struct reader *r)
+static bool read_pair(struct inp_reader *r)
 {
     struct inp_model *m = r->m;
     struct inp_text slave, master;
@@ -358,8 +358,8 @@ static bool read_pair(struct reader *r)
 
 static const struct handler {
     const char *keyword;
-    bool (*begin)(struct reader *r);
-    bool (*data)(struct reader *r);
+    bool (*begin)(struct inp_reader *r);
+    bool (*data)(struct inp_reader *r);
 } handlers[] = {
     {"NODE", begin_node, read_node},  {"ELEMENT", begin_element, read_element}, {"NSET", begin_nset, read_set},
     {"ELSET", begin_elset, read_set}, {"SURFACE", begin_surface, read_surface}, {"CONTACTPAIR", begin_pair, read_pair},
@@ -375,7 +375,7 @@ static const char *const refused[][2] = {
 };
 
 /* *handler is NULL where the keyword's data are to be skipped. */
-static bool begin_keyword(struct reader *r, const struct handler **handler)
+static bool begin_keyword(struct inp_reader *r, const struct handler **handler)
 {
     const struct inp_text keyword = {r->m->lines.keyword, strlen(r->m->lines.keyword)};
     if (r->needs_pair)
@@ -396,7 +396,7 @@ static bool begin_keyword(struct reader *r, const struct handler **handler)
     return true;
 }
 
-static bool read_lines(struct reader *r)
+static bool read_lines(struct inp_reader *r)
 {
     struct inp_lines *l = &r->m->lines;
     const struct handler *handler = NULL;
@@ -451,7 +451,7 @@ static bool link_elements(struct inp_model *m)
 struct inp_model *inp_read(const char *path, struct diag *d)
 {
     struct inp_model *m = new_array(1, sizeof *m);
-    struct reader r = {.m = m};
+    struct inp_reader r = {.m = m};
     if (inp_open(&m->lines, path, d) && read_lines(&r) && link_elements(m))
         return m;
     inp_free(m);

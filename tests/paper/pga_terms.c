@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct reader {
+struct term_reader {
     const char *path;
     int line;
     const struct genome_file *program;
@@ -27,7 +27,7 @@ static bool has_factors(const struct monomial *m, const int *symbol, size_t n)
 }
 
 /* One product, "xc xc yd" or "1". */
-static bool read_term(const struct reader *r, char *text, gene_bit *chosen)
+static bool read_term(const struct term_reader *r, char *text, gene_bit *chosen)
 {
     int symbol[MONOMIAL_DEGREE];
     size_t n = 0, factors = 0;
@@ -52,7 +52,7 @@ static bool read_term(const struct reader *r, char *text, gene_bit *chosen)
     return diag_at(r->d, r->path, r->line, 0, "a term is no monomial of the tier's terminals and this order");
 }
 
-static bool read_line(const struct reader *r, char *list, gene_bit *chosen)
+static bool read_line(const struct term_reader *r, char *list, gene_bit *chosen)
 {
     char *rest;
     bool good = true;
@@ -64,7 +64,7 @@ static bool read_line(const struct reader *r, char *list, gene_bit *chosen)
 bool pga_terms_read(const char *path, const char *output, const struct genome_file *program,
                     const struct polynomials *p, gene_bit *chosen, struct diag *d)
 {
-    struct reader r = {path, 0, program, p, d};
+    struct term_reader r = {path, 0, program, p, d};
     size_t size;
     char *text = read_text(path, &size, d), *rest;
     bool good = text != NULL, found = false;
