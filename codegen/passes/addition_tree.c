@@ -117,8 +117,10 @@ static void write_rows(struct sums *s, const struct tree *t, const struct vector
 
 static struct pair pair_of(const struct row *r, int a, int b)
 {
-    const long common = (long)n_gcd((ulong)labs(r->of[a]), (ulong)labs(r->of[b])), d = r->of[a] < 0 ? -common : common;
-    return (struct pair){a, b, 1, r->of[a] / d, r->of[b] / d};
+    const long size = labs(r->of[a]), other = labs(r->of[b]);
+    const long common = size == 1 || size == other ? size : (long)n_gcd((ulong)size, (ulong)other);
+    const long d = r->of[a] < 0 ? -common : common;
+    return (struct pair){a, b, 0, r->of[a] / d, r->of[b] / d};
 }
 
 static bool same(const struct pair *x, const struct pair *y)
@@ -131,29 +133,56 @@ static bool plain(const struct pair *x)
     return x->p == labs(x->q);
 }
 
+/* A hash table of pairs; `taken` has a bit for each place. */
+struct pairs {
+    struct pair pair[PAIRS];
+    uint64_t taken[PAIRS / 64];
+};
+
+static bool is_taken(const struct pairs *t, size_t k)
+{
+    return t->taken[k / 64] >> k % 64 & 1;
+}
+
+static void count_pair(struct pairs *t, const struct pair *x)
+{
+    size_t k = random_of((uint64_t)(x->a * 64 + x->b) << 32 ^ (uint64_t)(x->p * 4096 + x->q)) & (PAIRS - 1);
+    while (is_taken(t, k) && !same(&t->pair[k], x))
+        k = (k + 1) & (PAIRS - 1);
+    if (!is_taken(t, k))
+        t->pair[k] = *x;
+    t->pair[k].count++;
+    t->taken[k / 64] |= (uint64_t)1 << k % 64;
+}
+
+static void count_pairs(const struct sums *s, struct pairs *t)
+{
+    for (int i = 0; i < s->rows; i++) {
+        int value[ADDITIONS_VALUES], n = 0; /* the row's */
+        for (int a = 0; a < s->made->values; a++)
+            if (s->row[i].of[a] != 0)
+                value[n++] = a;
+        for (int a = 0; a < n; a++)
+            for (int b = a + 1; b < n; b++) {
+                const struct pair x = pair_of(&s->row[i], value[a], value[b]);
+                count_pair(t, &x);
+            }
+    }
+}
+
 /* The pair that saves most, then one without a multiplication; of equals any.  False if every row has one term. */
 static bool choose(struct sums *s, struct pair *best)
 {
-    struct pair table[PAIRS];
+    struct pairs t;
     int equal = 0;
-    memset(table, 0, sizeof table);
+    memset(t.taken, 0, sizeof t.taken);
+    count_pairs(s, &t);
     *best = (struct pair){.count = 0};
-    for (int i = 0; i < s->rows; i++)
-        for (int a = 0; a < s->made->values; a++)
-            for (int b = a + 1; s->row[i].of[a] != 0 && b < s->made->values; b++) {
-                if (s->row[i].of[b] == 0)
-                    continue;
-                const struct pair x = pair_of(&s->row[i], a, b);
-                size_t k = random_of((uint64_t)(a * 64 + b) << 32 ^ (uint64_t)(x.p * 4096 + x.q)) & (PAIRS - 1);
-                while (table[k].count > 0 && !same(&table[k], &x))
-                    k = (k + 1) & (PAIRS - 1);
-                const int count = table[k].count + 1;
-                table[k] = x;
-                table[k].count = count;
-            }
-    for (int k = 0; k < PAIRS; k++) {
-        const struct pair *x = &table[k];
-        if (x->count == 0)
+    for (size_t k = 0; k < PAIRS; k++) {
+        const struct pair *x = &t.pair[k];
+        if (t.taken[k / 64] >> k % 64 == 0)
+            k |= 63;
+        if (!is_taken(&t, k))
             continue;
         const int gain = 2 * (x->count - best->count) + plain(x) - (best->count > 0 && plain(best));
         equal = gain > 0 ? 1 : equal + (gain == 0);
@@ -225,7 +254,7 @@ static void change(struct tree *t, int points, uint64_t *random)
     t->to[edge] = to;
 }
 
-bool additions_along_tree(int points, const struct vector *wanted, int n, uint64_t seed, struct additions *found)
+static bool find_additions(int points, const struct vector *wanted, int n, uint64_t seed, struct additions *found)
 {
     uint64_t random = random_of(seed);
     struct tree best = {.from = {0}};
@@ -244,5 +273,28 @@ bool additions_along_tree(int points, const struct vector *wanted, int n, uint64
         best = t;
         *found = made;
     }
+    return found->values > 0;
+}
+
+/* The functions of a file want the same vectors. */
+bool additions_along_tree(int points, const struct vector *wanted, int n, uint64_t seed, struct additions *found)
+{
+    enum { REMEMBERED = 64 };
+    static struct {
+        int points, n;
+        uint64_t seed;
+        struct vector wanted[ADDITIONS_VECTORS];
+        struct additions found;
+    } memo[REMEMBERED], *m;
+    m = &memo[seed % REMEMBERED];
+    if (m->points != points || m->n != n || m->seed != seed ||
+        memcmp(m->wanted, wanted, (size_t)n * sizeof *wanted) != 0) {
+        m->points = points;
+        m->n = n;
+        m->seed = seed;
+        memcpy(m->wanted, wanted, (size_t)n * sizeof *wanted);
+        find_additions(points, wanted, n, seed, &m->found);
+    }
+    *found = m->found;
     return found->values > 0;
 }
