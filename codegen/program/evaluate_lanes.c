@@ -110,14 +110,13 @@ struct lanes *lanes_new(const struct lanes_plan *plan, struct lanes **low)
 /* ---- double ---- */
 
 /* a b + sign c */
-static void fused(size_t n, const double *a, const double *b, double sign_product, const double *c, double sign,
-                  double *x)
+static void fused(const double *a, const double *b, double sign_product, const double *c, double sign, double *x)
 {
-    for (size_t l = 0; l < n; l++)
+    for (size_t l = 0; l < LANES; l++)
         x[l] = fma(sign_product * a[l], b[l], sign * c[l]);
 }
 
-static void sum(const struct lanes_plan *plan, const struct op *op, size_t n, uint64_t *contract, const struct lanes *v,
+static void sum(const struct lanes_plan *plan, const struct op *op, uint64_t *contract, const struct lanes *v,
                 double *restrict x)
 {
     const struct op *left = &plan->program->op[op->a], *right = &plan->program->op[op->b];
@@ -126,11 +125,11 @@ static void sum(const struct lanes_plan *plan, const struct op *op, size_t n, ui
     const double sign = op->kind == OP_ADD ? 1 : -1;
     const uint64_t choice = contract ? random_next(contract) % 3 : 0;
     if (choice == 1 && left->kind == OP_MUL)
-        fused(n, v[slot[left->a]].at, v[slot[left->b]].at, 1, b, sign, x);
+        fused(v[slot[left->a]].at, v[slot[left->b]].at, 1, b, sign, x);
     else if (choice == 2 && right->kind == OP_MUL)
-        fused(n, v[slot[right->a]].at, v[slot[right->b]].at, sign, a, 1, x);
+        fused(v[slot[right->a]].at, v[slot[right->b]].at, sign, a, 1, x);
     else
-        for (size_t l = 0; l < n; l++)
+        for (size_t l = 0; l < LANES; l++)
             x[l] = a[l] + sign * b[l];
 }
 
@@ -140,8 +139,7 @@ static int place_of(const struct lanes_plan *plan, int op)
     return op >= 0 ? plan->slot[op] : 0;
 }
 
-void lanes_double(const struct lanes_plan *plan, size_t n, const struct lanes *input, uint64_t *contract,
-                  struct lanes *value)
+void lanes_double(const struct lanes_plan *plan, const struct lanes *input, uint64_t *contract, struct lanes *value)
 {
     for (size_t i = 0; i < plan->ops; i++) {
         const struct op *op = &plan->program->op[i];
@@ -151,27 +149,27 @@ void lanes_double(const struct lanes_plan *plan, size_t n, const struct lanes *i
         case OP_CONSTANT:
             break;
         case OP_INPUT:
-            for (size_t l = 0; l < n; l++)
+            for (size_t l = 0; l < LANES; l++)
                 x[l] = input[op->input].at[l];
             break;
         case OP_NEG:
-            for (size_t l = 0; l < n; l++)
+            for (size_t l = 0; l < LANES; l++)
                 x[l] = -a[l];
             break;
         case OP_ADD:
         case OP_SUB:
-            sum(plan, op, n, contract, value, x);
+            sum(plan, op, contract, value, x);
             break;
         case OP_MUL:
-            for (size_t l = 0; l < n; l++)
+            for (size_t l = 0; l < LANES; l++)
                 x[l] = a[l] * b[l];
             break;
         case OP_DIV:
-            for (size_t l = 0; l < n; l++)
+            for (size_t l = 0; l < LANES; l++)
                 x[l] = a[l] / b[l];
             break;
         default:
-            for (size_t l = 0; l < n; l++)
+            for (size_t l = 0; l < LANES; l++)
                 x[l] = point_operation(op->kind, a[l], b[l]);
         }
     }
@@ -247,11 +245,10 @@ static struct pair pair_other(enum op_kind kind, struct pair a, struct pair b)
     }
 }
 
-void lanes_pairs(const struct lanes_plan *plan, size_t n, const struct lanes *input, struct lanes *high,
-                 struct lanes *low)
+void lanes_pairs(const struct lanes_plan *plan, const struct lanes *input, struct lanes *high, struct lanes *low)
 {
 #define EACH(value)                                                                                                    \
-    for (size_t l = 0; l < n; l++) {                                                                                   \
+    for (size_t l = 0; l < LANES; l++) {                                                                               \
         const struct pair z = value;                                                                                   \
         x[l] = z.x;                                                                                                    \
         y[l] = z.y;                                                                                                    \

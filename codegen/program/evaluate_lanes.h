@@ -30,16 +30,14 @@ void lanes_plan_free(struct lanes_plan *plan);
  *  lower ones of which go to *low.  Caller frees. */
 struct lanes *lanes_new(const struct lanes_plan *plan, struct lanes **low);
 
-/** Computes the operations at n <= LANES points in double, beside constants, which are there already.
+/** Computes the operations at all points in double, beside constants, which are there already.
  *  @param[in] input     indexed by input
  *  @param[in] contract  NULL, or a stream of random numbers that decides for each sum of products whether it is one fma()
  *  @param[in,out] value indexed by place */
-void lanes_double(const struct lanes_plan *plan, size_t n, const struct lanes *input, uint64_t *contract,
-                  struct lanes *value);
+void lanes_double(const struct lanes_plan *plan, const struct lanes *input, uint64_t *contract, struct lanes *value);
 
-/** Computes the operations at n points in pairs.  Where a value is no number, or too large for the way it is computed, a
+/** Computes the operations at all points in pairs.  Where a value is no number, or too large for the way it is computed, a
  *  pair is no number. */
-void lanes_pairs(const struct lanes_plan *plan, size_t n, const struct lanes *input, struct lanes *high,
-                 struct lanes *low);
+void lanes_pairs(const struct lanes_plan *plan, const struct lanes *input, struct lanes *high, struct lanes *low);
 
 #endif

@@ -65,7 +65,7 @@ static unsigned find_inside(struct sampler *s)
             s->own[i].at[l] = x->variable[i] < x->variables            ? s->point[l][x->variable[i]]
                               : interval_finite(s->region->doubles[i]) ? s->region->doubles[i].lo
                                                                        : 0;
-    lanes_double(&s->shape, LANES, s->own, NULL, s->required);
+    lanes_double(&s->shape, s->own, NULL, s->required);
     for (size_t i = 0; i < x->program->outputs; i++) {
         const double *require = s->required[s->shape.slot[x->program->output[i]]].at;
         for (unsigned l = 0; l < LANES; l++)
@@ -136,12 +136,12 @@ static void compute_floats(struct subject *s, const struct lanes *input, size_t 
 static void compute(struct subject *s, const struct lanes *input, size_t n, uint64_t *random)
 {
     const struct program *p = s->program;
-    lanes_pairs(&s->plan, n, input, s->high, s->low);
+    lanes_pairs(&s->plan, input, s->high, s->low);
     for (int contract = 1; contract >= 0; contract--) {
         if (s->single)
             compute_floats(s, input, n);
         else
-            lanes_double(&s->plan, n, input, contract ? random : NULL, s->value);
+            lanes_double(&s->plan, input, contract ? random : NULL, s->value);
         for (size_t i = 0; i < p->outputs; i++)
             s->computed[contract][i] = s->value[s->plan.slot[p->output[i]]];
     }
