@@ -64,6 +64,7 @@ struct form_search {
     double least;
     double guide;                     /* least cost of the programs that steer the search */
     struct removed removing, removed; /* singularities: by the passes under way, by the winner's */
+    struct scales_memo *memo;         /* owned */
     uint64_t random;
     int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
     double work, limit;
@@ -78,6 +79,7 @@ struct form_search *search_new(const struct genome_file *f, const struct compile
     struct form_search *s = new_array(1, sizeof *s);
     s->file = f;
     s->options = o;
+    s->memo = scales_memo_new();
     s->random = o->seed;
     s->limit = (double)o->effort * UNIT;
     s->guide = HUGE_VAL;
@@ -93,6 +95,7 @@ void search_free(struct form_search *s)
     for (size_t i = 0; i <= BEAM; i++)
         policy_clear(&s->beam[i].policy);
     policy_clear(&s->winner.policy);
+    scales_memo_free(s->memo);
     free(s->shape);
     free(s);
 }
@@ -211,7 +214,7 @@ static void lower_multiples(struct form_search *s, const struct schedule *schedu
     size_t saved;
     struct dag *g = multiples_taken(schedule, &saved);
     if (g && cost - (double)saved * s->options->cost.mul < s->least - 1e-9) {
-        struct schedule *again = scaled_schedule(g, &s->options->cost, SCALES_SINGLE);
+        struct schedule *again = scaled_schedule(g, &s->options->cost, SCALES_SINGLE, s->memo);
         lower_schedule(s, again, from, false);
         schedule_free(again);
     }
@@ -222,7 +225,7 @@ static void lower_multiples(struct form_search *s, const struct schedule *schedu
 static double lower_graph(struct form_search *s, const struct dag *g, const struct candidate *from,
                           enum scale_search scales)
 {
-    struct schedule *schedule = scaled_schedule(g, &s->options->cost, scales);
+    struct schedule *schedule = scaled_schedule(g, &s->options->cost, scales, s->memo);
     const bool steers = scales != SCALES_GROUPS;
     const double cost = lower_schedule(s, schedule, from, steers);
     if (steers) {

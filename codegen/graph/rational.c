@@ -15,6 +15,7 @@ struct known {
     mp_limb_t residue[PRIMES];
     rational inverse, negative; /* -1: not known yet */
     int sign;
+    double bits; /* of numerator or denominator, of the longer one */
 };
 
 struct result { /* a + b or a * b */
@@ -28,7 +29,7 @@ static size_t n_known, known_room;
 static struct index_table numbers; /* by their residues */
 static struct result *memo;        /* by hash of operation and operands; a new one replaces an old one */
 static bool overflow;
-enum { MEMO = 1 << 20, MOST_BITS = 1 << 16 };
+enum { MEMO = 1 << 16, MOST_BITS = 1 << 16 };
 
 /* At the end of the program: the tables, and what FLINT keeps for more numbers. */
 static void forget(void)
@@ -65,6 +66,7 @@ static rational intern(const fmpq *q, const mp_limb_t residue[PRIMES])
     fmpq_set(x->value, q);
     x->inverse = x->negative = -1;
     x->sign = fmpq_sgn(q);
+    x->bits = (double)fmpq_height_bits(q);
     for (int k = 0; k < PRIMES; k++)
         x->residue[k] = residue[k];
     index_add(&numbers, hash, (int)n_known);
@@ -141,7 +143,7 @@ static rational combine(rational a, rational b, bool sum)
     struct result *m = &memo[random_mix((uint64_t)a << 33 ^ (uint64_t)b << 1 ^ sum) & (MEMO - 1)];
     if (m->valid && m->a == a && m->b == b && m->sum == sum)
         return m->r;
-    if (!fits(bits_of(known[a].value) + bits_of(known[b].value)))
+    if (!fits(known[a].bits + known[b].bits))
         return ONE;
     fmpq_t q;
     fmpq_init(q);
@@ -203,7 +205,7 @@ rational rational_pow(rational a, int n)
 {
     if (a == ONE || n == 1)
         return a;
-    if (!fits(bits_of(known[a].value) * abs(n)))
+    if (!fits(known[a].bits * abs(n)))
         return ONE;
     fmpq_t q;
     fmpq_init(q);
@@ -211,6 +213,11 @@ rational rational_pow(rational a, int n)
     const rational r = rational_intern(q);
     fmpq_clear(q);
     return r;
+}
+
+double rational_bits(rational a)
+{
+    return known[a].bits;
 }
 
 int rational_sign(rational a)

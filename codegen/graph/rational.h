@@ -27,6 +27,8 @@ rational rational_inv(rational a); /* of 0: an overflow */
 rational rational_abs(rational a);
 rational rational_pow(rational a, int n);
 int rational_sign(rational a);
+/** Bits of the numerator or of the denominator, of the longer one. */
+double rational_bits(rational a);
 /** *q *= by */
 void rational_scale(fmpq *q, const fmpq *by);
 /** Whether, since the last call, there was a result of tens of thousands of bits: it was not made, and 1 took its

@@ -80,7 +80,7 @@ static double sort_node(struct dag *g, int n, const double *ready, const struct 
 
 void balance_order(struct dag *g)
 {
-    struct schedule *s = scaled_schedule(g, &cost_cycles, SCALES_KEPT);
+    struct schedule *s = scaled_schedule(g, &cost_cycles, SCALES_KEPT, NULL);
     double *ready = new_array(g->nodes, sizeof *ready);
     for (size_t i = 0; i < s->n; i++) {
         const int n = s->order[i];

@@ -177,7 +177,7 @@ static void spread_sum(struct dag *g, const struct schedule *s, int sum)
 
 static void spread_sums(struct dag *g, const struct cost_model *m)
 {
-    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT);
+    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT, NULL);
     for (size_t i = 0; i < s->n; i++)
         if (g->node[s->order[i]].kind == NODE_SUM && g->node[s->order[i]].edges <= MOST_OPERANDS)
             spread_sum(g, s, s->order[i]);
@@ -186,7 +186,7 @@ static void spread_sums(struct dag *g, const struct cost_model *m)
 
 static bool distribute_all(struct dag *g, const struct cost_model *m)
 {
-    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT);
+    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT, NULL);
     struct readings r = {0};
     bool *done = new_array(g->nodes, sizeof *done), any = false;
     read_products(&r, s);

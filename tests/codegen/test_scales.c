@@ -49,7 +49,7 @@ static void test_scales(void **state)
         long mul[3];
         char *text[3];
         for (int k = 0; k < 3; k++) {
-            struct schedule *s = scaled_schedule(g, &model, (enum scale_search)k);
+            struct schedule *s = scaled_schedule(g, &model, (enum scale_search)k, NULL);
             struct lowered e;
             lower(f, s, &e);
             mul[k] = e.ops.mul;
@@ -90,7 +90,7 @@ static void test_chains(void **state)
         struct dag *g = row_graph(f);
         struct lowered e;
         balance_order(g);
-        struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT);
+        struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT, NULL);
         lower(f, s, &e);
         char *code = row_code(f, e.program);
         assert_string_equal(code + strspn(code, " "), row[i].expected);
@@ -133,7 +133,7 @@ static void test_distribute(void **state)
 static struct dag *take_multiples(const struct dag *g)
 {
     const struct cost_model model = costs("throughput");
-    struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT);
+    struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT, NULL);
     size_t saved;
     struct dag *made = multiples_taken(s, &saved);
     assert_true(!made || saved > 0);

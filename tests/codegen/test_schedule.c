@@ -24,7 +24,7 @@ static void check_statements(const struct statement_row *row, size_t rows)
     for (size_t i = 0; i < rows; i++) {
         struct genome_file *f = row_file(row[i].genome);
         struct dag *g = row_graph(f);
-        struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT);
+        struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT, NULL);
         struct lowered e;
         lower(f, s, &e);
         char *code = row_code(f, e.program);
@@ -103,7 +103,7 @@ static void test_order(void **state)
         const struct cost_model model = costs(names[i % 3]);
         struct genome_file *f = row_file(genomes[i / 3]);
         struct dag *g = row_graph(f);
-        struct schedule *s = scaled_schedule(g, &model, SCALES_SINGLE);
+        struct schedule *s = scaled_schedule(g, &model, SCALES_SINGLE, NULL);
         int *uses = dag_uses(g);
         bool *done = new_array(g->nodes, sizeof *done);
         size_t used = 0;
@@ -140,7 +140,7 @@ static void test_urgent(void **state)
     for (int i = 0; i < 2; i++) {
         struct genome_file *f = row_file(genome[i]);
         struct dag *g = row_graph(f);
-        struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT);
+        struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT, NULL);
         size_t square = 0, sum = 0;
         for (size_t k = 0; k < s->n; k++) {
             if (g->node[s->order[k]].kind == NODE_PRODUCT)
