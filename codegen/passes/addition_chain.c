@@ -16,7 +16,7 @@ struct plan {
     int missing;
 };
 
-struct search {
+struct chain_search {
     const struct vector *wanted;
     int n;
     struct additions *best; /* without values until there is one */
@@ -59,7 +59,7 @@ bool addition_value(const struct additions *x, struct addition *s, struct vector
     return vector_reduce(v, &s->d);
 }
 
-static void append(const struct search *s, struct plan *p, struct addition a, const struct vector *v)
+static void append(const struct chain_search *s, struct plan *p, struct addition a, const struct vector *v)
 {
     struct additions *x = &p->so_far;
     x->value[x->values] = *v;
@@ -94,7 +94,7 @@ static bool solve(const struct vector *a, const struct vector *b, const struct v
 }
 
 /* The cheapest addition that makes something missing; which, or -1. */
-static int find_last(const struct search *s, const struct plan *p, struct addition *found)
+static int find_last(const struct chain_search *s, const struct plan *p, struct addition *found)
 {
     const struct additions *x = &p->so_far;
     int least = 2, which = -1;
@@ -114,13 +114,13 @@ static int find_last(const struct search *s, const struct plan *p, struct additi
     return which;
 }
 
-static bool is_better(const struct search *s, const struct plan *p)
+static bool is_better(const struct chain_search *s, const struct plan *p)
 {
     return s->best->values == 0 || p->so_far.multiplications < s->best->multiplications;
 }
 
 /* All that is missing, one after the other. */
-static void finish(struct search *s, struct plan p)
+static void finish(struct chain_search *s, struct plan p)
 {
     s->sets++;
     while (p.missing > 0) {
@@ -146,7 +146,8 @@ static size_t add_choices(const struct additions *x, struct addition *choice, si
 }
 
 /* Plans of `left` more values.  A choice that was passed over does not come again. */
-static void try_plans(struct search *s, const struct plan *p, const struct addition *choice, size_t choices, int left)
+static void try_plans(struct chain_search *s, const struct plan *p, const struct addition *choice, size_t choices,
+                      int left)
 {
     struct addition next[MOST_CHOICES];
     if (left == p->missing) {
@@ -172,7 +173,7 @@ bool additions_few(int points, int vectors)
 
 bool additions_find(int points, const struct vector *wanted, int n, int most, struct additions *found)
 {
-    struct search s = {.wanted = wanted, .n = n, .best = found};
+    struct chain_search s = {.wanted = wanted, .n = n, .best = found};
     struct plan start = {.so_far = {.points = points, .values = points}, .missing = n};
     struct addition choice[MOST_CHOICES];
     size_t choices = 0;

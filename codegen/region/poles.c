@@ -18,7 +18,7 @@
 
 enum { KINDS = 5, RANDOM_POINTS = 64, RANDOM_TRIES = 20000, NARROWINGS = 3, BISECTIONS = 60 };
 
-struct search {
+struct pole_search {
     struct region *region;
     struct forms *forms;
     int op;
@@ -33,23 +33,23 @@ struct search {
     double *at, *other;                 /* owned: points */
 };
 
-static size_t sides(const struct search *s)
+static size_t sides(const struct pole_search *s)
 {
     return s->region->known->variables;
 }
 
-static struct interval value(const struct search *s)
+static struct interval value(const struct pole_search *s)
 {
     return s->forms->range[s->op];
 }
 
-static double target(const struct search *s)
+static double target(const struct pole_search *s)
 {
     return s->nearest < INFINITY ? fmax(s->share * s->nearest, DBL_MIN) : DBL_MIN;
 }
 
 /* Evaluates D at a point, which is left in `thin`; false if that is outside the region for certain. */
-static bool evaluate_at(struct search *s, const double *at)
+static bool evaluate_at(struct pole_search *s, const double *at)
 {
     for (size_t k = 0; k < sides(s); k++)
         s->thin[k] = interval_point(at[k]);
@@ -58,7 +58,7 @@ static bool evaluate_at(struct search *s, const double *at)
 
 /* ---- zeros ---- */
 
-static void set_witness(struct search *s, const double *at)
+static void set_witness(struct pole_search *s, const double *at)
 {
     s->pole = (struct pole){.verdict = POLE_EXISTS, .witness = new_array(sides(s), sizeof *s->pole.witness)};
     if (sides(s) > 0)
@@ -75,7 +75,7 @@ static void exact_coordinate(const struct known *known, size_t input, double x, 
         fmpq_set(q, &known->hi[input]);
 }
 
-static bool is_exact_zero(struct search *s, const double *at)
+static bool is_exact_zero(struct pole_search *s, const double *at)
 {
     const struct known *x = s->region->known;
     const size_t ops = (size_t)s->op + 1;
@@ -99,7 +99,7 @@ static bool is_exact_zero(struct search *s, const double *at)
 }
 
 /* Looks at a point: true if it is in the region and D is 0 there. */
-static bool visit(struct search *s, const double *at)
+static bool visit(struct pole_search *s, const double *at)
 {
     if (!evaluate_at(s, at))
         return false;
@@ -116,7 +116,7 @@ static bool visit(struct search *s, const double *at)
 }
 
 /* Between two points of opposite signs. */
-static void bisect(struct search *s, double *low, double *high)
+static void bisect(struct pole_search *s, double *low, double *high)
 {
     double *middle = new_array(sides(s), sizeof *middle);
     for (int i = 0; i < BISECTIONS; i++) {
@@ -131,7 +131,7 @@ static void bisect(struct search *s, double *low, double *high)
 }
 
 /* After an evaluation over `box`: the corner where the linear part of D is least (sign -1) or most (1). */
-static void extreme_corner(const struct search *s, const struct interval *box, int sign, double *corner)
+static void extreme_corner(const struct pole_search *s, const struct interval *box, int sign, double *corner)
 {
     const double *slope = s->forms->slope + (size_t)s->op * sides(s);
     for (size_t k = 0; k < sides(s); k++)
@@ -139,7 +139,7 @@ static void extreme_corner(const struct search *s, const struct interval *box, i
 }
 
 /* After an evaluation over `box`. */
-static bool zero_inside(struct search *s, const struct interval *box)
+static bool zero_inside(struct pole_search *s, const struct interval *box)
 {
     const bool continuous = forms_finite(s->forms) && region_holds(s->region, box);
     extreme_corner(s, box, -1, s->at);
@@ -169,7 +169,7 @@ static double simple_number(struct interval range, size_t which, double common)
 }
 
 /* Points of simple numbers: all of them, or those of one kind and some of mixed kinds. */
-static bool zero_at_simple_point(struct search *s, size_t most)
+static bool zero_at_simple_point(struct pole_search *s, size_t most)
 {
     const struct known *x = s->region->known;
     struct interval all = interval_whole();
@@ -193,7 +193,7 @@ static bool zero_at_simple_point(struct search *s, size_t most)
 }
 
 /* Points of the region at random, for a first target. */
-static bool zero_at_random_point(struct search *s)
+static bool zero_at_random_point(struct pole_search *s)
 {
     uint64_t seed = 1;
     long tries = RANDOM_TRIES;
@@ -207,7 +207,7 @@ static bool zero_at_random_point(struct search *s)
 /* ---- branch and bound ---- */
 
 /* D is beyond the target all over the box, or the box has no point of the region.  Narrows it otherwise. */
-static bool is_done(struct search *s, struct interval *box)
+static bool is_done(struct pole_search *s, struct interval *box)
 {
     for (int i = 0;; i++) {
         if (!forms_evaluate_narrowed(s->forms, box))
@@ -241,7 +241,7 @@ static double key_of(struct interval d)
 }
 
 /* Takes a part of the last box into the queue, unless it is done with; true if it shows a zero. */
-static bool offer(struct search *s, struct interval *box)
+static bool offer(struct pole_search *s, struct interval *box)
 {
     if (is_done(s, box))
         return false;
@@ -250,7 +250,7 @@ static bool offer(struct search *s, struct interval *box)
 }
 
 /* The variable which, made a point, brings D farthest from 0; of equals, that of the widest side. */
-static size_t choose_variable(struct search *s)
+static size_t choose_variable(struct pole_search *s)
 {
     const size_t n = sides(s);
     size_t best = n;
@@ -273,7 +273,7 @@ static size_t choose_variable(struct search *s)
 }
 
 /* The verdict, POLE_UNDECIDED when the boxes are used up. */
-static enum pole_verdict explore(struct search *s, long boxes)
+static enum pole_verdict explore(struct pole_search *s, long boxes)
 {
     s->below = s->above = false;
     s->least = DBL_MAX;
@@ -299,7 +299,7 @@ static enum pole_verdict explore(struct search *s, long boxes)
 }
 
 /* First the verdict, then better bounds, as far as they do not take much more work. */
-static void find(struct search *s, long boxes)
+static void find(struct pole_search *s, long boxes)
 {
     static const double share[] = {0x1p-20, 0.5, 0.95};
     if (zero_at_simple_point(s, (size_t)boxes / 4) || zero_at_random_point(s))
@@ -317,7 +317,7 @@ static void find(struct search *s, long boxes)
 
 struct pole pole_find(struct region *r, int op, long boxes)
 {
-    struct search s = {.region = r, .op = op, .nearest = INFINITY, .boxes.variables = r->known->variables};
+    struct pole_search s = {.region = r, .op = op, .nearest = INFINITY, .boxes.variables = r->known->variables};
     s.pole = (struct pole){.verdict = POLE_UNDECIDED, .values = interval_whole()};
     s.forms = forms_new(r->known, &op, 1);
     s.box = new_array(r->known->variables, sizeof *s.box);

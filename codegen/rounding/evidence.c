@@ -23,7 +23,7 @@ enum { MOST_NAME = 60, POINTS = 8, POINT_BITS = 6, BOXES_FOR_EMPTY = 200 };
 
 /* ---- finding out ---- */
 
-struct search {
+struct evidence_search {
     struct region *region;
     long boxes;  /* for each search */
     double work; /* left */
@@ -31,7 +31,7 @@ struct search {
 
 /* Boxes that the work left allows for one of `searches` more searches; where a range is missing few, which tell whether D is 0
  * anywhere at all. */
-static long boxes_for(struct search *s, size_t searches)
+static long boxes_for(struct evidence_search *s, size_t searches)
 {
     const double variables = (double)s->region->known->variables, ops = (double)s->region->known->program->ops;
     const double cost = ops * (variables + 4) * (variables + 8), most = s->work / (double)searches / cost;
@@ -42,7 +42,7 @@ static long boxes_for(struct search *s, size_t searches)
 }
 
 /* Bounds the error of an operation by a part of the work left. */
-static double find_error(struct search *s, int op, struct bound_goal goal, size_t searches)
+static double find_error(struct evidence_search *s, int op, struct bound_goal goal, size_t searches)
 {
     const double part = s->work / (double)searches;
     double left = part;
@@ -52,7 +52,7 @@ static double find_error(struct search *s, int op, struct bound_goal goal, size_
 }
 
 /* Where an operation is 0.  Of a product that is too much at once, where a factor is. */
-static struct pole find_zero(struct search *s, int op, long boxes)
+static struct pole find_zero(struct evidence_search *s, int op, long boxes)
 {
     struct region *r = s->region;
     const struct op *x = &r->known->program->op[op];
@@ -83,7 +83,7 @@ static void enclose_computed(struct region *r, struct denominator *d)
     free(box);
 }
 
-static void find_pole(struct search *s, struct denominator *d, size_t searches)
+static void find_pole(struct evidence_search *s, struct denominator *d, size_t searches)
 {
     struct region *r = s->region;
     const int op = region_op(r, d->op);
@@ -108,13 +108,13 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
 
 /* Below this a bound of a denominator's error tells it from 0: a bound with fewer than half the digits right, of the largest
  * values, does not. */
-static double most_threshold(const struct search *s, const struct denominator *d)
+static double most_threshold(const struct evidence_search *s, const struct denominator *d)
 {
     return sqrt(s->region->known->arithmetic.unit) * d->most;
 }
 
 /* The errors of divisors, by a part of the work. */
-static void bound_denominators(struct search *s, struct evidence *e)
+static void bound_denominators(struct evidence_search *s, struct evidence *e)
 {
     for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
         struct denominator *d = &e->denominator[i];
@@ -124,7 +124,7 @@ static void bound_denominators(struct search *s, struct evidence *e)
 }
 
 /* The errors of outputs, by the rest of the work, as far as bounds may be near the worst samples. */
-static void bound_outputs(struct search *s, struct evidence *e, const struct program *p)
+static void bound_outputs(struct evidence_search *s, struct evidence *e, const struct program *p)
 {
     for (size_t i = 0; i < p->outputs && s->work > 0; i++) {
         const double useful = e->error[i].sampled >= 0 ? USEFUL * e->error[i].sampled : INFINITY;
@@ -178,7 +178,7 @@ static bool can_bound(const struct known *x)
     return x->complete && origin;
 }
 
-static void choose_thresholds(const struct search *s, struct evidence *e)
+static void choose_thresholds(const struct evidence_search *s, struct evidence *e)
 {
     for (size_t i = 0; i < e->denominators; i++) {
         struct denominator *d = &e->denominator[i];
@@ -202,7 +202,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     struct region *r = region_new(f, p, true);
     if (options->arithmetic)
         r->known->arithmetic = *options->arithmetic;
-    struct search s = {
+    struct evidence_search s = {
         .region = r, .boxes = options->boxes, .work = MOST_WORK * fmin(1, (double)options->boxes / BOXES_FOR_MOST)};
     find_denominators(e, f, genome, p);
     e->region = r->known->complete;

@@ -12,7 +12,7 @@ enum { MIDDLES = 8, TRIED = 5, FIRST_JUDGED = 32 };
 #define CLOSE 1.02     /* a bound so near to the errors at points is good enough */
 #define LEAST_PACE 0.1 /* factors of 2 that a doubling of the boxes must gain */
 
-struct search {
+struct bound_search {
     struct region *region;
     struct rounding *rounding;
     double reached; /* the largest bound at a point of the region: none for all of it can be less */
@@ -28,14 +28,14 @@ static double error_of(struct rounding *e)
     return error;
 }
 
-static void offer(struct search *s, struct interval *box)
+static void offer(struct bound_search *s, struct interval *box)
 {
     if (!forms_evaluate_narrowed(s->rounding->forms, box))
         return;
     boxes_push(&s->boxes, error_of(s->rounding), box);
 }
 
-static void visit_middle(struct search *s)
+static void visit_middle(struct bound_search *s)
 {
     for (size_t k = 0; k < s->region->known->variables; k++)
         s->part[k] = interval_point(interval_middle(s->box[k]));
@@ -45,7 +45,7 @@ static void visit_middle(struct search *s)
 }
 
 /* How much each variable makes the values of the program vary, all of them counted alike. */
-static void find_shares(struct search *s)
+static void find_shares(struct bound_search *s)
 {
     const struct forms *w = s->rounding->forms;
     const size_t n = s->region->known->variables;
@@ -59,7 +59,7 @@ static void find_shares(struct search *s)
     }
 }
 
-static size_t largest_share(const struct search *s)
+static size_t largest_share(const struct bound_search *s)
 {
     size_t best = 0;
     for (size_t k = 1; k < s->region->known->variables; k++)
@@ -69,7 +69,7 @@ static size_t largest_share(const struct search *s)
 
 /* Of the variables with the largest shares, that which, made a point, leaves the least error; the number of variables if no
  * side is left to halve. */
-static size_t choose_variable(struct search *s)
+static size_t choose_variable(struct bound_search *s)
 {
     const size_t n = s->region->known->variables;
     size_t best = n;
@@ -113,7 +113,7 @@ static bool is_hopeless(double before, double bound, double useful, double doubl
 double bound_error(struct region *r, int op, struct bound_goal goal, long boxes, double *work)
 {
     struct forms *w = forms_new(r->known, &op, 1);
-    struct search s = {.region = r, .rounding = rounding_new(w, &op, 1)};
+    struct bound_search s = {.region = r, .rounding = rounding_new(w, &op, 1)};
     const size_t n = r->known->variables;
     /* evaluations for the variables that are tried, and a way backwards from each joint */
     const double box_work = (double)w->needs * 14 * ((double)n + 16) * (1 + joints(s.rounding) / 40.0);

@@ -34,7 +34,7 @@ static struct block {
     double found[2][SAMPLES];
 } blocks[BLOCKS];
 
-struct search {
+struct rival_search {
     void (*one)(const struct quad *q, double found[2]);
     void (*batch)(struct block *b);
 };
@@ -131,7 +131,7 @@ static const char *const mode_name[MODES] = {"scalar", "batch"};
 
 static const struct method {
     const char *name;
-    struct search search[RIVALS];
+    struct rival_search search[RIVALS];
 } methods[] = {
 #define SEARCH(function)                                                                                               \
     {                                                                                                                  \
@@ -147,7 +147,7 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void run(const struct search *search, enum mode mode, struct block *b)
+static void run(const struct rival_search *search, enum mode mode, struct block *b)
 {
     if (mode == BATCH) {
         search->batch(b);
@@ -162,7 +162,7 @@ static void run(const struct search *search, enum mode mode, struct block *b)
 }
 
 /* Nanoseconds per search. */
-static double time_turn(const struct search *search, enum mode mode)
+static double time_turn(const struct rival_search *search, enum mode mode)
 {
     const double start = now();
     for (int k = 0; k < BLOCKS; k++)

@@ -105,12 +105,12 @@ static real dot(const real a[3], const real b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-struct search {
+struct nearest {
     real best, slack, point[3];
     long patches;
 };
 
-static void look_at(struct search *s, const real r[3])
+static void look_at(struct nearest *s, const real r[3])
 {
     const real d = sqrtl(dot(r, r));
     if (d < s->best) {
@@ -207,7 +207,7 @@ static void halve(const struct patch *n, struct patch half[2])
         halve_row(n, most ? i : 3 * i, most ? 3 + i : 3 * i + 1, most ? 6 + i : 3 * i + 2, half);
 }
 
-static void search_patch(struct search *s, const struct patch *n)
+static void search_patch(struct nearest *s, const struct patch *n)
 {
     static const int corner[4] = {0, 2, 6, 8};
     struct patch half[2];
@@ -374,7 +374,7 @@ static int parts_of(const struct question *q)
 static void ask(const struct question *q, struct tally *t)
 {
     struct patch n;
-    struct search s = {HUGE_VALL, 1e-11L * q->span, {0}, 0};
+    struct nearest s = {HUGE_VALL, 1e-11L * q->span, {0}, 0};
     double loc[2], distance;
     real r[3];
     int region;

@@ -88,7 +88,7 @@ static void axes_of(const double along[3], real e[2][3])
 
 /* ---- the search ---- */
 
-struct search {
+struct line_search {
     int nodes;
     double (*x)[3];
     const double *xs, *along;
@@ -194,7 +194,7 @@ static double beyond_of(int nodes, const double loc[2])
                                     : fmax(fabs(loc[0]), fabs(loc[1])) - 1;
 }
 
-static void add_point(struct search *q, real s, real t, real f[3][2])
+static void add_point(struct line_search *q, real s, real t, real f[3][2])
 {
     struct line_points *const all = q->found;
     if (all->count == LINE_POINTS_MOST) {
@@ -217,7 +217,7 @@ static void add_point(struct search *q, real s, real t, real f[3][2])
 }
 
 /* Newton's steps to the one zero in the box. */
-static bool polish(struct search *q, const struct box *b)
+static bool polish(struct line_search *q, const struct box *b)
 {
     const struct box *const w = &q->whole;
     const real low[2] = {(b->u - w->u) / w->wide, (b->v - w->v) / w->high};
@@ -259,7 +259,7 @@ static void halve(const struct box *b, struct box half[2])
         }
 }
 
-static void search_box(struct search *q, const struct box *b)
+static void search_box(struct line_search *q, const struct box *b)
 {
     if (!q->found->clear || is_ahead(b))
         return;
@@ -283,7 +283,7 @@ void line_points_find(int nodes, double (*x)[3], const double xs[3], const doubl
 {
     const bool triangle = nodes == 3 || nodes == 6;
     const real low = (triangle ? 0 : -1) - (real)over, wide = 1 - low + (real)over;
-    struct search q = {nodes, x, xs, along, {low, low, wide, wide, {{{0}}}}, found};
+    struct line_search q = {nodes, x, xs, along, {low, low, wide, wide, {{{0}}}}, found};
     real e[2][3], (*const net)[3][2] = q.whole.net;
     axes_of(along, e);
     for (int k = 0; k < 9; k++) {
