@@ -39,6 +39,18 @@ static bool read_prefix(const struct option_table *t, const struct option_row *r
     return true;
 }
 
+static bool read_without(const struct option_table *t, const struct option_row *r, const char *text, void *values,
+                         struct diag *d)
+{
+    /* in the order of enum left_out */
+    static const char *const passes[] = {"nothing", "combine",     "dissolve",  "factor", "join",    "split",
+                                         "linear",  "differences", "early",     "horner", "sharing", "distribute",
+                                         "scales",  "groups",      "multiples", NULL};
+    int *without = (int *)((char *)values + r->at);
+    *without = text_word(text, passes);
+    return *without >= 0 || options_refuse(t, d, r->refusal, text);
+}
+
 static const char *const languages[] = {"c", "fortran", "infix", "latex", NULL};
 static const char *const precisions[] = {"double", "float", NULL};
 
@@ -74,6 +86,8 @@ static const struct option_row rows[] = {
     {"explain", 0, OPTION_MAYBE, AT(explain),
      .help = "each pass and its counts to standard error; --explain=PASS: and the graph after that pass in infix, e.g. "
              "--explain=horner"},
+    {"without", 0, OPTION_OWN, AT(unit.compile.without), "PASS", .read = read_without,
+     .refusal = "unknown pass: %s (see the manual page)", .help = "leave a pass out, to measure what it is worth"},
     {.kind = OPTION_TITLE, .help = "messages"},
     {"quiet", 0, OPTION_FLAG, AT(unit.quiet),
      .help = "say nothing while working (otherwise on standard error: a line for each function written; on a terminal "

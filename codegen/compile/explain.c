@@ -10,8 +10,8 @@
 #include <string.h>
 
 static const char *const passes[] = {
-    "simplified", "common denominators",   "multiplying out", "one division for several", "early sharing",
-    "Horner",     "coefficients absorbed", "sharing"};
+    "simplified", "common denominators", "multiplying out", "one division for several", "early sharing", "Horner",
+    "sharing"};
 
 static bool is_named(const char *pass, const char *text)
 {

@@ -4,7 +4,6 @@
 #include "search.h"
 
 #include "../graph/rewrite.h"
-#include "../passes/absorb.h"
 #include "../passes/cse.h"
 #include "../passes/expand.h"
 #include "../passes/horner.h"
@@ -40,7 +39,6 @@ static const double HOT = 0.5;  /* multiplications by which annealing may go up 
 struct shape {
     struct dag *dag; /* owned */
     double behind;   /* given up if it costs so many times the first one */
-    bool open;       /* it was multiplied out at no great expense */
     const char *what;
 };
 
@@ -152,31 +150,37 @@ static bool divides(const struct dag *g)
     return false;
 }
 
+static bool has(const struct form_search *s, enum left_out pass)
+{
+    return s->options->without != (int)pass;
+}
+
 static struct dag *run_passes(struct form_search *s, const struct candidate *c, struct record *record)
 {
     const struct policy *p = &c->policy;
     struct dag *g = dag_copy(s->shape[c->shape].dag);
     if (record)
         record->decisions = record->alternatives = 0;
-    if (divides(g))
+    if (divides(g) && has(s, WITHOUT_COMBINE))
         step(s, &g, shape_combine(g, p, record), "common denominators");
-    step(s, &g, shape_dissolve(g, p, record), "multiplying out");
-    if (p->join && divides(g))
+    if (has(s, WITHOUT_DISSOLVE))
+        step(s, &g, shape_dissolve(g, p, record), "multiplying out");
+    if (p->join && divides(g) && has(s, WITHOUT_JOIN))
         step(s, &g, shape_join(g), "one division for several");
-    if (p->early) {
+    if (p->early && has(s, WITHOUT_EARLY)) {
         count_dear(s, (double)share_pairs(g));
         step(s, &g, walk_again(g), "early sharing");
     }
-    step(s, &g, horner_factor(g, p, record), "Horner");
+    const struct policy plain = {.plain = true, .differences = p->differences};
+    step(s, &g, horner_factor(g, has(s, WITHOUT_HORNER) ? p : &plain, record), "Horner");
     s->removing = dag_removed(g);
     s->degree = dag_degree(g);
-    struct dag *absorbed = p->absorb ? absorb_coefficients(g) : NULL;
-    if (absorbed)
-        step(s, &g, absorbed, "coefficients absorbed");
-    count_dear(s, (double)share_pairs(g));
+    if (has(s, WITHOUT_SHARING))
+        count_dear(s, (double)share_pairs(g));
     if (s->explaining)
         explain_graph(s->options->explain, s->file, "sharing", s->options->explained, g);
-    distribute_products(g, &s->options->cost);
+    if (has(s, WITHOUT_DISTRIBUTE))
+        distribute_products(g, &s->options->cost);
     balance_order(g);
     return g;
 }
@@ -225,14 +229,15 @@ static void lower_multiples(struct form_search *s, const struct schedule *schedu
 static double lower_graph(struct form_search *s, const struct dag *g, const struct candidate *from,
                           enum scale_search scales)
 {
-    struct schedule *schedule = scaled_schedule(g, &s->options->cost, scales, s->memo);
+    struct schedule *schedule =
+        scaled_schedule(g, &s->options->cost, has(s, WITHOUT_SCALES) ? scales : SCALES_KEPT, s->memo);
     const bool steers = scales != SCALES_GROUPS;
     const double cost = lower_schedule(s, schedule, from, steers);
     if (steers) {
         s->work += (scales ? SCALES : 2) * (double)schedule->n;
         count_dear(s, schedule->work);
     }
-    if (scales != SCALES_KEPT)
+    if (scales != SCALES_KEPT && has(s, WITHOUT_MULTIPLES))
         lower_multiples(s, schedule, from, cost);
     schedule_free(schedule);
     return cost;
@@ -252,7 +257,7 @@ static void evaluate(struct form_search *s, struct candidate *c, struct record *
         dag_free(g);
         return;
     }
-    for (int multiples = 0; multiples < 2; multiples++) {
+    for (int multiples = 0; multiples < (has(s, WITHOUT_MULTIPLES) ? 2 : 1); multiples++) {
         if (multiples > 0)
             share_multiples(g);
         if (multiples == 0)
@@ -264,7 +269,7 @@ static void evaluate(struct form_search *s, struct candidate *c, struct record *
         if (c->estimate <= limit) {
             const double cost = lower_graph(s, g, c, SCALES_SINGLE);
             c->cost = cost < c->cost ? cost : c->cost;
-            if (s->starting && c->cost <= s->least + SLACK * s->options->cost.mul)
+            if (has(s, WITHOUT_GROUPS) && s->starting && c->cost <= s->least + SLACK * s->options->cost.mul)
                 lower_graph(s, g, c, SCALES_GROUPS);
         }
         if (c->estimate > limit || c->cost > s->guide + SLACK * s->options->cost.mul)
@@ -387,7 +392,6 @@ static void try_first(struct form_search *s)
             try_policy(s, i, &p);
             s->starting = false;
             dear |= s->work - before > s->limit / 20;
-            s->shape[i].open |= p.dissolve > 0 && !dear;
         }
         for (int attempt = 0; attempt < RANDOM_TRIES && s->work < s->limit / 2 * (double)(i + 1) / (double)s->shapes;
              attempt++) {
@@ -449,18 +453,6 @@ static void anneal(struct form_search *s, struct candidate *best, double hot, do
     policy_clear(&at.policy);
     record_clear(&record);
     record_clear(&next);
-}
-
-/* Once more multiplied out, the outputs' coefficients absorbed.  It comes last and is no start for the others, so that
- * it leaves no trace where it does not win. */
-static void try_absorbing(struct form_search *s)
-{
-    for (size_t i = 0; i < s->shapes; i++) {
-        struct candidate c = {.shape = i, .policy = {.plain = true, .dissolve = 1, .absorb = true}};
-        c.policy.differences = s->differences;
-        if (s->shape[i].open)
-            evaluate(s, &c, NULL, HUGE_VAL);
-    }
 }
 
 /* The last shape from all starting points that keep quotients. */
@@ -531,9 +523,10 @@ struct removed search_run(struct form_search *s, struct lowered *l)
             best = i;
     if (s->n > 0 && s->work < s->limit)
         anneal(s, &s->beam[best], HOT, s->limit);
-    try_splitting(s);
-    try_absorbing(s);
-    try_differences(s);
+    if (has(s, WITHOUT_SPLIT))
+        try_splitting(s);
+    if (has(s, WITHOUT_DIFFERENCES))
+        try_differences(s);
     if (s->options->explain && s->best.program)
         explain(s);
     *l = s->best;

@@ -8,8 +8,28 @@
 /** A genome of more nodes is compiled as it is written: no other shapes of it, and lowered once. */
 enum { SEARCH_MOST_NODES = 100000 };
 
+/** A pass that is left out, to measure what it is worth; in the order of the words of --without. */
+enum left_out {
+    WITHOUT_NOTHING,
+    WITHOUT_COMBINE,
+    WITHOUT_DISSOLVE,
+    WITHOUT_FACTOR,
+    WITHOUT_JOIN,
+    WITHOUT_SPLIT,
+    WITHOUT_LINEAR,
+    WITHOUT_DIFFERENCES,
+    WITHOUT_EARLY,
+    WITHOUT_HORNER,
+    WITHOUT_SHARING,
+    WITHOUT_DISTRIBUTE,
+    WITHOUT_SCALES,
+    WITHOUT_GROUPS,
+    WITHOUT_MULTIPLES
+};
+
 struct compile_options {
     struct cost_model cost;
+    int without; /* enum left_out */
     unsigned long seed;
     long effort;           /* work that the search may do, in units of about a millisecond; same effort, same bytes */
     FILE *explain;         /* one line per pass with its counts, or NULL */

@@ -26,7 +26,6 @@ struct policy {
     double dissolve, combine; /* share of the flags that are set where no choice says otherwise */
     bool join;                /* independent inverses share one division */
     bool early;               /* common parts of sums are looked for before factors are taken out, too */
-    bool absorb;              /* outputs' coefficients go into what their sums are made of */
     bool plain;               /* nothing is factored where no choice says so */
     bool differences;         /* differences of two inputs stay whole: they are exact, or nearly */
     struct choice *choice;    /* owned; sorted by key */

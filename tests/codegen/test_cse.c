@@ -1,6 +1,5 @@
-/* Common subexpressions: pairs of factors and of terms, multiples, and coefficients that outputs have in common. */
+/* Common subexpressions: pairs of factors and of terms, and multiples. */
 #include "../../codegen/graph/rewrite.h"
-#include "../../codegen/passes/absorb.h"
 #include "../../codegen/passes/cse.h"
 #include "../support/graph_text.h"
 
@@ -72,32 +71,12 @@ static void test_multiples(void **state)
     CHECK_GRAPHS(share_factors_multiples, row);
 }
 
-static void test_absorb(void **state)
-{
-    (void)state;
-    static const struct graph_row row[] = {
-        /* c (x + x y) is v + v y with v = c x */
-        {"genome g\nr = * 3 + x * x y\nq = * 3 + x * x z", "t1 = 3*x; r = t1 + t1*y; q = t1 + t1*z", 3, 2, 0},
-        /* other terms take the coefficient as they are */
-        {"genome g\nr = * 3 + x y\nq = * 3 - x y", "t1 = 3*x; t2 = 3*y; r = t1 + t2; q = t1 - t2", 2, 2, 0},
-        {"genome g\nr = * 3 + x y\nq = * -3 + x z", "t1 = 3*x; r = t1 + 3*y; q = -(t1 + 3*z)", 3, 2, 0},
-        {"genome g\nr = * 3 + x 1\nq = * 3 + x 2", "t1 = 3*x; r = 3 + t1; q = 6 + t1", 1, 2, 0},
-        /* one alone; sums used elsewhere; no sums; no coefficients */
-        {"* 3 + x y", NULL, 0, 0, 0},
-        {"genome g\nr = * 3 + x y\nq = sqrt + x y", NULL, 0, 0, 0},
-        {"genome g\nr = * 3 x\nq = * 3 * x y", NULL, 0, 0, 0},
-        {"genome g\nr = + x y\nq = + x z", NULL, 0, 0, 0},
-    };
-    CHECK_GRAPHS(absorb_coefficients, row);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_products),
         cmocka_unit_test(test_sums),
         cmocka_unit_test(test_multiples),
-        cmocka_unit_test(test_absorb),
     };
     return cmocka_run_group_tests_name("cse", tests, NULL, NULL);
 }
