@@ -43,9 +43,8 @@ static bool read_without(const struct option_table *t, const struct option_row *
                          struct diag *d)
 {
     /* in the order of enum left_out */
-    static const char *const passes[] = {"nothing", "combine",     "dissolve",  "factor", "join",    "split",
-                                         "linear",  "differences", "early",     "horner", "sharing", "distribute",
-                                         "scales",  "groups",      "multiples", NULL};
+    static const char *const passes[] = {"nothing", "combine", "dissolve",   "factor", "join",   "differences", "early",
+                                         "horner",  "sharing", "distribute", "scales", "groups", "multiples",   NULL};
     int *without = (int *)((char *)values + r->at);
     *without = text_word(text, passes);
     return *without >= 0 || options_refuse(t, d, r->refusal, text);

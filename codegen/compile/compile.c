@@ -92,10 +92,6 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
         add_written(s, f, g, keep == KEEP_ALL ? "as written, named products whole" : "as written");
     }
     search_select(s, WRITTEN);
-    /* Differences of a segment's nodes are exact, or nearly, wherever it lies; sums of coordinates are not. */
-    struct dag *linear = f->segment || large || o->without == WITHOUT_LINEAR ? NULL : shape_linear(search_first(s));
-    if (linear)
-        search_add(s, linear, 1, "linear forms written out");
     if (!large && o->without != WITHOUT_FACTOR)
         add_factored(s);
     struct lowered best;

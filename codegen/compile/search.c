@@ -467,16 +467,6 @@ static void try_keeping(struct form_search *s)
     s->starting = false;
 }
 
-/* The first shape with quotients by single factors; last, too. */
-static void try_splitting(struct form_search *s)
-{
-    struct dag *g = s->shapes > 0 && divides(s->shape[0].dag) ? shape_split(s->shape[0].dag) : NULL;
-    if (!g)
-        return;
-    search_add(s, g, 1, "quotients by single factors");
-    try_keeping(s);
-}
-
 /* The winner's shape, with the vectors of a segment by the fewest differences, under its own choices, too; last. */
 static void try_differences(struct form_search *s)
 {
@@ -523,8 +513,6 @@ struct removed search_run(struct form_search *s, struct lowered *l)
             best = i;
     if (s->n > 0 && s->work < s->limit)
         anneal(s, &s->beam[best], HOT, s->limit);
-    if (has(s, WITHOUT_SPLIT))
-        try_splitting(s);
     if (has(s, WITHOUT_DIFFERENCES))
         try_differences(s);
     if (s->options->explain && s->best.program)

@@ -17,12 +17,6 @@ struct dag *shape_combine(const struct dag *g, const struct policy *policy, stru
 /** Independent inverses 1/a, 1/b become b r, a r with one r = 1/(a b). */
 struct dag *shape_join(const struct dag *g);
 
-/** A new graph in which a quotient by a product is a product of quotients by its factors; NULL if there is none. */
-struct dag *shape_split(const struct dag *g);
-
-/** A new graph in which each sum of inputs, of constants and of such sums is written out; NULL if all are already. */
-struct dag *shape_linear(const struct dag *g);
-
 /** A new graph in which the vectors of a segment, sums of its nodes and the slave node of weight 0, are made by the
  *  fewest additions of differences; NULL if there are none, or too many nodes.  Where not all ways can be tried, another
  *  seed may give another one. */

@@ -1,4 +1,4 @@
-/* Forms of the same values: multiplied out, common denominators, one division for several, split quotients. */
+/* Forms of the same values: multiplied out, common denominators, one division for several. */
 #include "../../codegen/passes/expand.h"
 #include "../support/graph_text.h"
 
@@ -111,33 +111,6 @@ static void test_one_division(void **state)
     CHECK_GRAPHS(shape_join, row);
 }
 
-static void test_split_quotients(void **state)
-{
-    (void)state;
-    static const struct graph_row row[] = {
-        {"/ a * x y", "a/x/y", 0, 0, 2},
-        {"/ 1 * x * y z", "1/x/y/z", 0, 0, 3},
-        {"/ a * * 2 x y", "0.5*a/x/y", 1, 0, 2},
-        {"+ / a * x y / b * x z", "t1 = 1/x; r = t1*a/y + t1*b/z", 2, 1, 3},
-        {"/ a x", NULL, 0, 0, 0},
-        {"/ a + x y", NULL, 0, 0, 0},
-        {"* a x", NULL, 0, 0, 0},
-    };
-    CHECK_GRAPHS(shape_split, row);
-}
-
-static void test_linear_forms(void **state)
-{
-    (void)state;
-    static const struct graph_row row[] = {
-        {"let s = + a b\ngenome g\nr = - s + c d\nq = + s + c d", "r = a + b - c - d; q = a + b + c + d", 0, 6, 0},
-        {"let s = + a b\ngenome g\nr = * s s\nq = + s 1", "r = (a + b)^2; q = 1 + a + b", 1, 3, 0},
-        {"+ * x y + a b", NULL, 0, 0, 0},
-        {"+ x y", NULL, 0, 0, 0},
-    };
-    CHECK_GRAPHS(shape_linear, row);
-}
-
 /* Coordinates of a four-node segment as differences alone, or otherwise. */
 static void test_relative(void **state)
 {
@@ -176,8 +149,6 @@ int main(void)
         cmocka_unit_test(test_policies),
         cmocka_unit_test(test_common_denominators),
         cmocka_unit_test(test_one_division),
-        cmocka_unit_test(test_split_quotients),
-        cmocka_unit_test(test_linear_forms),
         cmocka_unit_test(test_relative),
     };
     return cmocka_run_group_tests_name("expand", tests, NULL, NULL);
