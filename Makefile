@@ -131,7 +131,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 
 $(call object,$(evolve_mpi)): private CFLAGS += $(CFLAGS_mpi)
 # Only evaluation and fits gain by more: the rest is built in two thirds of the time.
-$(call object,$(filter-out evolve/eval/% evolve/fit/% %/evaluate_lanes.c,$(codegen_lib) $(evolve_lib))): private CFLAGS += $(TOOL_OPT_$(CONFIG))
+$(call object,$(filter-out evolve/eval/% evolve/fit/% %/evaluate_lanes.c %/sampled_errors.c,$(codegen_lib) $(evolve_lib))): private CFLAGS += $(TOOL_OPT_$(CONFIG))
 # One object for the archive and the shared library.
 $(call object,$(runtime_lib)): private CFLAGS += -fPIC -fno-semantic-interposition
 # Tests call what is optimised; they themselves need not be.

@@ -198,6 +198,22 @@ static void take_errors(struct sampler *s, struct subject *of, const struct lane
         }
 }
 
+/* Whether an error may look worse than all before it, at any place; most points end here. */
+static bool has_worse(const struct subject *s)
+{
+    int worse = 0;
+    for (size_t i = 0; i < s->program->outputs; i++) {
+        const int at = s->plan.slot[s->program->output[i]];
+        const double *high = s->high[at].at, *low = s->low[at].at, worst = s->found->worst[i];
+        for (int contract = 0; contract < 2; contract++) {
+            const double *computed = s->computed[contract][i].at;
+            for (size_t l = 0; l < LANES; l++)
+                worse |= !(fabs((computed[l] - high[l]) - low[l]) <= worst);
+        }
+    }
+    return worse;
+}
+
 /* The errors of a program at the points of the pool. */
 static void look(struct sampler *s, struct subject *of)
 {
@@ -206,6 +222,8 @@ static void look(struct sampler *s, struct subject *of)
         for (size_t l = 0; l < LANES; l++)
             s->rounded[i].at[l] = (float)s->input[i].at[l];
     compute(of, input, s->pooled, &s->random);
+    if (!has_worse(of))
+        return;
     for (size_t l = 0; l < s->pooled; l++)
         take_errors(s, of, input, l);
 }
