@@ -91,10 +91,9 @@ static size_t store_judged(const struct answers *to, const struct block *b, size
     for (size_t i = 0; i < count; i++) {
         if (to->status)
             to->status[first + i] = (int)b->status[i];
-        if (b->status[i] == FOOTPOINT_OK)
+        if (b->status[i] >= FOOTPOINT_OK)
             store_pair(to, b, first, i);
-        else
-            failed++;
+        failed += b->status[i] != FOOTPOINT_OK;
     }
     return failed;
 }

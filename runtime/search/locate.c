@@ -27,14 +27,14 @@ int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const
         footpoint_quad4_precise, footpoint_quad4_accurate, footpoint_quad4_full};
     double found[2], g;
     const int status = search[tier](x[0], x[1], x[2], x[3], x[4], found, &g);
-    if (status != FOOTPOINT_OK)
+    if (status < FOOTPOINT_OK)
         return status;
-    if (sure && !is_sure(x, found))
+    if (sure && (status != FOOTPOINT_OK || !is_sure(x, found)))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
     *gap = g;
-    return FOOTPOINT_OK;
+    return status;
 }
 
 /* What footpoint_locate_one does, straight on where nothing is out of the ordinary. */
@@ -43,7 +43,7 @@ int footpoint_locate(const double xA[3], const double xB[3], const double xC[3],
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    const uint64_t flaw = footpoint_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g);
+    const uint64_t flaw = footpoint_quad4_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g);
     if (flaw >> 63 || !footpoint_check(xA, xB, xC, xD, xS, xi, eta))
         return footpoint_locate_one(FOOTPOINT_ACCURATE, 1, x, loc, gap);
     loc[0] = xi;

@@ -148,7 +148,7 @@ DEFINE_LANES(newton_previous, NEWTON_LANES_GIVEN, RIVAL_NEWTON_TOLERANCE)
 #define TUNED_ITERATION(name, gauss_newton, newton, clamped) DEFINE_METHOD(name, rival_##name(NODES, t, &xi, &eta))
 #define POLYNOMIAL(name, coefficients) DEFINE_METHOD(name, rival_##name(NODES, t, &xi, &eta))
 #define FACE_ITERATION(name, kind, gauss_newton, newton) DEFINE_METHOD_OF(name, rival_##name(x, &xi, &eta))
-#define METHOD(scene, kind, name, mul, div, add, sqrt) METHOD_##kind(kind, name)
+#define METHOD(scene, kind, name, mul, div, add, sqrt, promise) METHOD_##kind(kind, name)
 #define METHOD_OF(kind, name) DEFINE_METHOD_OF(name, name##_at(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), &xi, &eta))
 #define METHOD_quad4(kind, name) DEFINE_METHOD(name, name##_at(NODES, &xi, &eta))
 #define METHOD_tri3 METHOD_OF
@@ -205,7 +205,7 @@ RIVAL_PATCHES(PATCH_FIXED)
 #define PATCH(kind_, name_) {.name = #name_, .kind = #kind_, LOOPS(name_)},
 #define PATCH_FIXED(kind, name, from, start, gauss_newton, newton) PATCH(kind, name)
 #define PATCH_CONVERGED(kind, name, search) PATCH(kind, name)
-#define METHOD(scene_, kind_, name_, mul, div, add, sqrt)                                                              \
+#define METHOD(scene_, kind_, name_, mul, div, add, sqrt, promise)                                                     \
     {.name = #name_, .kind = #kind_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #define batch_trust_region NULL
 /* "newton" is the iteration as codes have it, in batches a loop of searches; the others step a batch together. */
@@ -224,7 +224,7 @@ static const struct bench_method methods[] = {
 #include "methods.inc"
 #undef METHOD
 /* They go by perceptron_hidden_8 and so on. */
-#define METHOD(scene_, kind_, name_, mul, div, add, sqrt)                                                              \
+#define METHOD(scene_, kind_, name_, mul, div, add, sqrt, promise)                                                     \
     {.name = &#name_[sizeof "footpoint"], .kind = #kind_, .scene = scene_, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #include "footpoint_perceptron.inc"
 };

@@ -21,8 +21,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             parameters="$parameters${parameters:+, }const REAL x$k[3]"
         done
         case $kind in tri*) shape=triangle corners=3 ;; *) shape=square corners=4 ;; esac
-        words="VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH VECTOR_ROWS LEAST_SIZE"
-        printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" "#define CORNERS $corners" "#define SCALABLE 1" \
+        words="PROMISE VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH VECTOR_ROWS LEAST_SIZE"
+        printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" "#define CORNERS $corners" "#define SCALABLE 1" "#define PROMISE 1e-7" \
             "#define COORDINATES $((3 * others + 3))" "#define SCALED_NODES $nodes" "#define COLUMNS $columns" "#define ROWS $rows" \
             "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
             '#define REACH_TO_GROWTH (reach * reach)' '#define LEAST_SIZE 1e-20' \
@@ -36,14 +36,15 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
+        case $kind in quad4) files="$files quad4_steps quad4_proof quad4_answer" ;; *) files="$files answer" ;; esac
         files="$files arrays over"
         case $nearest in
         '') ;;
         curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
         *) files="$files $closest ${nearest}_along along_again along_calls closest_calls" ;;
         esac
-        files="straight $files" calls='checked arrays_calls over_calls'
-        [ "$kind" != quad4 ] || calls="nearest nearest_shorter $calls"
+        files="straight $files" calls='at checked arrays_calls over_calls'
+        [ "$kind" != quad4 ] || calls="nearest nearest_shorter quad4_prove $calls"
         if [ $kind = face ]; then # functions at a place of it
             files='place_detail place_calls place_joined' calls=
             for word in ROW SET_ROW REQUIRE GAP_LAST GAP_AMONG_ROWS; do echo "#define WITH_$word"; echo "#define END_$word"; done
@@ -55,16 +56,20 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             echo "REAL_BITS face_search_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
         else
-            for word in SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
+            for word in PROMISE SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
             echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"
             echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
-            words="$words SEARCH_CALL STATEMENTS DENOMINATORS WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            printf '#define %s\n' 'VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)x4;' 'SIZE 1' \
+                'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' "START_detail_prove ${kind}_start"
+            words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST"
+            words="$words SEARCH_CALL STATEMENTS DENOMINATORS START_detail_prove STEPS WITH_PROMISE END_PROMISE WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
             echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
         fi
         for name in $files $calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in quad4_sure contract contract_closest contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in quad4_sure contract contract_closest contract_promise contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

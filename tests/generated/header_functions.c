@@ -4,7 +4,7 @@
 #include "../support/kind_arguments.h"
 #include "methods.h"
 
-#define METHOD(scene, kind, name, mul, div, add, sqrt)                                                                 \
+#define METHOD(scene, kind, name, mul, div, add, sqrt, promise)                                                        \
     static void at_##name(const double *const *x, const double *xs, double *xi, double *eta)                           \
     {                                                                                                                  \
         name##_at(NODES_OF_##kind(x, xs), xi, eta);                                                                    \
@@ -17,7 +17,7 @@
 #undef METHOD
 
 const struct header_function header_functions[HEADER_FUNCTIONS] = {
-#define METHOD(scene, kind, name, mul, div, add, sqrt) {scene, #name, at_##name, locate_##name},
+#define METHOD(scene, kind, name, mul, div, add, sqrt, promise) {scene, #name, promise, at_##name, locate_##name},
 #include "methods.inc"
 #undef METHOD
 };

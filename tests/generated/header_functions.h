@@ -4,7 +4,7 @@
 
 enum {
     HEADER_FUNCTIONS = 0
-#define METHOD(scene, kind, name, mul, div, add, sqrt) +1
+#define METHOD(scene, kind, name, mul, div, add, sqrt, promise) +1
 #include "methods.inc"
 #undef METHOD
 };
@@ -12,6 +12,7 @@ enum {
 /** The i-th METHOD of methods.inc: NAME_at and NAME; x: a pointer for each vector of the segment. */
 extern const struct header_function {
     const char *scene, *name;
+    double promise; /* NAME_PROMISE; 0: there is none */
     void (*at)(const double *const *x, const double *xs, double *xi, double *eta);
     int (*locate)(const double *const *x, const double *xs, double loc[2], double *gap);
 } header_functions[HEADER_FUNCTIONS];

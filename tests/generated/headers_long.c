@@ -14,7 +14,7 @@
 #define ldexp ldexpl
 #include "methods.h"
 
-#define METHOD(scene, kind, name, mul, div, add, sqrt)                                                                 \
+#define METHOD(scene, kind, name, mul, div, add, sqrt, promise)                                                        \
     static void at_##name(const double *const *x, const double *xs, double *xi, double *eta)                           \
     {                                                                                                                  \
         name##_at(NODES_OF_##kind(x, xs), xi, eta);                                                                    \
@@ -23,7 +23,7 @@
 #undef METHOD
 
 void (*const headers_long[])(const double *const *x, const double *xs, double *xi, double *eta) = {
-#define METHOD(scene, kind, name, mul, div, add, sqrt) at_##name,
+#define METHOD(scene, kind, name, mul, div, add, sqrt, promise) at_##name,
 #include "methods.inc"
 #undef METHOD
 };

@@ -73,8 +73,8 @@ FUNCTIONS(quad8, QUAD8, accurate, FACE)
 FUNCTIONS(quad9, QUAD9, accurate, FACE)
 FUNCTIONS(bezier, BEZIER, exact, PATCH)
 FUNCTIONS(gregory, GREGORY, exact, PATCH)
-FOOTPOINT_QUAD4_PLACE_OF(footpoint_quad4_coarse)
-FOOTPOINT_QUAD4_HESSIAN_OF(footpoint_quad4_coarse)
+FOOTPOINT_QUAD4_PLACE_OF(footpoint_quad4_full)
+FOOTPOINT_QUAD4_HESSIAN_OF(footpoint_quad4_full)
 
 static const struct kind {
     const char *name;
@@ -218,18 +218,17 @@ static void place_and_hessian(void **state)
     for (int p = 0; p < PAIRS; p++) {
         double x[5][3], loc[3][2], gap[3], phi[2][4], hessian[2][120];
         draw(stream, k, x);
-        assert_int_equal(footpoint_quad4_coarse(NODES_OF_quad4(x, x[4]), loc[0], &gap[0]), FOOTPOINT_OK);
+        assert_int_equal(footpoint_quad4_full(NODES_OF_quad4(x, x[4]), loc[0], &gap[0]), FOOTPOINT_OK);
         assert_int_equal(footpoint_quad4_place(NODES_OF_quad4(x, x[4]), loc[0], phi[0], NULL, NULL, NULL, NULL),
                          FOOTPOINT_OK);
         assert_int_equal(
             footpoint_quad4_hessian(NODES_OF_quad4(x, x[4]), loc[0], &gap[0], NULL, NULL, NULL, NULL, hessian[0]),
             FOOTPOINT_OK);
-        assert_int_equal(
-            footpoint_quad4_coarse_place(NODES_OF_quad4(x, x[4]), loc[1], phi[1], NULL, NULL, NULL, &gap[1]),
-            FOOTPOINT_OK);
-        assert_int_equal(footpoint_quad4_coarse_hessian(NODES_OF_quad4(x, x[4]), loc[2], &gap[2], NULL, NULL, NULL,
-                                                        NULL, hessian[1]),
+        assert_int_equal(footpoint_quad4_full_place(NODES_OF_quad4(x, x[4]), loc[1], phi[1], NULL, NULL, NULL, &gap[1]),
                          FOOTPOINT_OK);
+        assert_int_equal(
+            footpoint_quad4_full_hessian(NODES_OF_quad4(x, x[4]), loc[2], &gap[2], NULL, NULL, NULL, NULL, hessian[1]),
+            FOOTPOINT_OK);
         for (int i = 1; i < 3; i++) {
             expect_same(k, "xi", loc[i][0], loc[0][0], 1);
             expect_same(k, "eta", loc[i][1], loc[0][1], 1);

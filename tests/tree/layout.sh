@@ -17,6 +17,7 @@ codegen/compile:    codegen/rounding codegen/region codegen/prove codegen/progra
 codegen/print/templates:
 codegen/print/templates/closest:
 codegen/print/templates/along:
+codegen/print/templates/promise:
 codegen/print/templates/place:
 codegen/print:      codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base
 codegen/print/header: codegen/print codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base

@@ -125,6 +125,8 @@ void header_print(const struct unit *u, FILE *out)
         search_print_contract(u, out);
     else if (!u->file->segment)
         print_contract(u, out);
+    for (size_t i = 0; i < u->file->genomes && u->file->segment && !u->file->face; i++)
+        search_print_bare(u, &u->function[i], out);
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
         fputc('\n', out);

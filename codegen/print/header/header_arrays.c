@@ -4,7 +4,7 @@
 
 #include "../../base/text.h"
 #include "../templates.h"
-#include "header_lines.h"
+#include "header_promise.h"
 
 #include <stdlib.h>
 
@@ -22,5 +22,7 @@ void arrays_print_helpers(const struct unit *u, FILE *out)
 void arrays_print(const struct unit *u, const struct function *f, FILE *out)
 {
     const char *const calls[] = {"arrays_calls", prepares(u) ? "over_calls" : NULL, NULL};
-    lines_print_templates(u, f, NULL, calls, out);
+    struct words w = promise_words(u, f);
+    templates_print(NULL, calls, u->options.precision, w.word, out);
+    words_clear(&w);
 }

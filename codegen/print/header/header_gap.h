@@ -4,11 +4,7 @@
 
 #include "../../compile/compiled_file.h"
 
-/** Whether a function has it: of a bilinear segment with corners in any order, or of a flat triangle, with coordinates as
- *  they are. */
-bool gap_shares(const struct unit *u, const struct function *f);
-
-/** NAME_detail_gap: from the vectors, xi and eta the gap, and an integer whose highest bit is set unless the
+/** NAME_detail_gap, where vectors_shared: from the vectors, xi and eta the gap, and an integer whose highest bit is set unless the
  *  answer is good beyond doubt.  It repeats those statements of the search that it needs; a compiler that inlines both
  *  computes them once. */
 void gap_print(const struct unit *u, const struct function *f, FILE *out);

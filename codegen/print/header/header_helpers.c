@@ -31,6 +31,12 @@ void helpers_print(const struct unit *u, FILE *out)
     templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
     print_kind(u, out);
     templates_print("FOOTPOINT_DETAIL_AGAIN", (const char *const[]){"again", NULL}, precision, NULL, out);
+    const struct segment_kind *k = u->file->segment;
+    lines_print_templates(u, NULL, "ANSWER",
+                          k->bilinear && precision == PRECISION_DOUBLE
+                              ? (const char *const[]){"quad4_steps", "quad4_proof", "quad4_answer", NULL}
+                              : (const char *const[]){"answer", NULL},
+                          out);
     arrays_print_helpers(u, out);
     if (u->file->order != CORNERS_ANY)
         templates_print("FOOTPOINT_DETAIL_CORNERS", (const char *const[]){"corners", NULL}, precision, NULL, out);

@@ -141,10 +141,10 @@ static void add_claims(struct words *w, const struct unit *u)
     words_add(w, "MISSED", new_format("%s", straight ? "meets the surface nowhere" : missed));
 }
 
-struct words lines_words(const struct unit *u, const struct function *f)
+struct words lines_words(const struct unit *u, const struct function *f, const struct function *search)
 {
     const struct segment_kind *k = u->file->segment;
-    const size_t n = segment_vectors(k) + 1, scaled = f ? lines_scaled_nodes(u, f) : 0;
+    const size_t n = segment_vectors(k) + 1, scaled = search ? lines_scaled_nodes(u, search) : 0;
     struct words w = {NULL, 0, 0};
     words_add(&w, "KIND", new_format("%s", k->name));
     words_add(&w, "PREFIX", new_format("%s", u->options.prefix));
@@ -173,7 +173,7 @@ void lines_print_templates(const struct unit *u, const struct function *f, const
                            FILE *out)
 {
     char *whole = guard ? new_format("FOOTPOINT_%s_%s", u->file->segment->name, guard) : NULL;
-    struct words w = lines_words(u, f);
+    struct words w = lines_words(u, f, f);
     templates_print(whole, names, u->options.precision, w.word, out);
     words_clear(&w);
     free(whole);

@@ -34,8 +34,8 @@ void words_clear(struct words *w);
  *  NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the vectors of pair i, is made
  *  of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", VECTOR_ROWS, "x[0], ...", and SEGMENT_ROWS,
  *  "c[0], ...", without the slave node; LEAST_SIZE, see sizes_least_name().  About a function, unless it is NULL: NAME;
- *  SCALED_NODES, how many vectors another unit of length changes, and SCALABLE, whether it changes any. */
-struct words lines_words(const struct unit *u, const struct function *f);
+ *  SCALED_NODES, how many vectors another unit of length changes, and SCALABLE, whether it changes any, in the search that NAME begins with. */
+struct words lines_words(const struct unit *u, const struct function *f, const struct function *search);
 
 /** Prints templates with these words.
  *  @param[in] guard  of an include guard FOOTPOINT_<KIND>_<guard>; NULL: there is none

@@ -351,7 +351,7 @@ static char *shape_text(const struct rows *r)
 static struct words words_of(const struct unit *u, const struct function *f, const struct rows *r,
                              const struct c_code *c)
 {
-    struct words w = lines_words(u, f);
+    struct words w = lines_words(u, f, f);
     size_t row = 0, space = 0;
     const struct function *tangents = tangents_of(u, f, &row);
     const char *gap = gap_value(r, c);

@@ -12,6 +12,8 @@
 #include "header_float.h"
 #include "header_gap.h"
 #include "header_lines.h"
+#include "header_promise.h"
+#include "header_vectors.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -54,8 +56,9 @@ static const char *ordering(const struct unit *u)
     return u->file->order == CORNERS_ANY ? NULL : u->file->order == CORNERS_NEAREST ? "nearest" : "nearest_shorter";
 }
 
-static char *call_text(const struct unit *u, const struct function *f)
+static char *call_text(const struct unit *u, const struct function *of)
 {
+    const struct function *f = promise_start(u, of);
     if (ordering(u))
         return new_format("%s_detail_%s(x, zero, xi, eta)", f->name, ordering(u));
     char *vectors = lines_rows(u, "x"), *call = new_format("%s_detail(%s, zero, xi, eta)", f->name, vectors);
@@ -86,20 +89,35 @@ static void print_sure(const struct unit *u, const struct function *f, const cha
 void search_print_contract(const struct unit *u, FILE *out)
 {
     lines_print_templates(u, NULL, NULL, (const char *const[]){"contract", NULL}, out);
+    if (promise_exists(u))
+        lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_promise", NULL}, out);
     if (closest_exists(u))
         closest_print_contract(u, out);
 }
 
-void search_print(const struct unit *u, const struct function *f, FILE *out)
+void search_print_bare(const struct unit *u, const struct function *f, FILE *out)
 {
-    const bool shares = gap_shares(u, f);
-    const struct block blocks[] = {{"SHARED_GAP", shares, NULL}, {"OWN_GAP", !shares, NULL}, {NULL, 0, NULL}};
-    char *vectors = lines_vectors(u);
-    struct words w = lines_words(u, f);
+    struct words w = lines_words(u, f, f);
     words_add(&w, "STATEMENTS", statements_text(u, f));
     words_add(&w, "DENOMINATORS", denominators_text(u, f));
-    words_add(&w, "SEARCH_CALL", call_text(u, f));
+    fputc('\n', out);
     templates_print_blocks("straight", u->options.precision, w.word, NULL, out);
+    words_clear(&w);
+    promise_print(u, f, out);
+}
+
+void search_print(const struct unit *u, const struct function *f, FILE *out)
+{
+    const bool proves = promise_exists(u), shares = !proves && vectors_shared(u, f);
+    const struct block blocks[] = {{"PROMISE", proves, NULL},
+                                   {"SHARED_GAP", shares, NULL},
+                                   {"OWN_GAP", !proves && !shares, NULL},
+                                   {NULL, 0, NULL}};
+    char *vectors = lines_vectors(u);
+    struct words w = promise_words(u, f);
+    words_add(&w, "SEARCH_CALL", call_text(u, f));
+    promise_define(u, f, out);
+    templates_print_blocks("at", u->options.precision, w.word, NULL, out);
     if (shares)
         gap_print(u, f, out);
     templates_print(NULL, (const char *const[]){ordering(u), NULL}, u->options.precision, w.word, out);

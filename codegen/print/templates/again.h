@@ -1,8 +1,9 @@
 /* Checked searches where the quick way does not tell. */
 
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef REAL_BITS footpoint_detail_search(const REAL *const *x, int full, REAL zero, REAL *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef REAL_BITS footpoint_detail_search(const REAL *const *x, int way, REAL zero, REAL *xi,
                                           REAL *eta, REAL *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1

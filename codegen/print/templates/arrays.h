@@ -19,19 +19,19 @@ FOOTPOINT_PART void footpoint_detail_KIND_n(footpoint_detail_KIND_search *search
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_KIND_full(footpoint_detail_search *search,
-                                               const REAL *const *row, int nodes, REAL *xi,
-                                               REAL *eta, REAL *gap, int *status)
+                                               const REAL *const *row, int nodes, REAL promise,
+                                               REAL *xi, REAL *eta, REAL *gap, int *status)
 {
     REAL loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, VECTORS, loc, gap);
+    *status = footpoint_detail_KIND_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_KIND_checked_n(footpoint_detail_search *search, size_t n,
-                                                    const REAL *const *x, int nodes,
+                                                    const REAL *const *x, int nodes, REAL promise,
                                                     REAL *FOOTPOINT_RESTRICT xi,
                                                     REAL *FOOTPOINT_RESTRICT eta,
                                                     REAL *FOOTPOINT_RESTRICT gap,
@@ -53,6 +53,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_checked_n(footpoint_detail_search *sea
         if (status[i] != FOOTPOINT_OK) {
             const REAL p[VECTORS][3] = {COLUMNS};
             const REAL *const row[VECTORS] = {ROWS};
-            footpoint_detail_KIND_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_KIND_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                       &status[i]);
         }
 }

@@ -1,20 +1,26 @@
-/* The search with gap and status, for NAME and its loops; `full` as in again.h. */
+/* The search with gap and status, for NAME and its loops; `way` as in again.h. */
 
-FOOTPOINT_PART REAL_BITS NAME_detail_checked(const REAL *const *x, int full, REAL zero, REAL *xi,
+FOOTPOINT_PART REAL_BITS NAME_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi,
                                              REAL *eta, REAL *gap)
 {
     REAL_BITS flaw = SEARCH_CALL;
+    WITH_PROMISE
+    if (way == 1)
+        return flaw | footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
+    flaw |= START_detail_prove(VECTOR_ROWS, PROMISE, way ? 0 : STEPS, xi, eta, gap);
+    return flaw;
+    END_PROMISE
     WITH_SHARED_GAP
-    if (full)
+    if (way == 1)
         flaw |= footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
     {
         const REAL_BITS doubt = NAME_detail_gap(VECTOR_ROWS, *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+        return flaw | (way == 1 ? footpoint_detail_infinite(*gap) : doubt);
     }
     END_SHARED_GAP
     WITH_OWN_GAP
     flaw |= footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
-    (void)full;
+    (void)way;
     return flaw;
     END_OWN_GAP
 }
@@ -23,8 +29,9 @@ FOOTPOINT_FN int NAME(NODE_PARAMETERS, REAL loc[2], REAL *gap)
 {
     const REAL *const x[VECTORS] = {NODE_NAMES};
     REAL xi, eta, g;
-    if (NAME_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> REAL_TOP)
-        return footpoint_detail_again(NAME_detail_checked, x, SCALED_NODES, VECTORS, loc, gap);
+    if (NAME_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> REAL_TOP)
+        return footpoint_detail_KIND_answer(NAME_detail_checked, x, SCALED_NODES, PROMISE, loc,
+                                            gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;

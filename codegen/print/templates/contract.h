@@ -6,6 +6,6 @@
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, NODE_NAMES;
  *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */

@@ -63,6 +63,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif

@@ -4,9 +4,9 @@
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_KIND_over_n(footpoint_detail_search *search, const REAL *const *segment, size_t n,
-                             const REAL *const *x, int nodes, REAL *FOOTPOINT_RESTRICT xi,
-                             REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT gap,
-                             int *FOOTPOINT_RESTRICT status)
+                             const REAL *const *x, int nodes, REAL promise,
+                             REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
+                             REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const REAL zero = footpoint_detail_zero();
     REAL c[SEGMENT_VECTORS][3];
@@ -29,6 +29,7 @@ footpoint_detail_KIND_over_n(footpoint_detail_search *search, const REAL *const 
         if (status[i] != FOOTPOINT_OK) {
             const REAL s[3] = {x[0][i], x[1][i], x[2][i]};
             const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
-            footpoint_detail_KIND_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_KIND_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                       &status[i]);
         }
 }

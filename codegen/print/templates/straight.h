@@ -5,8 +5,3 @@ FOOTPOINT_PART REAL_BITS NAME_detail(NODE_PARAMETERS, REAL zero, REAL *xi, REAL 
     STATEMENTS
     return DENOMINATORS;
 }
-
-FOOTPOINT_FN void NAME_at(NODE_PARAMETERS, REAL *xi, REAL *eta)
-{
-    (void)NAME_detail(NODE_NAMES, 0.0, xi, eta);
-}

@@ -1,0 +1,162 @@
+/* Answers of checked functions with a proof; see header_promise.h. */
+#include "header_promise.h"
+
+#include "../../base/text.h"
+#include "../../program/dialects.h"
+#include "../c_text.h"
+#include "../templates.h"
+#include "header_lines.h"
+#include "header_sizes.h"
+#include "header_vectors.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What functions are called for what they promise; others are right to rounding. */
+static const struct {
+    const char *name;
+    double promise;
+} promises[] = {{"fast", 1e-1},     {"coarse", 1e-1}, {"gauss2", 1e-2},  {"medium", 1e-2},
+                {"balanced", 1e-3}, {"fine", 1e-5},   {"precise", 1e-7}, {"accurate", 1e-10}};
+static const double finest = 1e-12;
+
+bool promise_exists(const struct unit *u)
+{
+    return u->options.precision == PRECISION_DOUBLE && u->file->order == CORNERS_ANY && u->file->segment->bilinear;
+}
+
+double promise_of(const struct unit *u, const struct function *f)
+{
+    if (!promise_exists(u))
+        return 0.0;
+    for (size_t i = 0; i < sizeof promises / sizeof *promises; i++)
+        if (strcmp(promises[i].name, f->genome->name) == 0)
+            return promises[i].promise;
+    return finest;
+}
+
+/* The macro that says it. */
+static char *promise_text(const struct unit *u, const struct function *f)
+{
+    if (!promise_exists(u))
+        return new_format("0.0");
+    char *capitals = new_capitals(f->name), *name = new_format("%s_PROMISE", capitals);
+    free(capitals);
+    return name;
+}
+
+void promise_define(const struct unit *u, const struct function *f, FILE *out)
+{
+    char *name = promise_text(u, f);
+    if (promise_exists(u))
+        fprintf(out, "#define %s %g /* the largest error of xi and eta behind FOOTPOINT_OK */\n\n", name,
+                promise_of(u, f));
+    free(name);
+}
+
+/* The error of all but 1 % of what evolution held out; infinite if it did not say. */
+static double usual_error(const struct function *f)
+{
+    const char *said = genome_find_note(f->genome->note, f->genome->notes, "heldout_both");
+    struct measure_error e[2];
+    return said && measure_errors_read(said, e) ? fmax(e[0].p99, e[1].p99) : INFINITY;
+}
+
+/* A step of third order takes an error of less than this, or so, to its cube. */
+#define NEAR 0.02
+#define NEARLY 20.0
+
+/* What NAME begins with: the cheapest function from which one step is most often enough. */
+static const struct function *start_of(const struct unit *u, const struct function *f)
+{
+    const struct function *start = NULL;
+    const struct cost_model *model = &u->options.compile.cost;
+    for (size_t i = 0; i < u->file->genomes; i++) {
+        const struct function *other = &u->function[i];
+        const double e = usual_error(other);
+        if (e < NEAR && e * e * e < NEARLY * promise_of(u, f) &&
+            (!start || operations_cost(&other->code.ops, model) < operations_cost(&start->code.ops, model)))
+            start = other;
+    }
+    return start ? start : f;
+}
+
+const struct function *promise_start(const struct unit *u, const struct function *f)
+{
+    return promise_exists(u) ? start_of(u, f) : f;
+}
+
+/* How many steps NAME takes in a loop over arrays, where all pairs take as many. */
+static int promise_steps(const struct unit *u, const struct function *f)
+{
+    const double e = usual_error(start_of(u, f));
+    return e < 0.2 * NEAR && e * e * e < 0.01 * promise_of(u, f) ? 1 : 2;
+}
+
+static bool is_start(const struct unit *u, const struct function *f)
+{
+    bool is = false;
+    for (size_t i = 0; i < u->file->genomes; i++)
+        is = is || start_of(u, &u->function[i]) == f;
+    return is;
+}
+
+struct words promise_words(const struct unit *u, const struct function *f)
+{
+    struct words w = lines_words(u, f, promise_start(u, f));
+    words_add(&w, "PROMISE", promise_text(u, f));
+    words_add(&w, "START", new_format("%s", promise_start(u, f)->name));
+    words_add(&w, "STEPS", new_format("%d", promise_steps(u, f)));
+    return w;
+}
+
+/* The vectors, as the search has them. */
+static char *vectors_text(const struct unit *u, const struct function *f, const struct vectors_found *w,
+                          struct printer **r)
+{
+    struct memory *m = memory_open();
+    *r = c_print_needed(u, f, w->needed, m->stream);
+    vectors_print(w, *r, m->stream);
+    char *text = memory_close(m);
+    m = memory_open();
+    c_print(text, u->options.precision, m->stream);
+    free(text);
+    return memory_close(m);
+}
+
+static char *products_text(const struct vectors_found *w, struct printer *r)
+{
+    struct memory *m = memory_open();
+    for (size_t k = 0; k < PRODUCTS; k++) {
+        char *text = vectors_product(w, r, k);
+        fprintf(m->stream, "%s%s", k == 0 ? "" : k % 5 ? ", " : ",\n        ", text);
+        free(text);
+    }
+    return memory_close(m);
+}
+
+void promise_print(const struct unit *u, const struct function *f, FILE *out)
+{
+    if (!promise_exists(u) || !is_start(u, f))
+        return;
+    struct vectors_found v;
+    struct printer *r;
+    struct words w = lines_words(u, f, f);
+    vectors_find(&v, u, f);
+    vectors_find_products(&v, f);
+    words_add(&w, "VECTOR_STATEMENTS", vectors_text(u, f, &v, &r));
+    words_add(&w, "SIZE", vectors_size(&v, r));
+    words_add(&w, "PRODUCT_LIST", products_text(&v, r));
+    words_add(&w, "RATIO", new_format("%.17g", v.factor[1] / v.factor[0]));
+    words_add(&w, "OVER", new_format("%.17g", v.factor[0] / v.factor[1]));
+    words_add(&w, "PER", new_format("%.17g", 1.0 / v.factor[1]));
+    words_add(&w, "UNITS", new_format("%g", ceil(v.product_rounding) + 10.0));
+    words_add(&w, "UNIT", new_format("%.17g", 4.0 / (v.factor[0] * v.factor[0])));
+    words_add(&w, "TWIST", new_format("%d", v.twist));
+    fputc('\n', out);
+    templates_print_blocks("quad4_prove", u->options.precision, w.word, NULL, out);
+    words_clear(&w);
+    printer_free(r);
+    vectors_clear(&v);
+}

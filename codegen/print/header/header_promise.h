@@ -1,0 +1,28 @@
+/* Answers of checked functions with a proof. */
+#ifndef FOOTPOINT_HEADER_PROMISE_H
+#define FOOTPOINT_HEADER_PROMISE_H
+
+#include "header_lines.h"
+
+/** Whether functions of a unit prove their answers: in double, of bilinear segments with corners in any order. */
+bool promise_exists(const struct unit *u);
+
+/** The largest error of xi and eta, relative to max(1, |xi|, |eta|), that FOOTPOINT_OK of a function allows; 0: it has no
+ *  proof. */
+double promise_of(const struct unit *u, const struct function *f);
+
+/** Defines the macro that says it, NAME_PROMISE, if there is a proof. */
+void promise_define(const struct unit *u, const struct function *f, FILE *out);
+
+/** The function that NAME begins with, itself or a cheaper one: steps that are proved do the rest. */
+const struct function *promise_start(const struct unit *u, const struct function *f);
+
+/** lines_words() and PROMISE, the macro, or 0.0; START, the function that NAME begins with; STEPS, those of it in loops over
+ *  arrays. */
+struct words promise_words(const struct unit *u, const struct function *f);
+
+/** NAME_detail_prove, if functions begin with f: from its xi and eta steps, their proof and the gap; see "quad4_steps" of the
+ *  templates.  It takes what the search has computed, as gap_print does. */
+void promise_print(const struct unit *u, const struct function *f, FILE *out);
+
+#endif

@@ -1,0 +1,502 @@
+/* Vectors of a straight segment; see header_vectors.h. */
+#include "header_vectors.h"
+
+#include "../../base/random.h"
+#include "../../base/text.h"
+#include "../../program/dialects.h"
+#include "../../program/evaluate.h"
+#include "../c_text.h"
+#include "header_lines.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LARGEST = 3, KNOTS = 5 }; /* factors are powers of 2 from -LARGEST to LARGEST; vectors of nodes, and S */
+
+/* A vector of a kind: its coordinates are sums of those of A, B, ..., S times `coef` / `over`; `text` is `over` times it,
+ * for where the search has it not. */
+static const struct vector {
+    int coef[5], over;
+    const char *text;
+} bilinear[VECTORS] =
+    {
+        {{-1, 1, 1, -1, 0}, 4, "(xB[#] - xA[#] + (xC[#] - xD[#]))"},
+        {{-1, -1, 1, 1, 0}, 4, "(xD[#] - xA[#] + (xC[#] - xB[#]))"},
+        {{1, -1, 1, -1, 0}, 4, "(xA[#] - xB[#] + (xC[#] - xD[#]))"},
+        {{-1, -1, -1, -1, 4}, 4, "(xS[#] - xA[#] + (xS[#] - xB[#]) + (xS[#] - xC[#] + (xS[#] - xD[#])))"},
+},
+  flat[VECTORS] = {
+      {{-1, 1, 0, 0}, 1, "(xB[#] - xA[#])"},
+      {{-1, 0, 1, 0}, 1, "(xC[#] - xA[#])"},
+      {{0, 0, 0, 0}, 1, ""},
+      {{-1, 0, 0, 1}, 1, "(xS[#] - xA[#])"},
+};
+
+bool vectors_shared(const struct unit *u, const struct function *f)
+{
+    return u->file->order == CORNERS_ANY && lines_straight(u) && !f->scaled;
+}
+
+/* A coordinate of a vector at a point. */
+static void coordinate_value(const struct vectors_found *w, size_t vector, size_t i, size_t point, size_t inputs,
+                             fmpq_t sum)
+{
+    const struct vector *v = &w->vector[vector];
+    fmpq_t term;
+    fmpq_init(term);
+    fmpq_zero(sum);
+    for (size_t k = 0; 3 * k < inputs; k++) {
+        fmpq_set_si(term, v->coef[k], (ulong)v->over);
+        fmpq_mul(term, term, w->value[point] + 3 * k + i);
+        fmpq_add(sum, sum, term);
+    }
+    fmpq_clear(term);
+}
+
+/* The power of 2, with a sign, that an operation is times the targets, one a point; 0 if it is none. */
+static double factor_of(const struct vectors_found *w, size_t op, const fmpq *target)
+{
+    double factor = 0.0;
+    fmpq_t product;
+    fmpq_init(product);
+    for (int sign = -1; sign <= 1; sign += 2)
+        for (int power = -LARGEST; power <= LARGEST && factor == 0.0; power++) {
+            bool same = true;
+            for (size_t point = 0; point < POINTS && same; point++) {
+                if (power < 0)
+                    fmpq_div_2exp(product, target + point, (ulong)-power);
+                else
+                    fmpq_mul_2exp(product, target + point, (ulong)power);
+                if (sign < 0)
+                    fmpq_neg(product, product);
+                same = w->known[point][op] && fmpq_equal(product, w->value[point] + op);
+            }
+            factor = same ? sign * (power < 0 ? 1.0 / (1 << -power) : 1 << power) : 0.0;
+        }
+    fmpq_clear(product);
+    return factor;
+}
+
+/* The first operation that is a multiple of the targets. */
+static struct coordinate search_operation(const struct vectors_found *w, const struct program *p, const fmpq *target)
+{
+    struct coordinate c = {-1, 0.0};
+    for (size_t op = p->inputs; op < p->ops && c.op < 0; op++)
+        if ((c.factor = factor_of(w, op, target)) != 0.0)
+            c.op = (int)op;
+    return c;
+}
+
+/* A coordinate that is a sum of differences of those of A, B, ..., S: its coefficients, and how many units of rounding of c1, c2,
+ * c3 and d it may be off by. */
+struct linear {
+    bool is;
+    double of[KNOTS], error[VECTORS];
+};
+
+/* x as a sum of multiples of c1, c2, c3 and d, by absolute values. */
+static void linear_parts(const struct vectors_found *w, const struct linear *x, double part[VECTORS])
+{
+    static const int square[VECTORS][KNOTS] = {
+        {-1, 1, 1, -1, 0}, {-1, -1, 1, 1, 0}, {1, -1, 1, -1, 0}, {0, 0, 0, 0, 1}};
+    static const int triangle[VECTORS][KNOTS] = {{0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {0}, {0, 0, 0, 1, 0}};
+    for (size_t v = 0; v < VECTORS; v++) {
+        part[v] = 0.0;
+        for (size_t k = 0; k < KNOTS; k++)
+            part[v] += (w->vector == bilinear ? square : triangle)[v][k] * x->of[k];
+        part[v] = fabs(part[v]);
+    }
+}
+
+/* a + sign b, which is linear if it is a difference of coordinates, and rounded. */
+static struct linear linear_sum(const struct vectors_found *w, const struct linear *a, const struct linear *b, int sign)
+{
+    struct linear x = {.is = a->is && b->is};
+    double part[VECTORS], all = 0.0;
+    for (size_t k = 0; k < KNOTS; k++)
+        all += x.of[k] = a->of[k] + sign * b->of[k];
+    x.is = x.is && all == 0.0;
+    linear_parts(w, &x, part);
+    for (size_t v = 0; v < VECTORS; v++)
+        x.error[v] = a->error[v] + b->error[v] + part[v];
+    return x;
+}
+
+/* a times a power of 2. */
+static struct linear linear_multiple(const struct linear *a, const fmpq *factor)
+{
+    struct linear x = *a;
+    int exponent;
+    const double times = fmpq_get_d(factor);
+    x.is = x.is && fabs(frexp(times, &exponent)) == 0.5;
+    for (size_t k = 0; k < KNOTS; k++)
+        x.of[k] *= times;
+    for (size_t v = 0; v < VECTORS; v++)
+        x.error[v] *= fabs(times);
+    return x;
+}
+
+/* Operation `op` as a sum of coordinates number i; `x`: those before it. */
+static struct linear linear_operation(const struct vectors_found *w, const struct program *p, size_t op, size_t i,
+                                      const struct linear *x)
+{
+    const struct op *o = &p->op[op];
+    struct linear none = {.is = false};
+    fmpq_t minus;
+    switch (o->kind) {
+    case OP_INPUT:
+        none.is = (size_t)o->input % 3 == i;
+        none.of[o->input / 3] = 1.0;
+        return none;
+    case OP_ADD:
+    case OP_SUB:
+        return linear_sum(w, &x[o->a], &x[o->b], o->kind == OP_ADD ? 1 : -1);
+    case OP_NEG:
+        fmpq_init(minus);
+        fmpq_set_si(minus, -1, 1);
+        none = linear_multiple(&x[o->a], minus);
+        fmpq_clear(minus);
+        return none;
+    case OP_MUL:
+        if (p->op[o->a].kind == OP_CONSTANT)
+            return linear_multiple(&x[o->b], p->constant + p->op[o->a].input);
+        if (p->op[o->b].kind == OP_CONSTANT)
+            return linear_multiple(&x[o->a], p->constant + p->op[o->b].input);
+        return none;
+    default:
+        return none;
+    }
+}
+
+/* All operations as sums of coordinates number i; the caller frees them. */
+static struct linear *linear_all(const struct vectors_found *w, const struct program *p, size_t i)
+{
+    struct linear *x = new_array(p->ops, sizeof *x);
+    for (size_t op = 0; op < p->ops; op++)
+        x[op] = linear_operation(w, p, op, i, x);
+    return x;
+}
+
+enum { ROUNDING_OF_TEXT = 3 }; /* of the texts of vectors above */
+
+/* Of the coordinates number i: forgets those whose rounding errors are not those of sums of differences. */
+static void bound_rounding(struct vectors_found *w, const struct program *p, size_t i)
+{
+    struct linear *x = linear_all(w, p, i);
+    for (size_t v = 0; v < VECTORS; v++) {
+        struct coordinate *c = &w->at[v][i];
+        if (c->op >= 0 && (!x[c->op].is || (v < VECTORS - 1 && x[c->op].error[VECTORS - 1] > 0.0)))
+            *c = (struct coordinate){-1, 0.0};
+        for (size_t k = 0; k < VECTORS && c->op >= 0; k++)
+            w->rounding = fmax(w->rounding, x[c->op].error[k] / fabs(c->factor));
+        for (size_t k = 0; k < 2 && v == VECTORS - 2; k++)
+            w->twist |= (c->op < 0 ? k == 0 : x[c->op].error[k] > 0.0) ? 1 << k : 0;
+    }
+    free(x);
+}
+
+static const size_t products[PRODUCTS][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}, {0, 3}, {1, 3}, {2, 3}};
+
+/* A sum of products of two coordinates of the same number: bounds on it and on its error, in units of rounding, by that number, by
+ * which vectors' coordinates. */
+struct quadratic {
+    bool is;
+    double value[3][VECTORS][VECTORS], error[3][VECTORS][VECTORS];
+};
+
+static bool is_difference(const struct linear *x)
+{
+    double all = 0.0;
+    for (size_t k = 0; k < KNOTS; k++)
+        all += x->of[k];
+    return x->is && all == 0.0;
+}
+
+static struct quadratic quadratic_product(const struct vectors_found *w, const struct linear *a, const struct linear *b,
+                                          size_t i)
+{
+    struct quadratic q = {.is = true};
+    double x[VECTORS], y[VECTORS];
+    linear_parts(w, a, x);
+    linear_parts(w, b, y);
+    for (size_t m = 0; m < VECTORS; m++)
+        for (size_t n = 0; n < VECTORS; n++) {
+            q.value[i][m][n] = x[m] * y[n];
+            q.error[i][m][n] = x[m] * b->error[n] + a->error[m] * y[n] + x[m] * y[n];
+        }
+    return q;
+}
+
+static struct quadratic quadratic_sum(const struct quadratic *a, const struct quadratic *b)
+{
+    struct quadratic q = {.is = a->is && b->is};
+    for (size_t i = 0; i < 3; i++)
+        for (size_t m = 0; m < VECTORS; m++)
+            for (size_t n = 0; n < VECTORS; n++) {
+                q.value[i][m][n] = a->value[i][m][n] + b->value[i][m][n];
+                q.error[i][m][n] = a->error[i][m][n] + b->error[i][m][n] + q.value[i][m][n];
+            }
+    return q;
+}
+
+/* Operation `op`; x: by coordinate, all operations as sums. */
+static struct quadratic quadratic_operation(const struct vectors_found *w, const struct program *p, size_t op,
+                                            struct linear *const x[3], const struct quadratic *q)
+{
+    const struct op *o = &p->op[op];
+    const struct quadratic none = {.is = false};
+    if (o->kind == OP_NEG)
+        return q[o->a];
+    if (o->kind == OP_ADD || o->kind == OP_SUB)
+        return quadratic_sum(&q[o->a], &q[o->b]);
+    for (size_t i = 0; i < 3 && o->kind == OP_MUL; i++)
+        if (is_difference(&x[i][o->a]) && is_difference(&x[i][o->b]))
+            return quadratic_product(w, &x[i][o->a], &x[i][o->b], i);
+    return none;
+}
+
+/* How much of the coordinates of vector `of` is in what bounds the errors of those of another: c1 and c2, which are sums of their
+ * own edges most of all, have little of each other, or one long edge would spoil the bounds across it. */
+static double share(const struct vectors_found *w, size_t vector, size_t of)
+{
+    if (of == vector || vector == VECTORS - 1)
+        return 1.0;
+    if (vector == VECTORS - 2)
+        return of < 2 && (w->twist & 1 << of) ? 1.0 : 0.0;
+    return of == VECTORS - 2 ? 1.0 : of == VECTORS - 1 ? 0.0 : VECTORS_FOREIGN;
+}
+
+/* Units of rounding of product k that cover its errors; infinite: none do. */
+static double product_units(const struct vectors_found *w, const struct quadratic *q, size_t k)
+{
+    double units = q->is ? 0.0 : INFINITY;
+    for (size_t i = 0; i < 3; i++)
+        for (size_t m = 0; m < VECTORS; m++)
+            for (size_t n = 0; n < VECTORS; n++) {
+                const double error = q->error[i][m][n] + q->error[i][n][m];
+                const double allowed = share(w, products[k][0], m) * share(w, products[k][1], n) +
+                                       share(w, products[k][0], n) * share(w, products[k][1], m);
+                if (error > 0.0)
+                    units = fmax(units, error / allowed);
+            }
+    return units;
+}
+
+/* A product, times the square of `factor`[0], at the points. */
+static void product_values(const struct vectors_found *w, size_t k, size_t inputs, fmpq *target)
+{
+    fmpq_t a, b, scale;
+    fmpq_init(a);
+    fmpq_init(b);
+    fmpq_init(scale);
+    double_rational(scale, w->factor[0] * w->factor[0]);
+    for (size_t point = 0; point < POINTS; point++) {
+        for (size_t i = 0; i < 3; i++) {
+            coordinate_value(w, products[k][0], i, point, inputs, a);
+            coordinate_value(w, products[k][1], i, point, inputs, b);
+            fmpq_addmul(target + point, a, b);
+        }
+        fmpq_mul(target + point, target + point, scale);
+    }
+    fmpq_clear(scale);
+    fmpq_clear(b);
+    fmpq_clear(a);
+}
+
+/* Products that the function has, as sums of products of coordinates, whose rounding errors are known. */
+static void search_products(struct vectors_found *w, const struct program *p)
+{
+    struct linear *x[3];
+    struct quadratic *q = new_array(p->ops, sizeof *q);
+    for (size_t i = 0; i < 3; i++)
+        x[i] = linear_all(w, p, i);
+    for (size_t op = 0; op < p->ops; op++)
+        q[op] = quadratic_operation(w, p, op, x, q);
+    w->product_rounding = 2.0 * w->rounding + 3.0; /* of dot */
+    for (size_t k = 0; k < PRODUCTS; k++) {
+        fmpq *target = _fmpq_vec_init(POINTS);
+        product_values(w, k, p->inputs, target);
+        struct coordinate *c = &w->product[k];
+        *c = search_operation(w, p, target);
+        const double units =
+            c->op < 0 ? INFINITY : product_units(w, &q[c->op], k) / fabs(c->factor) / (w->factor[0] * w->factor[0]);
+        if (isfinite(units))
+            w->product_rounding = fmax(w->product_rounding, units);
+        else
+            c->op = -1;
+        _fmpq_vec_clear(target, POINTS);
+    }
+    for (size_t i = 0; i < 3; i++)
+        free(x[i]);
+    free(q);
+}
+
+static void search_squares(struct vectors_found *w, const struct program *p)
+{
+    fmpq_t x, scale;
+    fmpq_init(x);
+    fmpq_init(scale);
+    double_rational(scale, w->factor[0]);
+    for (size_t v = 0; v < VECTORS; v++) {
+        fmpq *target = _fmpq_vec_init(POINTS);
+        for (size_t point = 0; point < POINTS; point++)
+            for (size_t i = 0; i < 3; i++) {
+                coordinate_value(w, v, i, point, p->inputs, x);
+                fmpq_mul(x, x, scale);
+                fmpq_addmul(target + point, x, x);
+            }
+        const struct coordinate c = search_operation(w, p, target);
+        w->square[v] = c.factor == 1.0 ? c.op : -1;
+        _fmpq_vec_clear(target, POINTS);
+    }
+    fmpq_clear(scale);
+    fmpq_clear(x);
+}
+
+static void search_vectors(struct vectors_found *w, const struct program *p)
+{
+    for (size_t v = 0; v < VECTORS; v++)
+        for (size_t i = 0; i < 3; i++) {
+            fmpq *target = _fmpq_vec_init(POINTS);
+            for (size_t point = 0; point < POINTS; point++)
+                coordinate_value(w, v, i, point, p->inputs, target + point);
+            w->at[v][i] = *w->vector[v].text ? search_operation(w, p, target) : (struct coordinate){-1, 0.0};
+            _fmpq_vec_clear(target, POINTS);
+        }
+    w->rounding = ROUNDING_OF_TEXT;
+    for (size_t i = 0; i < 3; i++)
+        bound_rounding(w, p, i);
+    for (size_t v = 0; v < VECTORS; v += VECTORS - 1) { /* c1 and d say how all are taken */
+        const struct coordinate *c = w->at[v];
+        const double factor = c[0].op >= 0 ? c[0].factor : c[1].op >= 0 ? c[1].factor : c[2].factor;
+        w->factor[v > 0] = factor != 0.0 ? factor : w->vector[v].over;
+    }
+}
+
+static void find_values(struct vectors_found *w, const struct program *p)
+{
+    uint64_t stream = 1;
+    for (size_t point = 0; point < POINTS; point++) {
+        fmpq *input = _fmpq_vec_init((slong)p->inputs);
+        w->values = (slong)p->ops;
+        w->value[point] = _fmpq_vec_init(w->values);
+        w->known[point] = new_array(p->ops, sizeof *w->known[point]);
+        for (size_t i = 0; i < p->inputs; i++)
+            fmpq_set_si(input + i, (slong)(random_next(&stream) >> 40), 1);
+        point_rational(p, p->ops, input, w->value[point], w->known[point]);
+        _fmpq_vec_clear(input, (slong)p->inputs);
+    }
+}
+
+/* Operations of a function whose coordinates are relative to the segment have none of these values. */
+static void forget_operations(struct vectors_found *w, const struct program *p)
+{
+    for (size_t point = 0; point < POINTS; point++)
+        for (size_t op = p->inputs; op < p->ops; op++)
+            w->known[point][op] = false;
+}
+
+/* Marks what the marked operations need. */
+static void mark_needed(struct vectors_found *w, const struct program *p)
+{
+    for (size_t op = p->ops; op-- > 0;) {
+        if (w->needed[op] && p->op[op].a >= 0)
+            w->needed[p->op[op].a] = true;
+        if (w->needed[op] && p->op[op].b >= 0)
+            w->needed[p->op[op].b] = true;
+    }
+}
+
+void vectors_find(struct vectors_found *w, const struct unit *u, const struct function *f)
+{
+    *w = (struct vectors_found){.vector = u->file->segment->bilinear ? bilinear : flat};
+    find_values(w, f->program);
+    if (f->scaled)
+        forget_operations(w, f->program);
+    search_vectors(w, f->program);
+    search_squares(w, f->program);
+    w->needed = new_array(f->program->ops, sizeof *w->needed);
+    for (size_t v = 0; v < VECTORS; v++) {
+        for (size_t i = 0; i < 3; i++)
+            if (w->at[v][i].op >= 0)
+                w->needed[w->at[v][i].op] = true;
+        if (w->square[v] >= 0 && v < VECTORS - 1)
+            w->needed[w->square[v]] = true;
+    }
+    mark_needed(w, f->program);
+}
+
+void vectors_find_products(struct vectors_found *w, const struct function *f)
+{
+    search_products(w, f->program);
+    for (size_t k = 0; k < PRODUCTS; k++)
+        if (w->product[k].op >= 0)
+            w->needed[w->product[k].op] = true;
+    mark_needed(w, f->program);
+}
+
+void vectors_clear(struct vectors_found *w)
+{
+    for (size_t point = 0; point < POINTS; point++) {
+        _fmpq_vec_clear(w->value[point], w->values);
+        free(w->known[point]);
+    }
+    free(w->needed);
+}
+
+/* "const double a[3] = {-t3, 0.5 * t4, t5};": a vector times the factor that it is taken with. */
+static void print_vector(const struct vectors_found *w, size_t v, struct printer *r, char name, FILE *out)
+{
+    fprintf(out, "    const REAL %c[3] = {", name);
+    for (size_t i = 0; i < 3; i++) {
+        const struct coordinate *c = &w->at[v][i];
+        const double times = w->factor[v == VECTORS - 1] / (c->op < 0 ? w->vector[v].over : c->factor);
+        fputs(i ? ", " : "", out);
+        if (times == -1.0)
+            fputc('-', out);
+        else if (times != 1.0)
+            fprintf(out, "%.17g * ", times);
+        if (c->op >= 0) {
+            char *text = printer_text(r, c->op, LEVEL_NAME);
+            fputs(text, out);
+            free(text);
+        } else
+            for (const char *t = w->vector[v].text; *t; t++)
+                fputc(*t == '#' ? "012"[i] : *t, out);
+    }
+    fputs("};\n", out);
+}
+
+char *vectors_size(const struct vectors_found *w, struct printer *r)
+{
+    struct memory *m = memory_open();
+    for (size_t v = 0; v < VECTORS - 1 && *w->vector[v].text; v++) {
+        char *text = w->square[v] < 0 ? new_format("footpoint_detail_dot(%c, %c)", "abc"[v], "abc"[v])
+                                      : printer_text(r, w->square[v], LEVEL_SUM);
+        fprintf(m->stream, "%s%s", v ? " + " : "", text);
+        free(text);
+    }
+    return memory_close(m);
+}
+
+void vectors_print(const struct vectors_found *w, struct printer *r, FILE *out)
+{
+    for (size_t v = 0; v < VECTORS; v++)
+        if (*w->vector[v].text)
+            print_vector(w, v, r, "abcd"[v], out);
+}
+
+char *vectors_product(const struct vectors_found *w, struct printer *r, size_t k)
+{
+    const struct coordinate *c = &w->product[k];
+    const char a = "abcd"[products[k][0]], b = "abcd"[products[k][1]];
+    const double times = b == 'd' ? w->factor[0] / w->factor[1] : 1.0;
+    if (c->op < 0)
+        return times == 1.0 ? new_format("footpoint_detail_dot(%c, %c)", a, b)
+                            : new_format("%.17g * footpoint_detail_dot(%c, %c)", times, a, b);
+    char *text = printer_text(r, c->op, LEVEL_NAME);
+    char *whole = c->factor == 1.0 ? new_format("%s", text) : new_format("%.17g * %s", 1.0 / c->factor, text);
+    free(text);
+    return whole;
+}

@@ -1,0 +1,129 @@
+/* Answers that are proved, or repaired. */
+
+/* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
+ * NULL, the step of Gauss and Newton from there, which leads downhill. */
+FOOTPOINT_COLD REAL footpoint_detail_quad4_apart(const REAL a[3], const REAL b[3], const REAL c[3],
+                                                 const REAL d[3], REAL xi, REAL eta, REAL *gauss)
+{
+    REAL u[3], v[3], w[3], uu, uv, vv, f, g, det;
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] - xi * a[i] - eta * v[i];
+    }
+    if (gauss) {
+        uu = footpoint_detail_dot(u, u);
+        uv = footpoint_detail_dot(u, v);
+        vv = footpoint_detail_dot(v, v);
+        f = footpoint_detail_dot(u, w);
+        g = footpoint_detail_dot(v, w);
+        det = 1.001 * uu * vv - uv * uv + REAL_MIN;
+        gauss[0] = (vv * f - uv * g) / det;
+        gauss[1] = (uu * g - uv * f) / det;
+    }
+    return footpoint_detail_dot(w, w);
+}
+
+/* Vectors as sums of edges, four times r's. */
+FOOTPOINT_COLD void footpoint_detail_quad4_edges(REAL y[VECTORS][3], REAL a[3], REAL b[3],
+                                                 REAL c[3], REAL d[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const REAL ab = y[1][i] - y[0][i], dc = y[2][i] - y[3][i];
+        a[i] = ab + dc;
+        b[i] = (y[3][i] - y[0][i]) + (y[2][i] - y[1][i]);
+        c[i] = dc - ab;
+        d[i] = ((y[4][i] - y[0][i]) + (y[4][i] - y[2][i])) +
+               ((y[4][i] - y[1][i]) + (y[4][i] - y[3][i]));
+    }
+}
+
+/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
+ * lead downhill.  0 if nothing is nearer. */
+FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const REAL a[3], const REAL b[3], const REAL c[3],
+                                                 const REAL d[3], REAL to[2], REAL at[2],
+                                                 REAL *apart)
+{
+    REAL gauss[2], damp = 1.0, less;
+    less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+    if (!(less <= *apart * (1.0 + REAL_MARGIN))) {
+        (void)footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], gauss);
+        do {
+            to[0] = at[0] + damp * gauss[0];
+            to[1] = at[1] + damp * gauss[1];
+            less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+            damp *= 0.25;
+        } while (!(less < *apart) && damp > 1e-4);
+    }
+    if (!(less <= *apart * (1.0 + REAL_MARGIN)))
+        return 0;
+    at[0] = to[0];
+    at[1] = to[1];
+    *apart = less;
+    return 1;
+}
+
+/* From loc by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  In a unit of length in which the segment is
+ * about 1 long, with vectors whose coordinates are off by 3 units of rounding: see footpoint_detail_quad4_prove(). */
+FOOTPOINT_COLD int footpoint_detail_quad4_repair(const REAL *const *x, REAL promise, REAL loc[2],
+                                                 REAL *gap)
+{
+    const REAL rounding = 11.0 * 1.12e-16;
+    REAL y[VECTORS][3], a[3], b[3], c[3], d[3], at[2], to[2], g, apart;
+    const REAL *z[VECTORS];
+    int exponent = 0, i, steps, status = FOOTPOINT_UNPROVED;
+    if (footpoint_detail_scale(x, NODES, VECTORS, y, &exponent) != FOOTPOINT_OK)
+        return FOOTPOINT_UNPROVED;
+    for (i = 0; i < VECTORS; i++)
+        z[i] = y[i];
+    footpoint_detail_quad4_edges(y, a, b, c, d);
+    at[0] = fabs(loc[0]) < 1e3 ? loc[0] : 0.0;
+    at[1] = fabs(loc[1]) < 1e3 ? loc[1] : 0.0;
+    apart = footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], NULL);
+    for (steps = 0; steps < 20; steps++) {
+        to[0] = at[0];
+        to[1] = at[1];
+        if (!(footpoint_detail_quad4_prove(a, b, c, d, 1.0, rounding, promise, &to[0], &to[1]) >>
+              REAL_TOP)) {
+            at[0] = to[0];
+            at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        /* where steps have become shorter than that, rounding forbids the proof */
+        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 0.01 * promise ||
+            !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
+            break;
+    }
+    if (footpoint_detail_quad4_gap(z, at[0], at[1], 1e-6, &g) >> REAL_TOP)
+        return FOOTPOINT_UNPROVED;
+    g = ldexp(g, exponent);
+    if (footpoint_detail_infinite(g) >> REAL_TOP)
+        return FOOTPOINT_UNPROVED;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *gap = g;
+    return status;
+}
+
+/* NAME where its search is not good beyond doubt; promise = 0: nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
+                                                 const REAL *const *x, int nodes, REAL promise,
+                                                 REAL loc[2], REAL *gap)
+{
+    int status;
+    REAL xi, eta, g;
+    if (promise > 0.0 &&
+        !(search(x, 2, 0.0, &xi, &eta, &g) >> REAL_TOP)) { /* a loop takes fewer steps */
+        loc[0] = xi;
+        loc[1] = eta;
+        *gap = g;
+        return FOOTPOINT_OK;
+    }
+    status = footpoint_detail_again(search, x, nodes, VECTORS, loc, gap);
+    return status == FOOTPOINT_OK && promise > 0.0
+               ? footpoint_detail_quad4_repair(x, promise, loc, gap)
+               : status;
+}

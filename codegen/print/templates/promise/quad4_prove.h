@@ -1,0 +1,15 @@
+/* From a search's xi and eta steps, their proof and the gap, of values that the search has. */
+
+FOOTPOINT_PART REAL_BITS NAME_detail_prove(NODE_PARAMETERS, REAL promise, int fixed, REAL *xi,
+                                           REAL *eta, REAL *gap)
+{
+    VECTOR_STATEMENTS
+    const REAL size = SIZE;
+    const REAL products[9] = {PRODUCT_LIST};
+    const REAL ratio = RATIO, per = PER, unit = UNIT, rounding = UNITS * 1.12e-16;
+    const footpoint_detail_quad4_vectors vectors = {a, b, c, d, OVER, size, rounding, TWIST};
+    const REAL_BITS doubt =
+        footpoint_detail_quad4_steps(products, &vectors, promise, fixed, xi, eta);
+    return doubt | footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, *xi, *eta,
+                                               LEAST_SIZE, gap);
+}

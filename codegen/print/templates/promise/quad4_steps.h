@@ -1,0 +1,142 @@
+/* Steps to a foot point, proved from scalar products that a search has. */
+
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (REAL_BITS)1 << REAL_TOP;
+#else
+    return 0;
+#endif
+}
+
+/* The greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* The sum of the absolute values, and the largest. */
+FOOTPOINT_PART REAL footpoint_detail_sum(const REAL a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
+{
+    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
+}
+
+/* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
+ * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
+ * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
+ * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two. */
+typedef struct {
+    const REAL *a, *b, *c, *d;
+    REAL over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_off(const footpoint_detail_quad4_vectors *r, REAL p,
+                                               REAL q, REAL uu, REAL mixed, REAL vv)
+{
+    const REAL a1 = footpoint_detail_sum(r->a), am = footpoint_detail_most(r->a);
+    const REAL b1 = footpoint_detail_sum(r->b), bm = footpoint_detail_most(r->b);
+    const REAL c1 = footpoint_detail_sum(r->c), cm = footpoint_detail_most(r->c);
+    const REAL first = a1 + c1 + 0.08 * b1, wide = am + cm + 0.08 * bm;
+    const REAL second = b1 + c1 + 0.08 * a1, high = bm + cm + 0.08 * am;
+    const REAL turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
+    const REAL bend = r->twist == 1 ? wide : r->twist == 2 ? high : wide + high;
+    const REAL u = first + q * turn, v = second + p * turn;
+    const REAL far = fabs(r->over) * footpoint_detail_most(r->d) + wide + high + p * wide +
+                     q * (high + p * bend);
+    return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
+}
+
+/* A step of third order to the foot point, by xi and eta, from products[] = a a, a b, b b, a c, b c, c c, a d, b d, c d.  The
+ * highest bit of what it returns is not set if a minimum of the distance is proved to lie within `promise` of the answer.
+ *
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  From Newton's step s = H^-1 F what is left
+ * of F is known, N(s), as it is a polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a
+ * ball of 1/6 about the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + c . c.  Let h = beta L (|s| + 2 |x| +
+ * 2 R), where R bounds rounding; in the ball of that radius 1 - H^-1 H(y) is at most h, so that Newton's iteration with
+ * H kept contracts: what it would do next, at most h |x| + R, bounds the distance of the answer from a root within a factor of
+ * 1 / (1 - h), and H is positive definite all the way there.
+ *
+ * rounding: (k + 20) units of rounding, if products are off by k units of what `reach` allows: polynomials take 8 more, Cramer's
+ * rule 9.  In row xi, F is off by rounding P T, P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., of reach, and H s and N by
+ * 24 |s| P T each: so do the bounds grow in the ball.  The weak inequality of det keeps rounding errors of beta and
+ * h below what 0.2, 1.4 and 1.3 leave of 0.25, 1.25 and 1.25. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
+                                                     const footpoint_detail_quad4_vectors *r,
+                                                     REAL promise, REAL *xi, REAL *eta)
+{
+    const REAL e11 = products[0], e12 = products[1] - products[8], e22 = products[2],
+               c1 = products[3];
+    const REAL c2 = products[4], cc = products[5], p = *xi, q = *eta;
+    const REAL tu = c1 + q * cc, tv = c2 + p * cc, y = p * c1 + q * tv, z = e12 + y;
+    const REAL uu = e11 + q * (c1 + tu), vv = e22 + p * (c2 + tv), r12 = z + y, mixed = fabs(r12);
+    const REAL f = products[6] - q * z - p * (e11 + q * c1);
+    const REAL g = products[7] - p * z - q * (e22 + p * c2);
+    const REAL per = 1.0 / (uu * vv - r12 * r12);
+    const REAL s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const REAL step = footpoint_detail_greater(fabs(s), fabs(t));
+    const REAL beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    REAL off, left = step * (1.0 / 3.0), h, room, other;
+    if (promise < 1e-9)
+        off = per * footpoint_detail_quad4_off(r, fabs(p) + 2.0 * step, fabs(q) + 2.0 * step, uu,
+                                               mixed, vv);
+    else
+        off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
+                      (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
+    off *= r->rounding + 50.0 * r->rounding * step;
+    *xi = p + s;
+    *eta = q + t;
+    if (promise < 1e-3) {
+        const REAL along = tu * s, across = tv * t, both = cc * (s * t);
+        const REAL m = t * (along + along + across + both),
+                   n = s * (across + across + along + both);
+        const REAL v = (r12 * n - vv * m) * per, w = (r12 * m - uu * n) * per;
+        left = footpoint_detail_greater(fabs(v), fabs(w));
+        *xi += v;
+        *eta += w;
+    }
+    h = beta * (4.0 * (fabs(tu) + fabs(tv)) + 2.0 * cc) * (step + 2.0 * (left + off));
+    room = 0.999 * promise - (1.4 * h * left + 1.3 * off);
+    other = 0.2 - (h + 1.2 * step + 200.0 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(other) | footpoint_detail_bits(per) |
+           footpoint_detail_infinite(room) | footpoint_detail_fast();
+}
+
+/* Steps until one is proved, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+ * these are enough. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
+                                                      const footpoint_detail_quad4_vectors *r,
+                                                      REAL promise, int fixed, REAL *xi, REAL *eta)
+{
+    REAL_BITS doubt = footpoint_detail_infinite(*xi + *eta);
+    int k = 0;
+    if (fixed) {
+        REAL u, v;
+        REAL_BITS still;
+        doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        if (fixed < 2)
+            return doubt;
+        u = *xi;
+        v = *eta;
+        still = footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        *xi = doubt >> REAL_TOP ? u : *xi;
+        *eta = doubt >> REAL_TOP ? v : *eta;
+        return doubt & still;
+    }
+    if (!(doubt >> REAL_TOP))
+        do {
+            doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        } while (doubt >> REAL_TOP && ++k < 4);
+    return doubt;
+}
