@@ -52,6 +52,21 @@ size_t gene_span(const int *gene, size_t n)
     return 0;
 }
 
+int gene_fold(const int *gene, size_t length, int (*value)(void *context, int gene, int a, int b), void *context)
+{
+    enum { SHORT = 64 };
+    int few[SHORT], *stack = length > SHORT ? new_array(length, sizeof *stack) : few, *top = stack;
+    for (size_t i = length; i-- > 0;) {
+        const int operands = gene_arity(gene[i]);
+        const int a = operands > 0 ? *--top : -1, b = operands > 1 ? *--top : -1;
+        *top++ = value(context, gene[i], a, b);
+    }
+    const int root = *--top;
+    if (stack != few)
+        free(stack);
+    return root;
+}
+
 struct genome_file *genome_file_new(const char *path)
 {
     struct genome_file *f = new_array(1, sizeof *f);

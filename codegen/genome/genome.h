@@ -150,6 +150,15 @@ int gene_of_name(const char *name);
 /** Length of the subtree that starts at gene[0] (Tokui and Iba: stack counts add up to 1), or 0 if `n` genes do not
  * hold one. */
 size_t gene_span(const int *gene, size_t n);
+/** Evaluates an expression in prefix form, operands before their operators, the last gene first.
+ *  @param[in] value  returns the value of a gene from those of its operands; -1 stands for an operand that is not there
+ *  @return the value of the expression's first gene */
+int gene_fold(const int *gene, size_t length, int (*value)(void *context, int gene, int a, int b), void *context);
+/** Returns true if a gene is a symbol or a number. */
+static inline bool gene_is_leaf(int gene)
+{
+    return gene < 0 || gene >= GENE_SYMBOL;
+}
 
 /** A named prefix expression. */
 struct genome_expr {

@@ -17,7 +17,6 @@ struct genome_program genome_program_start(const struct genome_file *f, size_t o
 struct program *genome_program_end(struct genome_program *b)
 {
     free(b->symbol);
-    free(b->stack);
     return b->program;
 }
 
@@ -31,28 +30,21 @@ static int add_number(struct program *p, const char *text)
     return op;
 }
 
-/* From its end, as a stack machine. */
-int genome_program_add(struct genome_program *b, const struct genome_expr *e)
+static int add_gene(void *builder, int gene, int x, int y)
 {
+    struct genome_program *b = builder;
 #define OPERATION(gene, ...) [GENE_##gene] = OP_##gene,
     static const enum op_kind kind[GENE_OPERATORS] = {GENES_OF_TWO(OPERATION) GENES_OF_ONE(OPERATION)};
-    b->depth = 0;
-    for (size_t i = e->length; i-- > 0;) {
-        const int gene = e->gene[i];
-        int op;
-        if (gene < 0)
-            op = add_number(b->program, b->file->constant[-1 - gene].text);
-        else if (gene >= GENE_LOCAL)
-            op = b->shape[gene - GENE_LOCAL];
-        else if (gene >= GENE_SYMBOL)
-            op = b->symbol[gene - GENE_SYMBOL];
-        else {
-            const int x = b->stack[--b->depth], y = gene_arity(gene) == 2 ? b->stack[--b->depth] : -1;
-            op = program_add(b->program, kind[gene], x, y);
-        }
-        APPEND(b->stack, b->depth, b->room) = op;
-    }
-    return b->stack[0];
+    if (gene < 0)
+        return add_number(b->program, b->file->constant[-1 - gene].text);
+    if (gene >= GENE_LOCAL)
+        return b->shape[gene - GENE_LOCAL];
+    return gene >= GENE_SYMBOL ? b->symbol[gene - GENE_SYMBOL] : program_add(b->program, kind[gene], x, y);
+}
+
+int genome_program_add(struct genome_program *b, const struct genome_expr *e)
+{
+    return gene_fold(e->gene, e->length, add_gene, b);
 }
 
 /* An operand of q as one of p. */

@@ -10,8 +10,6 @@ struct genome_program {
     struct program *program;        /* owned by whom genome_program_end hands it to */
     int *symbol;                    /* owned: operation of a symbol, once it is known */
     const int *shape;               /* not owned: of a symbol of the region, where requires may use these */
-    int *stack;                     /* owned */
-    size_t depth, room;
 };
 
 /** A program of the file's inputs, with room for so many outputs. */

@@ -146,7 +146,6 @@ static struct program *read_shapes(struct known *x, const struct genome_file *f,
     b.shape = shape;
     add_requires(&b);
     free(a.symbol);
-    free(a.stack);
     return genome_program_end(&b);
 }
 

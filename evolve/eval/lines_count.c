@@ -9,7 +9,7 @@ struct lines_counter {
     struct lines *code;                /* owned, as are these */
     struct counter *counter;
     size_t capacity, symbols, let_genes;
-    struct operand *value, *stack, *line; /* by symbol; of the lets on their way; by line */
+    int *value, *line; /* by symbol; by line */
     size_t line_room;
     unsigned *round, now; /* by symbol: the count in which its value was made */
 };
@@ -24,7 +24,6 @@ struct lines_counter *lines_counter_new(const struct line_rules *t)
         c->let_genes += t->program->let[i].length;
     c->value = new_array(c->symbols, sizeof *c->value);
     c->round = new_array(c->symbols, sizeof *c->round);
-    c->stack = new_array(c->let_genes + 1, sizeof *c->stack);
     return c;
 }
 
@@ -36,44 +35,30 @@ void lines_counter_free(struct lines_counter *c)
     counter_free(c->counter);
     free(c->value);
     free(c->round);
-    free(c->stack);
     free(c->line);
     free(c);
 }
 
-static struct operand value_of_symbol(struct lines_counter *c, size_t symbol, struct operand *stack);
+static int value_of_gene(void *counter, int gene, int a, int b);
 
-static struct operand value_of_leaf(struct lines_counter *c, int gene, struct operand *stack)
-{
-    return gene < 0 ? counter_number(c->counter, c->program->constant[-1 - gene].value)
-                    : value_of_symbol(c, (size_t)(gene - GENE_SYMBOL), stack);
-}
-
-/* stack: room for what this let and those that it needs have on their way. */
-static struct operand value_of_symbol(struct lines_counter *c, size_t symbol, struct operand *stack)
+static int value_of_symbol(struct lines_counter *c, size_t symbol)
 {
     if (c->round[symbol] == c->now)
         return c->value[symbol];
-    struct operand value;
-    if (symbol < c->program->inputs) {
-        value = counter_leaf(c->counter, GENE_SYMBOL + (int)symbol);
-    } else {
-        const struct genome_expr *let = &c->program->let[symbol - c->program->inputs];
-        struct operand *top = stack;
-        for (size_t i = let->length; i-- > 0;) {
-            const int arity = gene_arity(let->gene[i]);
-            if (arity == 0) {
-                const struct operand leaf = value_of_leaf(c, let->gene[i], top);
-                *top++ = leaf;
-            } else {
-                const struct operand a = *--top, b = arity == 2 ? *--top : a;
-                *top++ = counter_operation(c->counter, let->gene[i], a, b);
-            }
-        }
-        value = *--top;
-    }
     c->round[symbol] = c->now;
-    return c->value[symbol] = value;
+    if (symbol < c->program->inputs)
+        return c->value[symbol] = counter_leaf(c->counter, GENE_SYMBOL + (int)symbol);
+    const struct genome_expr *let = &c->program->let[symbol - c->program->inputs];
+    return c->value[symbol] = gene_fold(let->gene, let->length, value_of_gene, c);
+}
+
+static int value_of_gene(void *counter, int gene, int a, int b)
+{
+    struct lines_counter *c = counter;
+    if (!gene_is_leaf(gene))
+        return counter_operation(c->counter, gene, a, b);
+    return gene < 0 ? counter_number(c->counter, c->program->constant[-1 - gene].value)
+                    : value_of_symbol(c, (size_t)(gene - GENE_SYMBOL));
 }
 
 static void reserve(struct lines_counter *c, size_t lines)
@@ -102,12 +87,12 @@ struct operation_count count_lines(struct lines_counter *c, const struct genes *
         if (!code->needed[i])
             continue;
         if (x->gene >= GENE_SYMBOL)
-            c->line[i] = value_of_symbol(c, (size_t)(x->gene - GENE_SYMBOL), c->stack);
+            c->line[i] = value_of_symbol(c, (size_t)(x->gene - GENE_SYMBOL));
         else if (x->gene < 0)
             c->line[i] = counter_number(c->counter, x->number);
         else
-            c->line[i] = counter_operation(c->counter, x->gene, c->line[x->a], c->line[x->b >= 0 ? x->b : x->a]);
+            c->line[i] = counter_operation(c->counter, x->gene, c->line[x->a], x->b >= 0 ? c->line[x->b] : -1);
     }
-    const struct operand root[2] = {c->line[code->root[0]], c->line[code->root[1]]};
+    const int root[2] = {c->line[code->root[0]], c->line[code->root[1]]};
     return counter_end(c->counter, root, 2);
 }

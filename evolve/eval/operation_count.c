@@ -1,6 +1,5 @@
-/* Counts operations by hash-consing: a prefix genome is read from the back with a stack, and each value becomes a node
- * that is looked up by its hash among those that are there.  A node stands for a value up to its sign, which its user
- * carries.  What the root needs is marked in the end. */
+/* Counts operations by hash-consing: each value becomes a node that is looked up by its hash among those that are there.
+ * A node stands for a value up to its sign, which its user carries.  What the root needs is marked in the end. */
 #include "operation_count.h"
 
 #include "../../codegen/base/index_table.h"
@@ -25,9 +24,24 @@ struct node {
 struct counter {
     struct node *node; /* owned, operands before those that use them */
     int nodes;
-    struct operand *stack;    /* owned */
     struct index_table known; /* nodes by hash */
 };
+
+/* A value: a node or its negative.  For users of the counter it is one number, 2 node + negative. */
+struct operand {
+    int node;
+    bool negative;
+};
+
+static int packed(struct operand x)
+{
+    return 2 * x.node + x.negative;
+}
+
+static struct operand unpacked(int x)
+{
+    return (struct operand){x / 2, x % 2 == 1};
+}
 
 double operations_price(const struct operation_count *o, const struct prices *m)
 {
@@ -38,7 +52,6 @@ struct counter *counter_new(size_t max_length)
 {
     struct counter *c = new_array(1, sizeof *c);
     c->node = new_array(max_length, sizeof *c->node);
-    c->stack = new_array(max_length, sizeof *c->stack);
     return c;
 }
 
@@ -47,7 +60,6 @@ void counter_free(struct counter *c)
     if (!c)
         return;
     free(c->node);
-    free(c->stack);
     index_free(&c->known);
     free(c);
 }
@@ -162,7 +174,7 @@ static struct operand other(struct counter *c, int gene, struct operand a, struc
     return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, OTHER, false, 0}), false};
 }
 
-struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b)
+static struct operand operation(struct counter *c, int gene, struct operand a, struct operand b)
 {
     if (is_constant(c, a) && is_constant(c, b))
         return constant_of(c, gene_value(gene, signed_value(c, a), signed_value(c, b)));
@@ -183,27 +195,29 @@ struct operand counter_operation(struct counter *c, int gene, struct operand a, 
     }
 }
 
+int counter_operation(struct counter *c, int gene, int a, int b)
+{
+    return packed(operation(c, gene, unpacked(a), unpacked(b < 0 ? a : b)));
+}
+
 void counter_begin(struct counter *c)
 {
     c->nodes = 0;
     index_clear(&c->known);
 }
 
-struct operand counter_number(struct counter *c, double value)
+int counter_number(struct counter *c, double value)
 {
-    return constant_of(c, value);
+    return packed(constant_of(c, value));
 }
 
-struct operand counter_leaf(struct counter *c, int gene)
+int counter_leaf(struct counter *c, int gene)
 {
-    return (struct operand){
-        node_of(c, (struct node){mix(LEAF, (uint64_t)gene), 0, -1, -1, LEAF, false, 0}),
-        false,
-    };
+    return 2 * node_of(c, (struct node){mix(LEAF, (uint64_t)gene), 0, -1, -1, LEAF, false, 0});
 }
 
 /* The longest chain to each node that is needed; operands stand before their users. */
-static double longest_chain(struct counter *c, const struct operand *root, size_t roots)
+static double longest_chain(struct counter *c, const int *root, size_t roots)
 {
     static const double length[] = {[SUM] = 1, [PRODUCT] = 1, [QUOTIENT] = 3.25, [OTHER] = 1};
     double longest = 0;
@@ -212,18 +226,19 @@ static double longest_chain(struct counter *c, const struct operand *root, size_
         n->path = n->needed && n->a >= 0 ? length[n->kind] + fmax(c->node[n->a].path, c->node[n->b].path) : 0;
     }
     for (size_t i = 0; i < roots; i++)
-        longest = fmax(longest, c->node[root[i].node].path);
+        longest = fmax(longest, c->node[root[i] / 2].path);
     return longest;
 }
 
 /* Count what the roots need: users stand behind their operands. */
-struct operation_count counter_end(struct counter *c, const struct operand *root, size_t roots)
+struct operation_count counter_end(struct counter *c, const int *root, size_t roots)
 {
     struct operation_count o = {.hash = 0};
     for (size_t i = 0; i < roots; i++) {
-        const uint64_t hash = mix(c->node[root[i].node].hash, root[i].negative);
+        const struct operand x = unpacked(root[i]);
+        const uint64_t hash = mix(c->node[x.node].hash, x.negative);
         o.hash = i == 0 ? hash : mix(o.hash, hash);
-        c->node[root[i].node].needed = true;
+        c->node[x.node].needed = true;
     }
     for (int i = c->nodes - 1; i >= 0; i--) {
         const struct node *n = &c->node[i];
@@ -240,27 +255,25 @@ struct operation_count counter_end(struct counter *c, const struct operand *root
     return o;
 }
 
-static struct operand leaf(struct counter *c, int gene, const struct genome_constant *constant)
+struct tree {
+    struct counter *counter;
+    const struct genome_constant *constant;
+};
+
+static int value_of_gene(void *tree, int gene, int a, int b)
 {
-    if (gene < 0)
-        return constant_of(c, constant ? constant[-1 - gene].value : decimal_value(gene));
-    return counter_leaf(c, gene);
+    const struct tree *t = tree;
+    if (!gene_is_leaf(gene))
+        return counter_operation(t->counter, gene, a, b);
+    if (gene >= GENE_SYMBOL)
+        return counter_leaf(t->counter, gene);
+    return counter_number(t->counter, t->constant ? t->constant[-1 - gene].value : decimal_value(gene));
 }
 
 struct operation_count count_operations(struct counter *c, const struct genes *t,
                                         const struct genome_constant *constant)
 {
-    struct operand *top = c->stack; /* one past the top */
     counter_begin(c);
-    for (size_t i = t->length; i-- > 0;) {
-        const int arity = gene_arity(t->gene[i]);
-        if (arity == 0) {
-            *top++ = leaf(c, t->gene[i], constant);
-        } else {
-            const struct operand a = *--top, b = arity == 2 ? *--top : a;
-            *top++ = counter_operation(c, t->gene[i], a, b);
-        }
-    }
-    const struct operand root = *--top;
+    const int root = gene_fold(t->gene, t->length, value_of_gene, &(struct tree){c, constant});
     return counter_end(c, &root, 1);
 }

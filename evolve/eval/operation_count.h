@@ -31,18 +31,14 @@ void counter_free(struct counter *c);
 struct operation_count count_operations(struct counter *c, const struct genes *t,
                                         const struct genome_constant *constant);
 
-/* The same step by step, for what is no tree: values up to their sign, from leaves and operations on them. */
-struct operand {
-    int node;
-    bool negative;
-};
+/* The same step by step, for what is no tree: numbers of values, from leaves and operations on them. */
 void counter_begin(struct counter *c);
-struct operand counter_leaf(struct counter *c, int gene);
-struct operand counter_number(struct counter *c, double value);
-/** b is a where the gene has one operand. */
-struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b);
-/** Operations of all that the roots need. */
-struct operation_count counter_end(struct counter *c, const struct operand *root, size_t roots);
+int counter_leaf(struct counter *c, int gene);
+int counter_number(struct counter *c, double value);
+/** b: -1 where the gene has one operand. */
+int counter_operation(struct counter *c, int gene, int a, int b);
+/** Counts the operations of all that the roots need. */
+struct operation_count counter_end(struct counter *c, const int *root, size_t roots);
 
 /* ---- programs: lines_count.c ---- */
 

@@ -35,35 +35,22 @@ static int add_body_line(struct line_body *b, struct line line)
     return (int)b->lines++;
 }
 
-static int line_of_gene(struct compiler *c, int gene);
-
-static int line_of_let(struct compiler *c, const struct genome_expr *let)
-{
-    int *stack = new_array(let->length, sizeof *stack), *top = stack;
-    for (size_t i = let->length; i-- > 0;) {
-        const int arity = gene_arity(let->gene[i]);
-        if (arity == 0) {
-            *top++ = line_of_gene(c, let->gene[i]);
-        } else {
-            const int a = *--top, b = arity == 2 ? *--top : -1;
-            *top++ = add_body_line(c->body, (struct line){let->gene[i], a, b, 0});
-        }
-    }
-    const int root = *--top;
-    free(stack);
-    return root;
-}
+static int line_of_gene(void *compiler, int gene, int a, int b);
 
 static int line_of_local(struct compiler *c, int local)
 {
     const int lets = c->function->first_let - GENE_LOCAL;
     if (local < lets)
         return add_body_line(c->body, (struct line){PARAMETER, local, -1, 0});
-    return line_of_let(c, &c->function->let[local - lets]);
+    const struct genome_expr *let = &c->function->let[local - lets];
+    return gene_fold(let->gene, let->length, line_of_gene, c);
 }
 
-static int line_of_gene(struct compiler *c, int gene)
+static int line_of_gene(void *compiler, int gene, int a, int b)
 {
+    struct compiler *c = compiler;
+    if (!gene_is_leaf(gene))
+        return add_body_line(c->body, (struct line){gene, a, b, 0});
     if (gene < 0)
         return add_body_line(c->body, (struct line){NUMBER, -1, -1, c->program->constant[-1 - gene].value});
     int *line = gene >= GENE_LOCAL ? &c->local[gene - GENE_LOCAL] : &c->symbol[gene - GENE_SYMBOL];
@@ -90,7 +77,7 @@ static struct line_body compile(const struct genome_file *f, const struct genome
     const size_t locals = (size_t)(function->first_let - GENE_LOCAL) + function->lets;
     struct compiler c = {f, function, &b, no_lines(f->inputs + f->lets), no_lines(locals)};
     for (int k = 0; k < 2; k++)
-        b.to[k] = line_of_gene(&c, function->result[k].gene);
+        b.to[k] = line_of_gene(&c, function->result[k].gene, -1, -1);
     free(c.symbol);
     free(c.local);
     return b;
@@ -121,6 +108,14 @@ static int power_of(int gene, int a, int b)
     return a == b || b == ANY_POWER ? a : a == ANY_POWER ? b : NO_POWER;
 }
 
+static int power_of_gene(void *rules, int gene, int a, int b)
+{
+    const struct line_rules *r = rules;
+    if (!gene_is_leaf(gene))
+        return power_of(gene, a, b);
+    return gene < 0 ? 0 : r->power[gene - GENE_SYMBOL];
+}
+
 /* Lets of a frame; those of unlike sums are of any. */
 static void find_powers(struct line_rules *r)
 {
@@ -130,18 +125,8 @@ static void find_powers(struct line_rules *r)
         r->power[i] = i < nodes || i + 3 >= f->inputs; /* normals are of no length */
     for (size_t k = 0; k < f->lets; k++) {
         const struct genome_expr *let = &f->let[k];
-        int *stack = new_array(let->length, sizeof *stack), *top = stack;
-        for (size_t i = let->length; i-- > 0;) {
-            const int gene = let->gene[i], arity = gene_arity(gene);
-            if (arity == 0) {
-                *top++ = gene < 0 ? 0 : r->power[gene - GENE_SYMBOL];
-            } else {
-                const int a = *--top, b = arity == 2 ? *--top : a;
-                *top++ = power_of(gene, a, b);
-            }
-        }
-        r->power[f->inputs + k] = (signed char)(stack[0] == NO_POWER ? ANY_POWER : stack[0]);
-        free(stack);
+        const int power = gene_fold(let->gene, let->length, power_of_gene, r);
+        r->power[f->inputs + k] = (signed char)(power == NO_POWER ? ANY_POWER : power);
     }
 }
 
@@ -506,23 +491,23 @@ void lines_load(struct lines *c, const struct genes *t, int last, enum lines_use
     free(line);
 }
 
+struct expression {
+    struct lines *lines;
+    const struct genome_constant *constant;
+};
+
+static int line_as_it_is(void *expression, int gene, int a, int b)
+{
+    const struct expression *e = expression;
+    return line_of(e->lines, gene < 0 ? (struct line){NUMBER, -1, -1, e->constant[-1 - gene].value}
+                                      : (struct line){gene, a, b, 0});
+}
+
 void lines_expression(struct lines *c, const int *gene, size_t length, const struct genome_constant *constant)
 {
-    int *stack = new_array(length, sizeof *stack), depth = 0;
     lines_begin(c);
-    for (size_t i = length; i-- > 0;) {
-        struct line x = {gene[i], -1, -1, 0};
-        if (gene[i] < 0)
-            x = (struct line){NUMBER, -1, -1, constant[-1 - gene[i]].value};
-        else if (gene[i] < GENE_OPERATORS) {
-            x.a = stack[--depth];
-            x.b = gene_arity(gene[i]) == 2 ? stack[--depth] : -1;
-        }
-        stack[depth++] = line_of(c, x);
-    }
-    c->root[0] = c->root[1] = stack[0];
+    c->root[0] = c->root[1] = gene_fold(gene, length, line_as_it_is, &(struct expression){c, constant});
     mark(c);
-    free(stack);
 }
 
 static int operand_gene(const struct lines *c, int i, const int *number)

@@ -1,6 +1,6 @@
-/* From prefix genomes to code for the register tiles.  The genome is read from the back once, which finds where
- * branches end, folds operators of constants and gives each branch its Ershov number: 0 for a leaf; as of its greater
- * operand, but one more where both are equal and not leaves.  Then the code is written from its end to its beginning, a
+/* From prefix genomes to code for the register tiles.  The genome is read once, which folds operators of constants and
+ * gives each branch its Ershov number: 0 for a leaf; as of its greater operand, but one more where both are equal and not
+ * leaves.  Then the code is written from its end to its beginning, a
  * node before its operands.  Of two operands that are no leaves, the one of the greater number is computed first, in A.
  * The other one is computed in B if its number is 1, that is, if it is a chain of operators that each have a leaf among
  * their operands; or else in A too, after A was stored in a slot.  Thus a random genome of hundreds of genes stores few
@@ -16,24 +16,27 @@ enum kind { CONSTANT, COLUMN, BRANCH };
 
 struct node {
     enum kind kind;
+    int gene, a, b; /* a, b: operands; -1: none */
     int number;
-    size_t end; /* one past the branch */
     double constant;
 };
 
 /* A branch that is still to be written. */
 struct pending {
-    size_t node, slot; /* slot: the last one in use, from 1 */
+    int node;
+    size_t slot; /* the last one in use, from 1 */
     bool in_b;
     bool store; /* its value goes to `slot`, which it may use itself */
 };
 
 struct translator {
-    struct node *node;         /* owned */
+    struct node *node; /* owned; operands before their operators */
+    int nodes;
     struct pending *pending;   /* owned */
     struct instruction *code;  /* owned: `room` instructions are written from the end */
     size_t room, depth, slots; /* room: for genes */
     struct instruction *begin;
+    const struct kernel_task *task;
     const struct kernel_table *table;
 };
 
@@ -64,17 +67,7 @@ static void reserve(struct translator *t, size_t length)
     }
     t->begin = t->code + 2 * t->room + 1;
     t->depth = t->slots = 0;
-}
-
-static struct node leaf(const struct kernel_task *task, size_t i)
-{
-    const int gene = task->gene[i];
-    struct node leaf = {COLUMN, 0, i + 1, 0};
-    if (gene < 0) {
-        leaf.kind = CONSTANT;
-        leaf.constant = task->constant ? task->constant[-1 - gene].value : decimal_value(gene);
-    }
-    return leaf;
+    t->nodes = 0;
 }
 
 static int ershov_number(int gene, const struct node *x, const struct node *y)
@@ -84,18 +77,27 @@ static int ershov_number(int gene, const struct node *x, const struct node *y)
     return number > least ? number : least;
 }
 
-static struct node operator_of(const struct translator *t, const struct kernel_task *task, size_t i)
+static struct node leaf(const struct kernel_task *task, int gene)
 {
-    const int gene = task->gene[i];
-    const struct node *x = &t->node[i + 1], *y = gene_arity(gene) == 2 ? &t->node[x->end] : x;
-    struct node n = {BRANCH, 0, y->end, 0};
-    if (x->kind == CONSTANT && y->kind == CONSTANT) {
-        n.kind = CONSTANT;
-        n.constant = gene_value(gene, x->constant, y->constant);
-    } else {
-        n.number = ershov_number(gene, x, y);
-    }
-    return n;
+    if (gene >= 0)
+        return (struct node){COLUMN, gene, -1, -1, 0, 0};
+    const double value = task->constant ? task->constant[-1 - gene].value : decimal_value(gene);
+    return (struct node){CONSTANT, gene, -1, -1, 0, value};
+}
+
+static struct node operator_of(const struct translator *t, int gene, int a, int b)
+{
+    const struct node *x = &t->node[a], *y = b < 0 ? x : &t->node[b];
+    if (x->kind == CONSTANT && y->kind == CONSTANT)
+        return (struct node){CONSTANT, gene, a, b, 0, gene_value(gene, x->constant, y->constant)};
+    return (struct node){BRANCH, gene, a, b, ershov_number(gene, x, y), 0};
+}
+
+static int add_node(void *translator, int gene, int a, int b)
+{
+    struct translator *t = translator;
+    t->node[t->nodes] = gene_is_leaf(gene) ? leaf(t->task, gene) : operator_of(t, gene, a, b);
+    return t->nodes++;
 }
 
 static void later(struct translator *t, struct pending p)
@@ -117,14 +119,13 @@ static size_t column(const struct translator *t, int gene)
 }
 
 /* The two operands of an operator, at least one of them a leaf. */
-static void write_chain(struct translator *t, const struct kernel_task *task, const struct pending *p, size_t x,
-                        size_t y)
+static void write_chain(struct translator *t, const struct pending *p, const struct node *n)
 {
     static const int form[3][3] = {
         {-1, CONSTANT_COLUMN, CONSTANT_A}, {COLUMN_CONSTANT, COLUMN_COLUMN, COLUMN_A}, {A_CONSTANT, A_COLUMN, -1}};
-    const size_t operand[] = {x, y};
+    const int operand[] = {n->a, n->b};
     struct instruction *to =
-        emit(t, task->gene[p->node] * FORMS + (p->in_b ? FORMS_OF_ONE : 0) + form[t->node[x].kind][t->node[y].kind]);
+        emit(t, n->gene * FORMS + (p->in_b ? FORMS_OF_ONE : 0) + form[t->node[n->a].kind][t->node[n->b].kind]);
     size_t *place = &to->a;
     for (int i = 0; i < 2; i++)
         switch (t->node[operand[i]].kind) {
@@ -132,7 +133,7 @@ static void write_chain(struct translator *t, const struct kernel_task *task, co
             to->u.number = t->node[operand[i]].constant;
             break;
         case COLUMN:
-            *place = column(t, task->gene[operand[i]]);
+            *place = column(t, t->node[operand[i]].gene);
             place = &to->u.b;
             break;
         case BRANCH:
@@ -141,54 +142,49 @@ static void write_chain(struct translator *t, const struct kernel_task *task, co
 }
 
 /* An operator of two branches. */
-static void write_fork(struct translator *t, const struct kernel_task *task, const struct pending *p, size_t x,
-                       size_t y)
+static void write_fork(struct translator *t, const struct pending *p, const struct node *n)
 {
-    const int gene = task->gene[p->node];
-    const bool x_first = t->node[x].number > t->node[y].number;
-    const size_t first = x_first ? x : y, second = x_first ? y : x;
+    const bool x_first = t->node[n->a].number > t->node[n->b].number;
+    const int first = x_first ? n->a : n->b, second = x_first ? n->b : n->a;
     const bool in_b = t->node[second].number == 1;
-    emit(t, gene * FORMS + (in_b ? (x_first ? A_B : B_A) : (x_first ? SLOT_A : A_SLOT)));
+    emit(t, n->gene * FORMS + (in_b ? (x_first ? A_B : B_A) : (x_first ? SLOT_A : A_SLOT)));
     if (!in_b)
         t->begin->a = (p->slot + 1) * SLOT;
     later(t, (struct pending){first, p->slot + (in_b ? 0 : 1), false, !in_b});
     later(t, (struct pending){second, p->slot + (in_b ? 0 : 1), in_b, false});
 }
 
-static void write_node(struct translator *t, const struct kernel_task *task, struct pending *p)
+static void write_node(struct translator *t, struct pending *p)
 {
     const struct node *n = &t->node[p->node];
-    const int gene = task->gene[p->node];
     if (p->store)
         emit(t, STORE)->a = p->slot-- * SLOT;
     if (n->kind == CONSTANT) {
         emit(t, LOAD_CONSTANT)->u.number = n->constant;
     } else if (n->kind == COLUMN) {
-        emit(t, LOAD_COLUMN)->a = column(t, gene);
-    } else if (gene_arity(gene) == 1) {
-        emit(t, SLOW)->gene = gene;
-        later(t, (struct pending){p->node + 1, p->slot, false, false});
+        emit(t, LOAD_COLUMN)->a = column(t, n->gene);
+    } else if (n->b < 0) {
+        emit(t, SLOW)->gene = n->gene;
+        later(t, (struct pending){n->a, p->slot, false, false});
+    } else if (t->node[n->a].kind != BRANCH || t->node[n->b].kind != BRANCH) {
+        write_chain(t, p, n);
     } else {
-        const size_t x = p->node + 1, y = t->node[x].end;
-        if (t->node[x].kind != BRANCH || t->node[y].kind != BRANCH)
-            write_chain(t, task, p, x, y);
-        else
-            write_fork(t, task, p, x, y);
+        write_fork(t, p, n);
     }
 }
 
 const struct instruction *translator_code(struct translator *t, const struct kernel_task *task,
                                           const struct kernel_table *table, size_t *slots)
 {
+    t->task = task;
     t->table = table;
     reserve(t, task->length);
-    for (size_t i = task->length; i-- > 0;)
-        t->node[i] = gene_arity(task->gene[i]) == 0 ? leaf(task, i) : operator_of(t, task, i);
+    const int root = gene_fold(task->gene, task->length, add_node, t);
     emit(t, END);
-    later(t, (struct pending){0, 0, false, false});
+    later(t, (struct pending){root, 0, false, false});
     while (t->depth > 0) {
         struct pending next = t->pending[--t->depth];
-        write_node(t, task, &next);
+        write_node(t, &next);
     }
     *slots = t->slots;
     return t->begin;
