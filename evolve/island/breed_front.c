@@ -3,8 +3,7 @@
  * then compete by the ratio of their error to that of the front, at their own cost, as the front was when the
  * generation began: every size is under the same pressure, and growth must pay.  Equal errors and equal structures are
  * kept once, and no cost may crowd out the others.  A child whose ratio is sure to exceed the parents' worst is not
- * evaluated to the end, as it would not be let in.  Where the front has not moved for long, the population starts anew
- * from changed programs with an empty front; when that stagnates in turn, the best of all times join it. */
+ * evaluated to the end, as it would not be let in. */
 #include "breed.h"
 
 #include "../../codegen/base/random.h"
@@ -14,14 +13,13 @@
 #include <string.h>
 
 enum { TRIES = 4 };                    /* to make a child that was not seen lately */
-static const double moved = 0.999;     /* progress: an error less than this part of the front's */
 static const double smallest = 1e-300; /* an error of 0 is compared, too */
 static const double immigrants = 0.02; /* random programs among the children */
 
 static double ratio(const struct island *is, const struct individual *x)
 {
-    const size_t place = front_place(is->stage, x->cost);
-    if (place > is->stage->limit || x->error == INFINITY)
+    const size_t place = front_place(is->front, x->cost);
+    if (place > is->front->limit || x->error == INFINITY)
         return INFINITY;
     return (x->error + smallest) / (is->reference[place] + smallest);
 }
@@ -29,10 +27,10 @@ static double ratio(const struct island *is, const struct individual *x)
 /* The error of an individual that is counted already. */
 static void evaluate(struct island *is, struct individual *x)
 {
-    const size_t place = front_place(is->stage, x->cost);
+    const size_t place = front_place(is->front, x->cost);
     struct remembered *r = population_memory(is, x->hash);
     x->error = INFINITY;
-    if (place > is->stage->limit)
+    if (place > is->front->limit)
         return;
     if (r->hash != x->hash) {
         const double bound = is->bound < INFINITY ? is->bound * is->reference[place] : INFINITY;
@@ -41,14 +39,12 @@ static void evaluate(struct island *is, struct individual *x)
         is->evaluations++;
     }
     x->error = r->error;
-    if (x->error < moved * is->stage->lowest[place])
-        is->progress = is->generation;
     population_record(is, x);
 }
 
 static void fix_reference(struct island *is)
 {
-    memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
+    memcpy(is->reference, is->front->lowest, (is->front->limit + 1) * sizeof *is->reference);
 }
 
 /* Returns true if the key is new to the table, and adds it. */
@@ -74,7 +70,7 @@ static enum fate fate_of(struct island *is, const struct individual *x)
     const bool new_tree = meet(is, x->hash), new_error = meet(is, bits);
     if (!new_tree || !new_error)
         return DOUBLE;
-    return ++is->crowd[front_place(is->stage, x->cost)] > is->plan->crowd ? CROWDED_OUT : LIVES;
+    return ++is->crowd[front_place(is->front, x->cost)] > is->plan->crowd ? CROWDED_OUT : LIVES;
 }
 
 /* Of the first n in now[], let the population's number live: by ratio, none twice, at most `crowd` of one cost.  Others
@@ -83,7 +79,7 @@ static void select_survivors(struct island *is, size_t n)
 {
     size_t ordered = 0;
     index_clear(&is->met);
-    memset(is->crowd, 0, (is->stage->limit + 1) * sizeof *is->crowd);
+    memset(is->crowd, 0, (is->front->limit + 1) * sizeof *is->crowd);
     for (size_t i = 0; i < n; i++)
         is->now[i].fitness = ratio(is, &is->now[i]);
     qsort(is->now, n, sizeof *is->now, population_compare);
@@ -116,14 +112,12 @@ static void fit_constants(struct island *is, struct genes *t)
 
 static void fill_at_random(struct island *is, size_t first)
 {
-    is->bound = INFINITY;
     for (size_t i = first; i < is->plan->population; i++) {
         population_draw(is, i, &is->now[i].genes);
         fit_constants(is, &is->now[i].genes);
         population_count(is, &is->now[i]);
         evaluate(is, &is->now[i]);
     }
-    is->progress = is->generation;
     rank_population(is);
 }
 
@@ -154,11 +148,11 @@ void breed_front_start(struct island *is, const struct genes *seed, size_t n)
 /* Of the front mostly the dear ones: those near the budget. */
 static const struct genes *choose(struct island *is)
 {
-    const size_t n = front_count(is->stage);
+    const size_t n = front_count(is->front);
     if (n == 0 || gsl_rng_uniform(is->rng) >= is->plan->front_parents)
         return population_choose(is);
     const size_t one = gsl_rng_uniform_int(is->rng, n), other = gsl_rng_uniform_int(is->rng, n);
-    return &front_member(is->stage, one > other ? one : other)->genes;
+    return &front_member(is->front, one > other ? one : other)->genes;
 }
 
 static bool change(struct island *is, struct genes *child)
@@ -170,7 +164,7 @@ static bool change(struct island *is, struct genes *child)
 
 static bool is_new(const struct island *is, const struct individual *x)
 {
-    return front_place(is->stage, x->cost) <= is->stage->limit && population_memory(is, x->hash)->hash != x->hash;
+    return front_place(is->front, x->cost) <= is->front->limit && population_memory(is, x->hash)->hash != x->hash;
 }
 
 static void make_child(struct island *is, struct individual *x)
@@ -191,8 +185,8 @@ static void polish(struct island *is)
 {
     const struct fitting *f = is->goal.fit;
     struct individual *x = &is->now[2 * is->plan->population];
-    for (size_t c = 0; c <= is->stage->limit; c++) {
-        struct member *m = &is->stage->member[c];
+    for (size_t c = 0; c <= is->front->limit; c++) {
+        struct member *m = &is->front->member[c];
         if (m->genes.length == 0 || m->polished)
             continue;
         m->polished = true;
@@ -203,25 +197,6 @@ static void polish(struct island *is)
         if (m->genes.length > 0 && m->error == x->error)
             m->polished = true;
     }
-}
-
-static void start_anew(struct island *is)
-{
-    if (is->joined) {
-        front_clear(is->stage);
-        fix_reference(is);
-        memset(is->cache, 0, sizeof *is->cache << CACHE_BITS);
-        fill_at_random(is, 0);
-    } else {
-        for (size_t c = 0; c <= is->all->limit; c++) {
-            const struct member *m = &is->all->member[c];
-            if (m->genes.length > 0)
-                front_offer(is->stage, &m->genes, m->error, m->cost);
-        }
-        rank_population(is);
-    }
-    is->joined = !is->joined;
-    is->progress = is->generation;
 }
 
 void breed_front_step(struct island *is)
@@ -235,8 +210,6 @@ void breed_front_step(struct island *is)
     if (p->polish_every > 0 && is->generation % p->polish_every == 0)
         polish(is);
     rank_population(is);
-    if (p->patience > 0 && is->generation - is->progress > p->patience)
-        start_anew(is);
 }
 
 void breed_front_receive(struct island *is, size_t n, int *parcel)

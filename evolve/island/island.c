@@ -14,7 +14,7 @@ enum { REPORTED = 1 + sizeof(double) / sizeof(int) }; /* ints before the genes: 
 struct island *island_new(const struct plan *plan, const struct goal *goal, struct objective *objective)
 {
     struct island *is = new_array(1, sizeof *is);
-    *is = (struct island){.plan = plan, .goal = *goal, .objective = objective, .bound = INFINITY, .joined = true};
+    *is = (struct island){.plan = plan, .goal = *goal, .objective = objective, .bound = INFINITY};
     const size_t n = plan->population, room = 2 * n + 2;
     is->rng = stream_new();
     is->counter = counter_new(goal->max_length);
@@ -28,8 +28,7 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     is->cumulative = new_array(n, sizeof *is->cumulative);
     is->reference = new_array(plan->front_limit + 1, sizeof *is->reference);
     is->cache = new_array((size_t)1 << CACHE_BITS, sizeof *is->cache);
-    is->all = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
-    is->stage = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
+    is->front = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
     for (size_t i = 0; i < room; i++)
         is->now[i].genes.gene = is->pool + i * goal->max_length;
     is->scratch.gene = is->pool + room * goal->max_length;
@@ -44,8 +43,7 @@ void island_free(struct island *is)
     counter_free(is->counter);
     frame_cost_free(is->frame);
     lines_counter_free(is->lines);
-    front_free(is->all);
-    front_free(is->stage);
+    front_free(is->front);
     free(is->now);
     free(is->order);
     free(is->fate);
@@ -98,11 +96,11 @@ static void pack(const struct genes *t, int *parcel)
 /* In a front breeding: members of the front, at even distances where there are more than n, then the living. */
 void island_pack(const struct island *is, size_t n, int *parcel)
 {
-    const size_t members = is->plan->breeding == BREED_FRONT ? front_count(is->stage) : 0;
+    const size_t members = is->plan->breeding == BREED_FRONT ? front_count(is->front) : 0;
     const size_t from_front = members < n ? members : n;
     for (size_t i = 0; i < n; i++, parcel += island_parcel_size(is, 1))
         if (i < from_front)
-            pack(&front_member(is->stage, (i * members + is->generation % members) / from_front % members)->genes,
+            pack(&front_member(is->front, (i * members + is->generation % members) / from_front % members)->genes,
                  parcel);
         else
             pack(&is->now[i - from_front].genes, parcel);
@@ -130,17 +128,17 @@ uint64_t island_evaluations(const struct island *is)
 size_t island_report_size(const struct island *is)
 {
     size_t size = 1;
-    for (size_t c = 0; c <= is->all->limit; c++)
-        if (is->all->member[c].genes.length > 0)
-            size += REPORTED + is->all->member[c].genes.length;
+    for (size_t c = 0; c <= is->front->limit; c++)
+        if (is->front->member[c].genes.length > 0)
+            size += REPORTED + is->front->member[c].genes.length;
     return size;
 }
 
 void island_report(const struct island *is, int *report)
 {
-    *report++ = (int)front_count(is->all);
-    for (size_t c = 0; c <= is->all->limit; c++) {
-        const struct member *m = &is->all->member[c];
+    *report++ = (int)front_count(is->front);
+    for (size_t c = 0; c <= is->front->limit; c++) {
+        const struct member *m = &is->front->member[c];
         if (m->genes.length == 0)
             continue;
         memcpy(report + 1, &m->error, sizeof m->error);

@@ -10,7 +10,7 @@
 #include <string.h>
 
 struct facts {
-    uint64_t generation, evaluations, progress, joined;
+    uint64_t generation, evaluations;
     double bound;
 };
 
@@ -28,7 +28,7 @@ static size_t record_size(const struct island *is)
 
 static size_t records(const struct island *is)
 {
-    return is->plan->population + 2 * (is->all->limit + 1);
+    return is->plan->population + is->front->limit + 1;
 }
 
 size_t island_state_size(const struct island *is)
@@ -67,15 +67,14 @@ static void put_front(const struct island *is, unsigned char **to, const struct 
 
 void island_save(const struct island *is, unsigned char *to)
 {
-    const struct facts f = {is->generation, is->evaluations, is->progress, is->joined, is->bound};
+    const struct facts f = {is->generation, is->evaluations, is->bound};
     put(&to, &f, sizeof f);
     for (size_t i = 0; i < is->plan->population; i++) {
         const struct individual *x = &is->now[i];
         const struct record r = {x->genes.length, x->fitness, x->error, x->cost, x->hash};
         put_record(is, &to, &r, x->genes.gene);
     }
-    put_front(is, &to, is->all);
-    put_front(is, &to, is->stage);
+    put_front(is, &to, is->front);
     put(&to, is->cache, sizeof *is->cache << CACHE_BITS);
 }
 
@@ -110,12 +109,12 @@ static bool take_record(const struct island *is, const unsigned char **from, str
 /* Individuals have genes, and members of a front stand at their place with falling errors. */
 static bool check(const struct island *is, const unsigned char *from)
 {
-    const size_t n = is->plan->population, places = is->all->limit + 1;
+    const size_t n = is->plan->population;
     int *gene = new_array(is->goal.max_length, sizeof *gene);
     struct facts f;
     double last = INFINITY;
     take(&from, &f, sizeof f);
-    bool good = f.joined <= 1 && f.bound >= 0 && f.progress <= f.generation;
+    bool good = f.bound >= 0;
     for (size_t i = 0; good && i < records(is); i++) {
         struct record r;
         good = take_record(is, &from, &r, gene);
@@ -123,10 +122,8 @@ static bool check(const struct island *is, const unsigned char *from)
             good = good && r.length > 0;
             continue;
         }
-        const size_t place = (i - n) % places;
-        last = place == 0 ? INFINITY : last;
         if (good && r.length > 0) {
-            good = front_place(is->all, r.cost) == place && r.error < last && r.mark <= 1;
+            good = front_place(is->front, r.cost) == i - n && r.error < last && r.mark <= 1;
             last = r.error;
         }
     }
@@ -154,8 +151,6 @@ bool island_load(struct island *is, const unsigned char *from)
     take(&from, &f, sizeof f);
     is->generation = f.generation;
     is->evaluations = f.evaluations;
-    is->progress = f.progress;
-    is->joined = f.joined == 1;
     is->bound = f.bound;
     for (size_t i = 0; i < is->plan->population; i++) {
         struct individual *x = &is->now[i];
@@ -163,8 +158,7 @@ bool island_load(struct island *is, const unsigned char *from)
         take_record(is, &from, &r, x->genes.gene);
         *x = (struct individual){{x->genes.gene, (size_t)r.length}, r.fitness, r.error, r.cost, r.mark};
     }
-    take_front(is, &from, is->all);
-    take_front(is, &from, is->stage);
+    take_front(is, &from, is->front);
     take(&from, is->cache, sizeof *is->cache << CACHE_BITS);
     population_refresh(is);
     return true;

@@ -15,8 +15,7 @@ struct plan plan_default(void)
                          .front_parents = 0.3,
                          .crowd = 10,
                          .tune = 0.2,
-                         .polish_every = 10,
-                         .patience = 200};
+                         .polish_every = 10};
 }
 
 double plan_fitness(const struct plan *plan, double error, double cost)

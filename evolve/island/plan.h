@@ -25,7 +25,6 @@ struct plan {
     size_t crowd;         /* individuals of one cost in a population, at most; at least 1 */
     double tune;          /* part of the children whose numbers are fitted, 0..1 */
     size_t polish_every;  /* generations between fits of the front's inner constants; 0: never */
-    size_t patience;      /* generations without progress after which an island starts anew; 0: never */
 };
 
 /** Front breeding with tournaments; a product and a sum cost 1, a quotient 8. */

@@ -30,9 +30,7 @@ void population_count(struct island *is, struct individual *x)
 
 void population_record(struct island *is, const struct individual *x)
 {
-    front_offer(is->all, &x->genes, x->error, x->cost);
-    if (is->plan->breeding == BREED_FRONT)
-        front_offer(is->stage, &x->genes, x->error, x->cost);
+    front_offer(is->front, &x->genes, x->error, x->cost);
 }
 
 int population_compare(const void *a, const void *b)
@@ -81,14 +79,14 @@ static void random_program(struct island *is, struct genes *t)
 {
     const struct fitting *f = is->goal.fit;
     enum { CHANGES = 3 };
-    const size_t members = front_count(is->all);
+    const size_t members = front_count(is->front);
     if (members == 0) {
         population_numbers(t);
         return;
     }
-    genes_copy(&front_member(is->all, gsl_rng_uniform_int(is->rng, members))->genes, t);
+    genes_copy(&front_member(is->front, gsl_rng_uniform_int(is->rng, members))->genes, t);
     for (int i = 0; i < CHANGES; i++) {
-        const struct genes *mate = &front_member(is->all, gsl_rng_uniform_int(is->rng, members))->genes;
+        const struct genes *mate = &front_member(is->front, gsl_rng_uniform_int(is->rng, members))->genes;
         if (f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.last, is->goal.max_length, &is->scratch))
             genes_copy(&is->scratch, t);
     }
@@ -111,8 +109,8 @@ static void find_best(struct island *is)
     if (is->plan->breeding == BREED_PAPER)
         return;
     is->best.fitness = INFINITY;
-    for (size_t c = 0; c <= is->all->limit; c++) {
-        const struct member *m = &is->all->member[c];
+    for (size_t c = 0; c <= is->front->limit; c++) {
+        const struct member *m = &is->front->member[c];
         const double fitness = plan_fitness(is->plan, m->error, m->cost);
         if (m->genes.length > 0 && fitness < is->best.fitness)
             is->best = (struct individual){m->genes, fitness, m->error, m->cost, 0};
@@ -124,6 +122,6 @@ void population_refresh(struct island *is)
     double sum = 0;
     for (size_t i = 0; i < is->plan->population; i++)
         is->cumulative[i] = sum += 1 / fmin(fmax(is->now[i].fitness, 1e-100), 1e100);
-    memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
+    memcpy(is->reference, is->front->lowest, (is->front->limit + 1) * sizeof *is->reference);
     find_best(is);
 }

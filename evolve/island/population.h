@@ -26,10 +26,7 @@ struct island {
     struct individual *now;   /* owned: room for 2 * population + 2; the first `population` live, best first */
     double bound;             /* BREED_PAPER: errors above it are hopeless; BREED_FRONT: multiples of the front's */
     struct remembered *cache; /* owned: 1 << CACHE_BITS */
-    struct front *all;        /* owned: the best of all times */
-    struct front *stage;      /* owned: the best since the last new start, BREED_FRONT */
-    uint64_t progress;        /* BREED_FRONT: generation in which the stage's front last moved on */
-    bool joined;              /* the stage knows the best of all times */
+    struct front *front;      /* owned: the best so far */
 
     /* Scratch, and what follows from the rest. */
     gsl_rng *rng;                /* owned */
@@ -42,7 +39,7 @@ struct island {
     size_t *crowd;               /* owned: how many of each cost */
     struct index_table met;      /* hashes and errors of those that live already */
     double *cumulative;          /* owned: roulette wheel of the living */
-    double *reference;           /* owned: error at each cost of the stage's front when the generation began */
+    double *reference;           /* owned: error at each cost of the front when the generation began */
     struct genes scratch;        /* in the pool */
     struct individual best;      /* lowest plan_fitness; its tree is in the front */
 };
@@ -50,7 +47,7 @@ struct island {
 struct remembered *population_memory(const struct island *is, uint64_t hash);
 /* Operations, hash and cost of an individual. */
 void population_count(struct island *is, struct individual *x);
-/* A measured individual enters the fronts. */
+/* A measured individual enters the front. */
 void population_record(struct island *is, const struct individual *x);
 /* Lowest fitness first, then error, length and genes. */
 int population_compare(const void *a, const void *b);

@@ -122,7 +122,7 @@ static uint64_t structure(const struct fixture *f, enum breeding breeding, const
 /* What a report says agrees with the front, whose errors fall as costs rise, and which holds nothing twice. */
 static void check_front(const struct fixture *f, enum breeding breeding, const struct island *is, const int *report)
 {
-    const struct front *front = is->all;
+    const struct front *front = is->front;
     const int *at = report + 1;
     double last = INFINITY;
     assert_int_equal(report[0], front_count(front));
@@ -153,7 +153,6 @@ static void states_go_on(void **state)
     const struct fixture *f = *state;
     for (int breeding = 0; breeding < 2; breeding++) {
         struct plan plan = plan_of((enum breeding)breeding, 7, 40);
-        plan.patience = 4;
         const struct goal goal = goal_of(f, (enum breeding)breeding, 3);
         struct island *is = island_new(&plan, &goal, f->objective), *other = island_new(&plan, &goal, f->objective);
         const size_t size = island_state_size(is);
@@ -195,7 +194,7 @@ static double evolved(const struct fixture *f, const struct plan *plan, uint64_t
     struct island *is = island_new(plan, &goal, f->objective);
     double last = INFINITY;
     island_start(is, NULL, 0);
-    for (int k = 0; k < generations && front_error(is->all, INFINITY) >= enough; k++) {
+    for (int k = 0; k < generations && front_error(is->front, INFINITY) >= enough; k++) {
         island_step(is);
         assert_true(island_best(is)->fitness <= last);
         last = island_best(is)->fitness;
@@ -204,7 +203,7 @@ static double evolved(const struct fixture *f, const struct plan *plan, uint64_t
     *report = new_array(*size, sizeof **report);
     island_report(is, *report);
     check_front(f, plan->breeding, is, *report);
-    last = front_error(is->all, INFINITY);
+    last = front_error(is->front, INFINITY);
     island_free(is);
     return last;
 }
@@ -216,7 +215,6 @@ static void same_seed_same_result(void **state)
         int *first, *second, *other;
         size_t size;
         struct plan plan = plan_of((enum breeding)breeding, 4, 60);
-        plan.patience = 3; /* starts anew on the way */
         const double error = evolved(f, &plan, 0, 15, 0, &first, &size);
         evolved(f, &plan, 1, 15, 0, &other, &size);
         assert_true(evolved(f, &plan, 0, 15, 0, &second, &size) == error);
@@ -248,13 +246,12 @@ static void finds_a_known_target(void **state)
     }
 }
 
-/* A seed stays until something better comes, restarts or not; the maximum norm is minimised as well. */
+/* A seed stays until something better comes; the maximum norm is minimised as well. */
 static void seeds_survive(void **state)
 {
     const struct fixture *f = *state;
     for (int breeding = 0; breeding < 2; breeding++) {
         struct plan plan = plan_of((enum breeding)breeding, 1, 20);
-        plan.patience = 2;
         const struct goal goal = goal_of(f, plan.breeding, 0);
         const struct genes seed[] = {known(plan.breeding, true), known(plan.breeding, false)};
         struct objective *objective = objective_new(f->program, &f->table, NORM_MAX);
@@ -332,7 +329,7 @@ static void fits_are_called(void **state)
         island_start(is, &seed, 1);
         for (int generation = 0; generation < 3; generation++)
             island_step(is);
-        if (!(front_error(is->all, 100) < 1e-15))
+        if (!(front_error(is->front, 100) < 1e-15))
             fail_msg("fit %d is not used", k);
         island_free(is);
     }

@@ -361,7 +361,7 @@ static void test_evolution(void **state)
     island_start(is, seed, front_count(found));
     for (int k = 0; k < 15; k++)
         island_step(is);
-    const struct front *all = is->all;
+    const struct front *all = is->front;
     size_t better = 0;
     for (size_t i = 0; i < front_count(found); i++) {
         const struct member *m = front_member(found, i);
