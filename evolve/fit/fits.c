@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-enum { ROWS = 2048, ITERATIONS = 6, TUNING = 1 };
+enum { ROWS = 2048, FEW = 1, MANY = 6 };                                              /* iterations of a fit */
 static const double guided_insertions = 0.08, guided_prunings = 0.08, restarts = 0.1; /* of the changes of programs */
 
 struct fits {
@@ -17,19 +17,9 @@ struct fits {
     struct line_editor *editor;  /* owned */
 };
 
-static bool fit(struct fits *f, const struct genes *in, int last, int iterations, struct genes *out)
+static bool fit(struct fits *f, const struct genes *in, int last, bool thoroughly, struct genes *out)
 {
-    return lines_fit(f->lines, in, last, f->objective->norm, iterations, out);
-}
-
-static bool tune(struct fits *f, const struct genes *in, int last, struct genes *out)
-{
-    return fit(f, in, last, TUNING, out);
-}
-
-static bool constants(struct fits *f, const struct genes *in, int last, struct genes *out)
-{
-    return fit(f, in, last, ITERATIONS, out);
+    return lines_fit(f->lines, in, last, f->objective->norm, thoroughly ? MANY : FEW, out);
 }
 
 static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
@@ -79,5 +69,5 @@ void fits_free(struct fits *f)
 
 struct fitting fits_hooks(struct fits *f)
 {
-    return (struct fitting){f, tune, constants, change};
+    return (struct fitting){f, fit, change};
 }

@@ -10,11 +10,9 @@ struct fits;
 
 struct fitting {
     struct fits *fits; /* not owned */
-    /** The same program with its numbers fitted by a few iterations, for children; false, with *out undefined, where
-     *  there is nothing to fit.  Deterministic in its arguments. */
-    bool (*tune)(struct fits *f, const struct genes *in, int last, struct genes *out);
-    /** The same with more iterations; for members of the front. */
-    bool (*constants)(struct fits *f, const struct genes *in, int last, struct genes *out);
+    /** Copies a program with its numbers fitted, `thoroughly` by more iterations.  Returns false, with *out undefined,
+     *  if there is nothing to fit.  Deterministic in its arguments. */
+    bool (*fit)(struct fits *f, const struct genes *in, int last, bool thoroughly, struct genes *out);
     /** A changed copy; may fail, with *child undefined. */
     bool (*change)(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
                    const struct genes *mate, int last, size_t max_length, struct genes *child);

@@ -103,18 +103,10 @@ static void rank_population(struct island *is)
     is->bound = is->now[n - 1].fitness;
 }
 
-static void fit_constants(struct island *is, struct genes *t)
-{
-    const struct fitting *f = is->goal.fit;
-    if (gsl_rng_uniform(is->rng) < is->plan->tune && f->tune(f->fits, t, is->goal.last, &is->scratch))
-        genes_copy(&is->scratch, t);
-}
-
 static void fill_at_random(struct island *is, size_t first)
 {
     for (size_t i = first; i < is->plan->population; i++) {
         population_draw(is, i, &is->now[i].genes);
-        fit_constants(is, &is->now[i].genes);
         population_count(is, &is->now[i]);
         evaluate(is, &is->now[i]);
     }
@@ -176,8 +168,28 @@ static void make_child(struct island *is, struct individual *x)
         population_count(is, x);
         done = is_new(is, x);
     }
-    fit_constants(is, &x->genes);
-    population_count(is, x);
+}
+
+/* Fits the numbers of the best children; each fitted one that is better takes its child's place. */
+static void tune_children(struct island *is)
+{
+    const struct fitting *f = is->goal.fit;
+    const size_t n = is->plan->population;
+    struct individual *child = is->now + n, *fitted = is->now + 2 * n;
+    for (size_t i = 0; i < n; i++)
+        child[i].fitness = ratio(is, &child[i]);
+    qsort(child, n, sizeof *child, population_compare);
+    for (size_t i = 0; i < (size_t)(is->plan->tune * (double)n) && child[i].fitness < INFINITY; i++) {
+        if (!f->fit(f->fits, &child[i].genes, is->goal.last, false, &fitted->genes))
+            continue;
+        population_count(is, fitted);
+        evaluate(is, fitted);
+        if (ratio(is, fitted) < child[i].fitness) {
+            const struct individual unfitted = child[i];
+            child[i] = *fitted;
+            *fitted = unfitted;
+        }
+    }
 }
 
 /* Fit the constants of the front's new members. */
@@ -190,7 +202,7 @@ static void polish(struct island *is)
         if (m->genes.length == 0 || m->polished)
             continue;
         m->polished = true;
-        if (!f->constants(f->fits, &m->genes, is->goal.last, &x->genes))
+        if (!f->fit(f->fits, &m->genes, is->goal.last, true, &x->genes))
             continue;
         population_count(is, x);
         evaluate(is, x);
@@ -206,6 +218,7 @@ void breed_front_step(struct island *is)
         make_child(is, &is->now[i]);
         evaluate(is, &is->now[i]);
     }
+    tune_children(is);
     select_survivors(is, 2 * p->population);
     if (p->polish_every > 0 && is->generation % p->polish_every == 0)
         polish(is);

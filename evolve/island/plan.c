@@ -14,7 +14,7 @@ struct plan plan_default(void)
                          .front_limit = 512,
                          .front_parents = 0.3,
                          .crowd = 10,
-                         .tune = 0.2,
+                         .tune = 0.1,
                          .polish_every = 10};
 }
 

@@ -23,7 +23,7 @@ struct plan {
     /* Of BREED_FRONT alone: */
     double front_parents; /* part of the parents that comes from the front, 0..1 */
     size_t crowd;         /* individuals of one cost in a population, at most; at least 1 */
-    double tune;          /* part of the children whose numbers are fitted, 0..1 */
+    double tune;          /* part of the children, the best, whose numbers are fitted, 0..1 */
     size_t polish_every;  /* generations between fits of the front's inner constants; 0: never */
 };
 

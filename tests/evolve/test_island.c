@@ -291,25 +291,18 @@ static void guests_compete(void **state)
     }
 }
 
-/* A fit that knows the answer. */
-static bool fit_by_magic(struct fits *fits, const struct genes *in, int last, struct genes *out)
+static bool thorough_is_magic;
+
+/* A fit that knows the answer, if it is as thorough as it should be. */
+static bool fit_by_magic(struct fits *fits, const struct genes *in, int last, bool thoroughly, struct genes *out)
 {
     const struct genes answer = known(BREED_FRONT, false);
     (void)fits;
     (void)last;
-    if (in->length == 2)
+    if (in->length == 2 || thoroughly != thorough_is_magic)
         return false;
     genes_copy(&answer, out);
     return true;
-}
-
-static bool no_fit(struct fits *fits, const struct genes *in, int last, struct genes *out)
-{
-    (void)fits;
-    (void)in;
-    (void)last;
-    (void)out;
-    return false;
 }
 
 static void fits_are_called(void **state)
@@ -318,8 +311,8 @@ static void fits_are_called(void **state)
     const struct genes seed = known(BREED_FRONT, true);
     for (int k = 0; k < 2; k++) {
         struct fitting fit = f->hooks;
-        fit.tune = k == 0 ? fit_by_magic : no_fit;
-        fit.constants = k == 0 ? no_fit : fit_by_magic;
+        fit.fit = fit_by_magic;
+        thorough_is_magic = k == 1;
         struct plan plan = plan_of(BREED_FRONT, 1, 50);
         plan.tune = 1;
         plan.polish_every = 1;
