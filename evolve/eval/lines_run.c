@@ -108,9 +108,9 @@ static void reserve(struct lines_run *r)
     reserve_blocks(&r->block, &r->block_room, share_blocks(r));
 }
 
-static void take(struct lines_run *r, const struct genes *t, int last, enum lines_use use)
+static void take(struct lines_run *r, const struct genes *t, int last, enum lines_use use, bool all)
 {
-    r->all = use == LINES_APART;
+    r->all = all;
     lines_load(r->code, t, last, use);
     reserve(r);
 }
@@ -183,7 +183,7 @@ double lines_errors(struct lines_run *r, const struct genes *t, int last, double
 {
     const size_t all = r->table->n;
     double lane[WIDE_LANES] = {0}, sum = 0;
-    take(r, t, last, LINES_WHOLE);
+    take(r, t, last, LINES_WHOLE, false);
     fill_numbers(r);
     memset(r->above, 0, r->code->lines * sizeof *r->above);
     memset(r->below, 0, r->code->lines * sizeof *r->below);
@@ -226,15 +226,17 @@ bool lines_keep_signs(const struct lines_run *r)
     return true;
 }
 
-void lines_run_load(struct lines_run *r, const struct genes *t, int last, bool all)
+void lines_run_load(struct lines_run *r, const struct genes *t, int last, int by)
 {
-    take(r, t, last, LINES_APART);
-    memset(r->varies, all, r->code->lines * sizeof *r->varies);
+    take(r, t, last, by < 0 ? LINES_APART : LINES_WHOLE, true);
+    memset(r->varies, 0, r->code->lines * sizeof *r->varies);
     for (size_t i = 0; i < r->code->numbers; i++)
         r->varies[r->code->number[i]] = true;
     for (size_t i = 0; i < r->code->lines; i++) {
         const struct line *x = &r->code->line[i];
-        if (line_is_operation(x) && !all)
+        if ((int)i == by)
+            r->varies[i] = true;
+        else if (line_is_operation(x))
             r->varies[i] = r->varies[x->a] || (x->b >= 0 && r->varies[x->b]);
     }
     reserve_blocks(&r->slopes, &r->slope_room, r->code->lines + 2);

@@ -35,12 +35,13 @@ bool lines_keep_signs(const struct lines_run *r);
 void table_values(const struct columns *table, const struct genome_constant *constant, const int *gene, size_t length,
                   double *value);
 
-/** Take a program to be fitted: its numbers become line[number[i]].number.
- *  @param[in] all  slopes of all lines are wanted, not only of those that a number is among */
-void lines_run_load(struct lines_run *r, const struct genes *t, int last, bool all);
+/** Takes a program for its slopes.
+ *  @param[in] by  the line that they are taken by, as lines_load() numbers lines; -1: its numbers, which become
+ *                 line[number[i]].number */
+void lines_run_load(struct lines_run *r, const struct genes *t, int last, int by);
 /** Values of all lines, in value[], for TAPE_BLOCK samples from `row` on. */
 void lines_values(struct lines_run *r, size_t row);
-/** slope[i] = d root / d line i at these samples, of all lines that lead to a number and from there to a root.
+/** slope[i] = d root / d line i at these samples, of all lines between what slopes are taken by and a root.
  *  @param[in] half  which root: 0 xi, 1 eta */
 void lines_slopes(struct lines_run *r, int half);
 

@@ -172,7 +172,7 @@ bool lines_fit(struct lines_run *r, const struct genes *in, int last, enum scene
                struct genes *out)
 {
     struct task t = {r, norm, 1, 2};
-    lines_run_load(r, in, last, false);
+    lines_run_load(r, in, last, -1);
     const size_t numbers = r->code->numbers, n = 2 * r->table->n;
     if (numbers == 0 || numbers > n)
         return false;

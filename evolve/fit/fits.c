@@ -6,8 +6,8 @@
 
 #include <stdlib.h>
 
-enum { ROWS = 2048, FEW = 1, MANY = 6 };                                              /* iterations of a fit */
-static const double guided_insertions = 0.08, guided_prunings = 0.08, restarts = 0.1; /* of the changes of programs */
+enum { ROWS = 2048, FEW = 1, MANY = 6 };      /* iterations of a fit */
+static const double guided_insertions = 0.08; /* of the changes of programs */
 
 struct fits {
     struct objective *objective; /* not owned */
@@ -25,14 +25,8 @@ static bool fit(struct fits *f, const struct genes *in, int last, bool thoroughl
 static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
                     const struct genes *mate, int last, size_t max_length, struct genes *child)
 {
-    const double at = gsl_rng_uniform(rng);
-    if (at < guided_insertions)
-        return guide_insert(f->guide, rng, genes, t, last, max_length, child);
-    if (at < guided_insertions + guided_prunings)
-        return guide_prune(f->guide, rng, genes, t, last, max_length, child);
-    if (at < guided_insertions + guided_prunings + restarts)
-        return guide_restart(f->guide, rng, genes, t, mate, last, max_length, child);
-    return lines_edit(f->editor, rng, genes, t, mate, max_length, child);
+    return gsl_rng_uniform(rng) < guided_insertions ? guide_insert(f->guide, rng, genes, t, last, max_length, child)
+                                                    : lines_edit(f->editor, rng, genes, t, mate, max_length, child);
 }
 
 /* Nothing that depends on the unit of length, whatever the change was. */

@@ -160,42 +160,6 @@ bool lines_apply(struct line_editor *e, const struct genes *t, const struct line
     return apply(e, t, edit, both, max, child);
 }
 
-static bool insert_call(struct line_editor *e, const struct genes *t, const int at[2], int function, size_t max,
-                        struct genes *child)
-{
-    int x[2] = {clean(e, at[0]), clean(e, at[1])};
-    lines_call(e->to, function, x);
-    e->map[at[0]] = x[0];
-    e->map[at[1]] = x[1];
-    return store(e, t, max, child);
-}
-
-bool lines_insert_call(struct line_editor *e, const struct genes *t, const int at[2], int function, size_t max,
-                       struct genes *child)
-{
-    load(e, t);
-    return insert_call(e, t, at, function, max, child);
-}
-
-static void load_mate(struct line_editor *e, const struct genes *mate)
-{
-    lines_load(e->mate, mate, -1, LINES_INNER);
-    reserve(e, e->mate->lines);
-}
-
-bool lines_graft_answers(struct line_editor *e, const struct genes *t, const int at[2], const struct genes *mate,
-                         const int of[2], size_t max, struct genes *child)
-{
-    load_mate(e, mate);
-    load(e, t);
-    int *map = new_array(e->mate->lines, sizeof *map);
-    none(map, e->mate->lines);
-    for (int k = 0; k < 2; k++)
-        e->map[at[k]] = lines_take(e->to, e->mate, of[k] < 0 ? e->mate->root[k] : of[k], map);
-    free(map);
-    return store(e, t, max, child);
-}
-
 void lines_dependents(const struct lines *c, int n, bool *depends)
 {
     for (size_t i = 0; i < c->lines; i++) {
@@ -335,7 +299,8 @@ static bool share_division(struct line_editor *e, gsl_rng *rng, const struct gen
 static bool graft(struct line_editor *e, gsl_rng *rng, const struct genes *t, const struct genes *mate, size_t max,
                   struct genes *child)
 {
-    load_mate(e, mate);
+    lines_load(e->mate, mate, -1, LINES_INNER);
+    reserve(e, e->mate->lines);
     load(e, t);
     const size_t lines = e->mate->lines;
     int *map = new_array(2 * lines, sizeof *map), *image = map + lines;
@@ -370,7 +335,11 @@ static bool call_somewhere(struct line_editor *e, gsl_rng *rng, const struct gen
         at[0] = n;
         at[1] = e->image[n];
     }
-    return insert_call(e, t, at, function, max, child);
+    int x[2] = {clean(e, at[0]), clean(e, at[1])};
+    lines_call(e->to, function, x);
+    e->map[at[0]] = x[0];
+    e->map[at[1]] = x[1];
+    return store(e, t, max, child);
 }
 
 bool lines_edit(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,

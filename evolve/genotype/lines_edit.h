@@ -36,12 +36,6 @@ void line_editor_free(struct line_editor *e);
  *  *child undefined, where the outcome is the same program or has more than max genes. */
 bool lines_apply(struct line_editor *e, const struct genes *t, const struct line_edit *edit, bool both, size_t max,
                  struct genes *child);
-/** Two lines of a program replaced by what a function makes of them. */
-bool lines_insert_call(struct line_editor *e, const struct genes *t, const int at[2], int function, size_t max,
-                       struct genes *child);
-/** Two lines of a program replaced by two of another; -1: its answers. */
-bool lines_graft_answers(struct line_editor *e, const struct genes *t, const int at[2], const struct genes *mate,
-                         const int of[2], size_t max, struct genes *child);
 
 /** A random change: a value of the mate, another operand, a shorter way, another operator, a step of one of the set's
  *  functions, one division for two.  Sums are of equal powers of a length. */

@@ -268,7 +268,7 @@ static void test_derivatives(void **state)
     struct lines_run *r = lines_run_new(f->objective->rules, &f->table);
     for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
         struct genes t = program_of(f, text[i][0], text[i][1], text[i][2]);
-        lines_run_load(r, &t, f->last, false);
+        lines_run_load(r, &t, f->last, -1);
         assert_true(r->code->numbers > 0);
         for (size_t k = 0; k < r->code->numbers; k++)
             for (int half = 0; half < 2; half++) {
