@@ -1,5 +1,5 @@
 /* The best expressions known for each output of each tier: one champion, and the front of error against cost.  Read
- * from the start file, challenged by what the islands find, written with provenance. */
+ * from the start file, challenged by what the islands find. */
 #ifndef FOOTPOINT_ARCHIVE_H
 #define FOOTPOINT_ARCHIVE_H
 
@@ -50,12 +50,6 @@ struct archive_seed {
 enum origin { ORIGIN_START, ORIGIN_SEED, ORIGIN_SEEDED, ORIGIN_RANDOM, ORIGINS };
 /** "start file", "seed", "seeded island", "random island". */
 extern const char *const origin_name[ORIGINS];
-
-/** What this run is, for the provenance of what it finds. */
-struct run_facts {
-    uint64_t seed;
-    size_t generations, islands;
-};
 
 struct archive {
     const struct scene *scene;   /* not owned */
@@ -149,28 +143,10 @@ void archive_choose_champions(struct archive *a, const struct plan *plan, struct
  *  written. */
 bool archive_has(const struct archive *a, size_t tier);
 
-/** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
- *  for nothing else. */
-bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
-                   struct diag *d);
 /** Members of a tier of programs that may become tiers, by cost: those near its budget or below, each better on the
  *  judge's samples than all cheaper ones, and of these the `most` dearest; returns how many.
  *  @param[out] found  room for the front's limit + 1 */
 size_t archive_members(const struct archive *a, struct objective *judge, const struct quest *q, size_t most,
                        const struct member **found);
-/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors.  Where the path
- *  ends in .csv: a line for each member of all fronts.
- *  @param[in] judge  of validation samples; NULL: no programs are bred
- *  @param[in] most   of each tier of programs archive_members() alone; 0: all */
-bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
-                         struct objective *judge, size_t most, struct diag *d);
-/** The name of a front's file says that it is to be such a list. */
-bool archive_is_list(const char *path);
-/** The lines. */
-bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
-/** Table of tier, output, error and genes, before and after. */
-void archive_table(const struct archive *a, FILE *stream);
-/** Table of the fronts, old against new, with where each member comes from. */
-void archive_front_table(const struct archive *a, FILE *stream);
 
 #endif

@@ -8,6 +8,7 @@
 #include "../fit/compose.h"
 #include "../samples/default_tiers.h"
 #include "../samples/samples.h"
+#include "../write/archive_write.h"
 #include "generations.h"
 #include "progress.h"
 #include "run_files.h"

@@ -2,8 +2,8 @@
  */
 #include "run_options.h"
 
-#include "../archive/archive.h"
 #include "../common/data_root.h"
+#include "../write/archive_write.h"
 
 #include <string.h>
 

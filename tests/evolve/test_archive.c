@@ -1,7 +1,7 @@
 /* The archive: which member of a front becomes champion, seeds from files, and the front's own file. */
-#include "../../evolve/archive/archive.h"
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/eval/frame.h"
+#include "../../evolve/write/archive_write.h"
 
 #include <math.h>
 #include <setjmp.h>

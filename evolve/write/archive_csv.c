@@ -1,6 +1,6 @@
-/* The fronts as a table; see archive.h.  Errors held out are those of SAMPLES of the samples at most, evenly chosen, so
+/* The fronts as a table; see archive_write.h.  Errors held out are those of SAMPLES of the samples at most, evenly chosen, so
  * that all values of the frame can be there at once; of both outputs of a program together. */
-#include "archive.h"
+#include "archive_write.h"
 
 #include "../../codegen/base/outfile.h"
 #include "../common/decimal.h"

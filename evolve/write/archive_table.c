@@ -1,5 +1,5 @@
-/* Tables of what a run changed; see archive.h. */
-#include "archive.h"
+/* Tables of what a run changed; see archive_write.h. */
+#include "archive_write.h"
 
 #include "../eval/frame.h"
 

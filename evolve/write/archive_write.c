@@ -1,6 +1,6 @@
-/* Files of an archive; see archive.h.  Measured notes are measured anew on every writing, and provenance is carried
+/* Files of an archive; see archive_write.h.  Measured notes are measured anew on every writing, and provenance is carried
  * over with the expression it belongs to, so that a run that finds nothing better writes the same bytes again. */
-#include "archive.h"
+#include "archive_write.h"
 
 #include "../../codegen/base/outfile.h"
 #include "../common/decimal.h"
