@@ -130,20 +130,6 @@ static void find_powers(struct line_rules *r)
     }
 }
 
-void lines_count_uses(const struct lines *c, int *uses)
-{
-    for (size_t i = 0; i < c->lines; i++) {
-        const struct line *x = &c->line[i];
-        if (!c->needed[i] || !line_is_operation(x))
-            continue;
-        uses[x->a]++;
-        if (x->b >= 0)
-            uses[x->b]++;
-    }
-    for (int k = 0; k < 2; k++)
-        uses[c->root[k]]++;
-}
-
 void lines_powers(const struct lines *c, signed char *power)
 {
     for (size_t i = 0; i < c->lines; i++) {
@@ -421,7 +407,8 @@ void lines_images(struct lines *c, int *image)
 
 /* ---- genes ---- */
 
-bool line_number_is_kept(double value)
+/* A number that stands for a structure, such as 1, 2 or 0.5, is not to be fitted. */
+static bool is_kept(double value)
 {
     const double twelve = 12 * value;
     return fabs(value) <= 64 && twelve == rint(twelve);
@@ -457,7 +444,7 @@ static int load_operand(struct lines *c, const struct genes *t, size_t at, const
     if (gene >= 0)
         return lines_symbol(c, gene);
     const double value = decimal_value(gene);
-    if (!apart || line_number_is_kept(value))
+    if (!apart || is_kept(value))
         return lines_number(c, value);
     const int own = line_of(c, (struct line){NUMBER, -2 - (int)at, -1, value});
     for (size_t i = 0; i < c->numbers; i++)

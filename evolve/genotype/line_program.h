@@ -105,14 +105,9 @@ static inline bool line_is_guard(const struct lines *c, size_t i)
 void lines_powers(const struct lines *c, signed char *power);
 /** Whether no line adds unlike powers of a length: what it gives does not depend on the unit. */
 bool lines_keep_powers(const struct lines *c);
-/** Adds to uses[i] how many operands and roots line i is. */
-void lines_count_uses(const struct lines *c, int *uses);
 /** -1, n times; caller frees. */
 int *no_lines(size_t n);
 /** image[i]: the line that exchanging xi and eta makes of line i, or -1. */
 void lines_images(struct lines *c, int *image);
-
-/** A number that stands for a structure, such as 1, 2 or 0.5, and is not to be fitted. */
-bool line_number_is_kept(double value);
 
 #endif

@@ -292,6 +292,21 @@ static void write_call(struct writer *w, const struct genome_function *function,
     }
 }
 
+/* Adds to uses[i] how many operands and roots line i is. */
+static void count_uses(const struct lines *c, int *uses)
+{
+    for (size_t i = 0; i < c->lines; i++) {
+        const struct line *x = &c->line[i];
+        if (!c->needed[i] || !line_is_operation(x))
+            continue;
+        uses[x->a]++;
+        if (x->b >= 0)
+            uses[x->b]++;
+    }
+    for (int k = 0; k < 2; k++)
+        uses[c->root[k]]++;
+}
+
 void lines_expand(struct lines *c, const struct genes *t, int last, struct genome_file *f, const char *name,
                   struct genes out[2])
 {
@@ -299,7 +314,7 @@ void lines_expand(struct lines *c, const struct genes *t, int last, struct genom
     struct writer w = {.code = c, .file = f};
     w.symbol = new_array(c->lines, sizeof *w.symbol);
     w.users = new_array(c->lines, sizeof *w.users);
-    lines_count_uses(c, w.users);
+    count_uses(c, w.users);
     write_lets(&w, name);
     for (size_t i = 0; i < c->lines; i++)
         if (c->divides[i] && w.symbol[i])
