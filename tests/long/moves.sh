@@ -1,0 +1,113 @@
+# What each move of evolution is worth: scenes are evolved from scratch with one move left out at a time, as often as with
+# all of them, and fronts are compared by their errors on samples held out, which nothing was chosen by: at each cost that of
+# the dearest member that costs no more.  Prints for each move the geometric mean over costs, scenes and seeds of the error
+# without it over the error with all, an interval of two standard errors, that of each scene, and processor time.
+# MOVES= some of them, SEEDS=, GENERATIONS=, POPULATION= (half an hour of one processor; moves that are worth least: more).
+. tests/cli/expect.inc
+MOVES=${MOVES:-insertion parents seeds fits polish crowd images immigrants graft operand shortcut operator term call share}
+SEEDS=${SEEDS:-1 2 3 4 5} GENERATIONS=${GENERATIONS:-40} POPULATION=${POPULATION:-100}
+top=$(pwd)
+
+# A scene of one tier, and the costs that fronts are compared at.
+scene() { # scene NAME LEAST MOST TIER
+    sed '/^tiers = (/,$d; s/^training .*/training = 1024;/; s/^heldout .*/heldout = 10000;/' "evolve/scenes/$1.scene"
+    echo "tiers = ({ name = \"all\"; budget = $3; $4 });"
+    echo "$1 $2 $3" >> "$work/costs"
+}
+scene quad4 200 418 > "$work/quad4.scene"
+scene quad8 400 600 'last = "gauss_newton";' > "$work/quad8.scene"
+scene gregory 200 505 'last = "place";' > "$work/gregory.scene"
+
+mkdir "$work/tree" "$work/bin"
+tar cf - --exclude=./.git --exclude='./build/[!r]*' --exclude=./build/release/tests . | tar xf - -C "$work/tree"
+build() { make -s -C "$work/tree" evolve > "$work/log" 2>&1 && cp "$work/tree/build/footpoint-evolve" "$work/bin/$1"; }
+build all
+report $((! $?)) 'evolution with all moves is built'
+without() { # without MOVE FILE SED: a program that lacks the move
+    case " $MOVES " in *" $1 "*) ;; *) return ;; esac
+    sed -i "$3" "$work/tree/$2"
+    ! cmp -s "$2" "$work/tree/$2" && build "$1"
+    report $((! $?)) "evolution without $1 is built"
+    cp "$2" "$work/tree/$2"
+}
+fits=evolve/fit/fits.c plan=evolve/island/plan.c breed=evolve/island/breed_front.c edit=evolve/genotype/lines_edit.c
+without insertion $fits 's/guided_insertions = 0.08/guided_insertions = 0/'
+without parents $plan 's/front_parents = 0.3/front_parents = 0/'
+without seeds evolve/run/run.c 's/^        compose_seeds(p)/        (void)compose_seeds/'
+without fits $plan 's/tune = 0.1/tune = 0/'
+without polish $plan 's/polish_every = 10/polish_every = 0/'
+without crowd $plan 's/crowd = 10/crowd = 1000/'
+without images $edit 's/if (both \&\&/if (0 \&\& both \&\&/'
+without immigrants $breed 's/immigrants = 0.02/immigrants = 0/'
+rates='{0.25, 0.25, 0.2, 0.05, 0.15, 0.07, 0.03}' drawn='double at = '
+change() { # change MOVE RATES SUM: without one of the changes of programs, the others in its place
+    without "$1" $edit "s/$rates/{$2}/; s/${drawn}gsl/$drawn$3 * gsl/"
+}
+change graft '0, 0.25, 0.2, 0.05, 0.15, 0.07, 0.03' 0.75
+change operand '0.25, 0, 0.2, 0.05, 0.15, 0.07, 0.03' 0.75
+change shortcut '0.25, 0.25, 0, 0.05, 0.15, 0.07, 0.03' 0.8
+change operator '0.25, 0.25, 0.2, 0, 0.15, 0.07, 0.03' 0.95
+change term '0.25, 0.25, 0.2, 0.05, 0, 0.07, 0.03' 0.85
+change call '0.25, 0.25, 0.2, 0.05, 0.15, 0, 0.03' 0.93
+change share '0.25, 0.25, 0.2, 0.05, 0.15, 0.07, 0' 0.97
+
+spend() { # the processor time of the children so far, to $spent
+    times > "$work/times"
+    spent=$(awk 'NR == 2 { split($0, t, /[ms ]+/); print 60 * t[1] + t[2] + 60 * t[3] + t[4] }' "$work/times")
+}
+evolve() { # evolve MOVE SCENE SEED
+    spend
+    before=$spent
+    "$work/bin/$1" --root "$top" --scene "$work/$2.scene" --from-scratch --generations "$GENERATIONS" --quiet \
+        --population "$POPULATION" --seed "$3" --front "$work/front.csv" -o "$work/found.gen" > "$work/log" 2>&1 ||
+        echo "# $1 $2 $3: $(tail -n 1 "$work/log")"
+    spend
+    echo "run $1 $2 $3 $(echo "$spent $before" | awk '{ print $1 - $2 }')" >> "$work/runs"
+    awk -F, 'NR > 1 { print "member", $3, $11 }' "$work/front.csv" >> "$work/runs"
+}
+for move in all $MOVES; do
+    for seed in $SEEDS; do
+        for scene in quad4 quad8 gregory; do evolve "$move" $scene "$seed"; done
+    done
+done
+
+awk '
+    function close_run(cost, sum, n, k) {
+        if (!run) return
+        for (cost = least[scene]; cost <= most[scene]; cost += 2) {
+            while (k < members && at[k + 1] <= cost) k++
+            sum += log(k > 0 ? error[k] : 10); n++
+        }
+        score[move, scene, seed] = sum / n
+    }
+    NR == FNR { least[$1] = $2; most[$1] = $3; next }
+    $1 == "run" {
+        close_run(); run = 1; move = $2; scene = $3; seed = $4; members = 0
+        time[move] += $5; if (!(move in known)) { known[move]; order[++moves] = move }
+        seeds[seed]; next
+    }
+    { at[++members] = $2; error[members] = $3 > 1e-16 ? $3 : 1e-16 }
+    END {
+        close_run()
+        for (m = 2; m <= moves; m++) {
+            move = order[m]; n = sum = square = 0; each = ""
+            for (scene in least) {
+                own = own_n = 0
+                for (seed in seeds) {
+                    d = score[move, scene, seed] - score["all", scene, seed]
+                    own += d; own_n++; sum += d; square += d * d; n++
+                }
+                each = each sprintf("  %s %.2f", scene, exp(own / own_n))
+            }
+            mean = sum / n; off = n > 1 ? 2 * sqrt((square - n * mean * mean) / (n - 1) / n) : 0
+            printf "%s %.2f %.2f %.2f%s  time %.2f\n", move, exp(mean), exp(mean - off), exp(mean + off), each,
+                time[move] / time["all"]
+        }
+    }' "$work/costs" "$work/runs" > "$work/table"
+sed 's/^/# without /' "$work/table"
+
+# Nothing is worth as much as seeds.
+case " $MOVES " in *" seeds "*)
+    awk '$1 == "seeds" { worth = $3 > 1 } END { exit !worth }' "$work/table"
+    report $((! $?)) 'errors are larger without seeds'
+esac
