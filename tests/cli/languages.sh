@@ -241,6 +241,7 @@ int main(void)
         return 1;
     if (float_coarse(fa, fa, fc, fc, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
         return 2;
+    double_coarse_at(a, b, c, d, s, &loc[0], &loc[1]); /* which takes no steps, as in float */
     return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
 }
 END
