@@ -88,6 +88,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -315,9 +318,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_gap(const double *con
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -347,6 +351,18 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_GREGORY_ANSWER
+#define FOOTPOINT_GREGORY_ANSWER
+/* The answer where a search is not good beyond doubt; nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_gregory_answer(footpoint_detail_search *search,
+                                                   const double *const *x, int nodes, double promise,
+                                                   double loc[2], double *gap)
+{
+    (void)promise;
+    return footpoint_detail_again(search, x, nodes, 9, loc, gap);
+}
+#endif
+
 #ifndef FOOTPOINT_GREGORY_ARRAYS
 #define FOOTPOINT_GREGORY_ARRAYS
 /* The search of _at. */
@@ -373,19 +389,19 @@ FOOTPOINT_PART void footpoint_detail_gregory_n(footpoint_detail_gregory_search *
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_gregory_full(footpoint_detail_search *search,
-                                                  const double *const *row, int nodes, double *xi,
-                                                  double *eta, double *gap, int *status)
+                                                  const double *const *row, int nodes, double promise,
+                                                  double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 9, loc, gap);
+    *status = footpoint_detail_gregory_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_gregory_checked_n(footpoint_detail_search *search, size_t n,
-                                                       const double *const *x, int nodes,
+                                                       const double *const *x, int nodes, double promise,
                                                        double *FOOTPOINT_RESTRICT xi,
                                                        double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap,
@@ -411,7 +427,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_checked_n(footpoint_detail_search *
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-            footpoint_detail_gregory_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_gregory_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                          &status[i]);
         }
 }
 
@@ -419,9 +436,9 @@ FOOTPOINT_PART void footpoint_detail_gregory_checked_n(footpoint_detail_search *
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                                const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                int *FOOTPOINT_RESTRICT status)
+                                const double *const *x, int nodes, double promise,
+                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[8][3];
@@ -444,7 +461,8 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[9] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], s};
-            footpoint_detail_gregory_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_gregory_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                          &status[i]);
         }
 }
 #endif
@@ -459,22 +477,10 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* footpoint_gregory_facet
- *   operations:     50 mul, 1 div, 51 add, 0 sqrt, 4 compare; 38 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  b6ab9fede1a7798d81349729ac1f8bd5e5e88a2e8fd8be1b175ed739ca3785d4
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
- *   rounding:       xi 2.4e-14 sampled; eta 1.1e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 124 islands 2
- *   training_both:  genes 107 mean 1.131e-02
- *   heldout:        xi 9.048e-03 5.777e-02 1.581e-01, eta 1.349e-02 8.503e-02 1.899e-01, samples 20000
- *   heldout_random: xi 9.226e-03 5.987e-02 1.321e-01, eta 1.353e-02 8.606e-02 2.256e-01, samples 20000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_gregory_facet_detail(const double xA[3], const double xB[3],
                                                                  const double xC[3], const double xD[3],
                                                                  const double nA[3], const double nB[3],
@@ -502,73 +508,6 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_facet_detail(const double xA
     return footpoint_detail_outside(t17 * t18 - t16 * t16);
 }
 
-FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double nA[3], const double nB[3],
-                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
-                                             double *eta)
-{
-    (void)footpoint_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_gregory_facet_detail_checked(const double *const *x, int full, double zero,
-                                                                         double *xi,
-                                                                         double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double nA[3], const double nB[3],
-                                         const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                         double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_gregory_facet_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_gregory_facet_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_facet_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                              double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_gregory_facet_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_facet_checked_n(size_t n, const double *const x[27],
-                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_gregory_facet_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_facet_over_n(const double *const nodes[8], size_t n,
-                                                   const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                   int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_gregory_facet_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_gregory_normals
- *   operations:     93 mul, 1 div, 101 add, 0 sqrt, 4 compare; 64 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  45627c643978a8a20617948119d7dd76245bfc23c071ad3285e77eddf43cb67b
- *   poles:          t40: proved free of zeros, |t40| >= 0.045 (rounding error <= 3.3e-12)
- *   rounding:       xi 6.2e-14 sampled; eta 7.3e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 59 islands 2
- *   training_both:  genes 248 mean 3.058e-03
- *   heldout:        xi 2.677e-03 1.854e-02 7.049e-02, eta 3.500e-03 2.692e-02 9.703e-02, samples 20000
- *   heldout_random: xi 2.671e-03 1.878e-02 8.389e-02, eta 3.465e-03 2.650e-02 1.055e-01, samples 20000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_gregory_normals_detail(const double xA[3], const double xB[3],
                                                                    const double xC[3], const double xD[3],
                                                                    const double nA[3], const double nB[3],
@@ -613,76 +552,6 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_normals_detail(const double 
     return footpoint_detail_outside(t40);
 }
 
-FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double nA[3], const double nB[3],
-                                               const double nC[3], const double nD[3], const double xS[3], double *xi,
-                                               double *eta)
-{
-    (void)footpoint_gregory_normals_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_gregory_normals_detail_checked(const double *const *x, int full,
-                                                                           double zero, double *xi,
-                                                                           double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_gregory_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_gregory_normals(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double nA[3], const double nB[3],
-                                           const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                           double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_gregory_normals_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_gregory_normals_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_normals_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                                double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_gregory_normals_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_normals_checked_n(size_t n, const double *const x[27],
-                                                        double *FOOTPOINT_RESTRICT xi,
-                                                        double *FOOTPOINT_RESTRICT eta,
-                                                        double *FOOTPOINT_RESTRICT gap,
-                                                        int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_gregory_normals_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_normals_over_n(const double *const nodes[8], size_t n,
-                                                     const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_gregory_normals_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_gregory_smooth
- *   operations:     152 mul, 2 div, 148 add, 0 sqrt, 4 compare; 95 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  4082223cd7bc00895cf1b5852c120fb4f0d78e2f65851781a81196601e90b412
- *   poles:          t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
- *   poles:          t84: proved free of zeros, |t84| >= 0.036 (rounding error <= 6.4e-06)
- *   rounding:       xi 7e-13 sampled; eta 8.4e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 59 islands 2
- *   training_both:  genes 470 mean 1.258e-03
- *   heldout:        xi 1.024e-03 7.241e-03 3.798e-02, eta 1.568e-03 1.357e-02 5.205e-02, samples 20000
- *   heldout_random: xi 1.020e-03 7.371e-03 2.353e-02, eta 1.527e-03 1.303e-02 4.280e-02, samples 20000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_gregory_smooth_detail(const double xA[3], const double xB[3],
                                                                   const double xC[3], const double xD[3],
                                                                   const double nA[3], const double nB[3],
@@ -737,75 +606,6 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_smooth_detail(const double x
     return footpoint_detail_outside(t19 * t20 - t18 * t18) | footpoint_detail_outside(t84);
 }
 
-FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double nA[3], const double nB[3],
-                                              const double nC[3], const double nD[3], const double xS[3], double *xi,
-                                              double *eta)
-{
-    (void)footpoint_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_gregory_smooth_detail_checked(const double *const *x, int full,
-                                                                          double zero, double *xi,
-                                                                          double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double nA[3], const double nB[3],
-                                          const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                          double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_gregory_smooth_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_gregory_smooth_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_smooth_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                               double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_gregory_smooth_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_smooth_checked_n(size_t n, const double *const x[27],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_gregory_smooth_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_smooth_over_n(const double *const nodes[8], size_t n,
-                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_gregory_smooth_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_gregory_corrected
- *   operations:     365 mul, 2 div, 267 add, 0 sqrt, 9 compare; 183 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  75243babfc5d2ee850db85643fc80d8cb31a7619a795d81f0191b55dfc6dc1cd
- *   poles:          t39: proved free of zeros, |t39| >= 2.9e-05 (rounding error <= 6.7e-10)
- *   poles:          t164: proved free of zeros, |t164| >= 0.0029; status if computed as 0 or not finite
- *   rounding:       xi 4.7e-13 sampled; eta 8.7e-13 sampled (1000000 points)
- *   found_both:     seed 1 generations 20 islands 2
- *   training_both:  genes 134 mean 7.800e-04
- *   heldout:        xi 5.602e-04 4.970e-03 2.275e-02, eta 1.042e-03 1.214e-02 4.167e-02, samples 20000
- *   heldout_random: xi 5.527e-04 4.808e-03 2.068e-02, eta 1.020e-03 1.231e-02 4.520e-02, samples 20000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_gregory_corrected_detail(const double xA[3], const double xB[3],
                                                                      const double xC[3], const double xD[3],
                                                                      const double nA[3], const double nB[3],
@@ -900,85 +700,6 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_corrected_detail(const doubl
     return footpoint_detail_outside(t39) | footpoint_detail_outside(t164);
 }
 
-FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double nA[3], const double nB[3],
-                                                 const double nC[3], const double nD[3], const double xS[3],
-                                                 double *xi, double *eta)
-{
-    (void)footpoint_gregory_corrected_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_gregory_corrected_detail_checked(const double *const *x, int full,
-                                                                             double zero, double *xi,
-                                                                             double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_gregory_corrected_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_gregory_corrected(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double nA[3], const double nB[3],
-                                             const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                             double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_gregory_corrected_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_gregory_corrected_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_corrected_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_gregory_corrected_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_corrected_checked_n(size_t n, const double *const x[27],
-                                                          double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap,
-                                                          int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_gregory_corrected_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_corrected_over_n(const double *const nodes[8], size_t n,
-                                                       const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                       double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_gregory_corrected_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_gregory_precise
- *   operations:     630 mul, 9 div, 465 add, 0 sqrt, 12 compare; 356 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-148
- *   genome_sha256:  5fdb208e0b4ab90a1a538fc324382ef1f30f74a4159028a12fd49501bb4836ff
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
- *   poles:          divisor of t79: proved free of zeros, |...| >= 0.041 (rounding error <= 7.8e-08)
- *   poles:          t103: proved free of zeros, |t103| >= 0.0033 (rounding error <= 6e-13)
- *   poles:          t105: proved free of zeros, |t105| >= 0.0028 (rounding error <= 4.3e-13)
- *   poles:          t111: proved free of zeros, |t111| >= 0.046 (rounding error <= 1.4e-14)
- *   poles:          t117: proved free of zeros, |t117| >= 0.038 (rounding error <= 8.6e-15)
- *   poles:          t251: proved free of zeros, |t251| >= 9.9e-13 (as computed, too)
- *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
- *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.025; status if computed as 0 or not
- *     finite
- *   rounding:       xi 3.6e-13 sampled; eta 1.1e-12 sampled (1000000 points)
- *   found_both:     seed 1 generations 19 islands 2
- *   training_both:  genes 329 mean 6.693e-05
- *   heldout:        xi 5.465e-05 7.301e-04 9.345e-03, eta 8.745e-05 1.259e-03 1.194e-02, samples 20000
- *   heldout_random: xi 5.302e-05 6.853e-04 5.605e-03, eta 8.273e-05 1.200e-03 9.453e-03, samples 20000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_gregory_precise_detail(const double xA[3], const double xB[3],
                                                                    const double xC[3], const double xD[3],
                                                                    const double nA[3], const double nB[3],
@@ -1144,85 +865,6 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_precise_detail(const double 
         footpoint_detail_outside(t329 * t330 - t328 * t328);
 }
 
-FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double nA[3], const double nB[3],
-                                               const double nC[3], const double nD[3], const double xS[3], double *xi,
-                                               double *eta)
-{
-    (void)footpoint_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_gregory_precise_detail_checked(const double *const *x, int full,
-                                                                           double zero, double *xi,
-                                                                           double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_gregory_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double nA[3], const double nB[3],
-                                           const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                           double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_gregory_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_gregory_precise_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_precise_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                                double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_gregory_precise_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_precise_checked_n(size_t n, const double *const x[27],
-                                                        double *FOOTPOINT_RESTRICT xi,
-                                                        double *FOOTPOINT_RESTRICT eta,
-                                                        double *FOOTPOINT_RESTRICT gap,
-                                                        int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_gregory_precise_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_precise_over_n(const double *const nodes[8], size_t n,
-                                                     const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_gregory_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_gregory_exact
- *   operations:     772 mul, 11 div, 559 add, 0 sqrt, 14 compare; 423 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-139
- *   genome_sha256:  607267c8de043f5c4252e738adb33e02ae58321cc22b2489190839c2179254be
- *   poles:          t51 * t50 - t47 * t47: proved free of zeros, |...| >= 0.045 (rounding error <= 2.8e-12)
- *   poles:          t106: proved free of zeros, |t106| >= 0.0033 (rounding error <= 6e-13)
- *   poles:          t108: proved free of zeros, |t108| >= 0.046 (rounding error <= 1.4e-14)
- *   poles:          t113: proved free of zeros, |t113| >= 0.0028 (rounding error <= 4.3e-13)
- *   poles:          t115: proved free of zeros, |t115| >= 0.038 (rounding error <= 8.6e-15)
- *   poles:          t201: proved free of zeros, |t201| >= 0.5 (rounding error <= 8.6e-10)
- *   poles:          divisor of t207: proved free of zeros, |...| >= 0.51 (rounding error <= 1.7e-15)
- *   poles:          t217 * t214 - t219 * t215: proved free of zeros, |...| >= 0.04 (rounding error <= 0.00022)
- *   poles:          t270: proved free of zeros, |t270| >= 9.9e-13 (as computed, too)
- *   poles:          t272: proved free of zeros, |t272| >= 9.9e-13 (as computed, too)
- *   poles:          t397: proved free of zeros, |t397| >= 0.0023; status if computed as 0 or not finite
- *   rounding:       xi 5.9e-09 sampled; eta 2.8e-09 sampled (1000000 points)
- *   found_both:     seed 1 generations 11 islands 2
- *   training_both:  genes 425 mean 4.422e-06
- *   heldout:        xi 4.048e-06 6.601e-05 1.113e-03, eta 6.358e-06 1.029e-04 4.217e-03, samples 20000
- *   heldout_random: xi 3.843e-06 6.209e-05 1.050e-03, eta 5.732e-06 9.082e-05 3.287e-03, samples 20000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_gregory_exact_detail(const double xA[3], const double xB[3],
                                                                  const double xC[3], const double xD[3],
                                                                  const double nA[3], const double nB[3],
@@ -1419,87 +1061,6 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_exact_detail(const double xA
         footpoint_detail_outside(t272) | footpoint_detail_outside(t397);
 }
 
-FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double nA[3], const double nB[3],
-                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
-                                             double *eta)
-{
-    (void)footpoint_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_gregory_exact_detail_checked(const double *const *x, int full, double zero,
-                                                                         double *xi,
-                                                                         double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_gregory_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double nA[3], const double nB[3],
-                                         const double nC[3], const double nD[3], const double xS[3], double loc[2],
-                                         double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_gregory_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_gregory_exact_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_exact_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                              double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_gregory_exact_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_exact_checked_n(size_t n, const double *const x[27],
-                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_gregory_exact_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_gregory_exact_over_n(const double *const nodes[8], size_t n,
-                                                   const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                   int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_gregory_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_gregory_full
- *   operations:     1295 mul, 16 div, 881 add, 0 sqrt, 31 compare; 669 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-112
- *   genome_sha256:  5f2a838f856a9ec32f461adc343b76e2593e83579fddb16838548a15bada74cd
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049; status if computed as 0 or not
- *     finite
- *   poles:          divisor of t59: proved free of zeros, |...| >= 0.51 (as computed, too)
- *   poles:          t67 * t68 - t66 * t69: proved free of zeros, |...| >= 0.041; status if computed as 0 or not
- *     finite
- *   poles:          t107: proved free of zeros, |t107| >= 0.0033; status if computed as 0 or not finite
- *   poles:          t109: proved free of zeros, |t109| >= 0.046; status if computed as 0 or not finite
- *   poles:          t114: proved free of zeros, |t114| >= 0.0028; status if computed as 0 or not finite
- *   poles:          t116: proved free of zeros, |t116| >= 0.038; status if computed as 0 or not finite
- *   poles:          t253: proved free of zeros, |t253| >= 9.9e-13 (as computed, too)
- *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
- *   poles:          t378: proved free of zeros, |t378| >= 0.0023; status if computed as 0 or not finite
- *   poles:          t421: proved free of zeros, |t421| >= 9.9e-13 (as computed, too)
- *   poles:          t425: proved free of zeros, |t425| >= 9.9e-13 (as computed, too)
- *   poles:          of 4 more denominators, 3 are proved free of zeros, 2 of these as computed, too
- *   rounding:       xi 4.7e-11 sampled; eta 2.3e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 11 islands 2
- *   training_both:  genes 269 mean 4.835e-09
- *   heldout:        xi 1.082e-08 2.032e-08 7.109e-05, eta 3.073e-08 3.348e-08 2.645e-04, samples 20000
- *   heldout_random: xi 8.639e-09 1.894e-08 6.097e-05, eta 1.962e-08 3.054e-08 9.877e-05, samples 20000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail(const double xA[3], const double xB[3],
                                                                 const double xC[3], const double xD[3],
                                                                 const double nA[3], const double nB[3],
@@ -1823,6 +1384,475 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail(const double xA[
         footpoint_detail_outside(t550) | footpoint_detail_outside(t554) | footpoint_detail_outside(t636);
 }
 
+/* footpoint_gregory_facet
+ *   operations:     50 mul, 1 div, 51 add, 0 sqrt, 4 compare; 38 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  b6ab9fede1a7798d81349729ac1f8bd5e5e88a2e8fd8be1b175ed739ca3785d4
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
+ *   rounding:       xi 2.4e-14 sampled; eta 1.1e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 124 islands 2
+ *   training_both:  genes 107 mean 1.131e-02
+ *   heldout:        xi 9.048e-03 5.777e-02 1.581e-01, eta 1.349e-02 8.503e-02 1.899e-01, samples 20000
+ *   heldout_random: xi 9.226e-03 5.987e-02 1.321e-01, eta 1.353e-02 8.606e-02 2.256e-01, samples 20000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double nA[3], const double nB[3],
+                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
+                                             double *eta)
+{
+    (void)footpoint_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_gregory_facet_detail_checked(const double *const *x, int way, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double nA[3], const double nB[3],
+                                         const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                         double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_gregory_facet_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_gregory_facet_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_facet_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                              double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_gregory_facet_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_facet_checked_n(size_t n, const double *const x[27],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_gregory_facet_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_facet_over_n(const double *const nodes[8], size_t n,
+                                                   const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_gregory_facet_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_gregory_normals
+ *   operations:     93 mul, 1 div, 101 add, 0 sqrt, 4 compare; 64 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  45627c643978a8a20617948119d7dd76245bfc23c071ad3285e77eddf43cb67b
+ *   poles:          t40: proved free of zeros, |t40| >= 0.045 (rounding error <= 3.3e-12)
+ *   rounding:       xi 6.2e-14 sampled; eta 7.3e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 59 islands 2
+ *   training_both:  genes 248 mean 3.058e-03
+ *   heldout:        xi 2.677e-03 1.854e-02 7.049e-02, eta 3.500e-03 2.692e-02 9.703e-02, samples 20000
+ *   heldout_random: xi 2.671e-03 1.878e-02 8.389e-02, eta 3.465e-03 2.650e-02 1.055e-01, samples 20000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double nA[3], const double nB[3],
+                                               const double nC[3], const double nD[3], const double xS[3], double *xi,
+                                               double *eta)
+{
+    (void)footpoint_gregory_normals_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_gregory_normals_detail_checked(const double *const *x, int way,
+                                                                           double zero, double *xi,
+                                                                           double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_gregory_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_gregory_normals(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double nA[3], const double nB[3],
+                                           const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                           double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_gregory_normals_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_gregory_normals_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_normals_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_gregory_normals_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_normals_checked_n(size_t n, const double *const x[27],
+                                                        double *FOOTPOINT_RESTRICT xi,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_gregory_normals_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_normals_over_n(const double *const nodes[8], size_t n,
+                                                     const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_gregory_normals_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_gregory_smooth
+ *   operations:     152 mul, 2 div, 148 add, 0 sqrt, 4 compare; 95 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  4082223cd7bc00895cf1b5852c120fb4f0d78e2f65851781a81196601e90b412
+ *   poles:          t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
+ *   poles:          t84: proved free of zeros, |t84| >= 0.036 (rounding error <= 6.4e-06)
+ *   rounding:       xi 7e-13 sampled; eta 8.4e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 59 islands 2
+ *   training_both:  genes 470 mean 1.258e-03
+ *   heldout:        xi 1.024e-03 7.241e-03 3.798e-02, eta 1.568e-03 1.357e-02 5.205e-02, samples 20000
+ *   heldout_random: xi 1.020e-03 7.371e-03 2.353e-02, eta 1.527e-03 1.303e-02 4.280e-02, samples 20000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double nA[3], const double nB[3],
+                                              const double nC[3], const double nD[3], const double xS[3], double *xi,
+                                              double *eta)
+{
+    (void)footpoint_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_gregory_smooth_detail_checked(const double *const *x, int way, double zero,
+                                                                          double *xi,
+                                                                          double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double nA[3], const double nB[3],
+                                          const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                          double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_gregory_smooth_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_gregory_smooth_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_smooth_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_gregory_smooth_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_smooth_checked_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_gregory_smooth_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_smooth_over_n(const double *const nodes[8], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_gregory_smooth_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_gregory_corrected
+ *   operations:     365 mul, 2 div, 267 add, 0 sqrt, 9 compare; 183 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  75243babfc5d2ee850db85643fc80d8cb31a7619a795d81f0191b55dfc6dc1cd
+ *   poles:          t39: proved free of zeros, |t39| >= 2.9e-05 (rounding error <= 6.7e-10)
+ *   poles:          t164: proved free of zeros, |t164| >= 0.0029; status if computed as 0 or not finite
+ *   rounding:       xi 4.7e-13 sampled; eta 8.7e-13 sampled (1000000 points)
+ *   found_both:     seed 1 generations 20 islands 2
+ *   training_both:  genes 134 mean 7.800e-04
+ *   heldout:        xi 5.602e-04 4.970e-03 2.275e-02, eta 1.042e-03 1.214e-02 4.167e-02, samples 20000
+ *   heldout_random: xi 5.527e-04 4.808e-03 2.068e-02, eta 1.020e-03 1.231e-02 4.520e-02, samples 20000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double nA[3], const double nB[3],
+                                                 const double nC[3], const double nD[3], const double xS[3],
+                                                 double *xi, double *eta)
+{
+    (void)footpoint_gregory_corrected_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_gregory_corrected_detail_checked(const double *const *x, int way,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_gregory_corrected_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_gregory_corrected(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double nA[3], const double nB[3],
+                                             const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                             double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_gregory_corrected_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_gregory_corrected_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_corrected_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_gregory_corrected_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_corrected_checked_n(size_t n, const double *const x[27],
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_gregory_corrected_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_corrected_over_n(const double *const nodes[8], size_t n,
+                                                       const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                       double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_gregory_corrected_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_gregory_precise
+ *   operations:     630 mul, 9 div, 465 add, 0 sqrt, 12 compare; 356 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-148
+ *   genome_sha256:  5fdb208e0b4ab90a1a538fc324382ef1f30f74a4159028a12fd49501bb4836ff
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
+ *   poles:          divisor of t79: proved free of zeros, |...| >= 0.041 (rounding error <= 7.8e-08)
+ *   poles:          t103: proved free of zeros, |t103| >= 0.0033 (rounding error <= 6e-13)
+ *   poles:          t105: proved free of zeros, |t105| >= 0.0028 (rounding error <= 4.3e-13)
+ *   poles:          t111: proved free of zeros, |t111| >= 0.046 (rounding error <= 1.4e-14)
+ *   poles:          t117: proved free of zeros, |t117| >= 0.038 (rounding error <= 8.6e-15)
+ *   poles:          t251: proved free of zeros, |t251| >= 9.9e-13 (as computed, too)
+ *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
+ *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.025; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 3.6e-13 sampled; eta 1.1e-12 sampled (1000000 points)
+ *   found_both:     seed 1 generations 19 islands 2
+ *   training_both:  genes 329 mean 6.693e-05
+ *   heldout:        xi 5.465e-05 7.301e-04 9.345e-03, eta 8.745e-05 1.259e-03 1.194e-02, samples 20000
+ *   heldout_random: xi 5.302e-05 6.853e-04 5.605e-03, eta 8.273e-05 1.200e-03 9.453e-03, samples 20000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double nA[3], const double nB[3],
+                                               const double nC[3], const double nD[3], const double xS[3], double *xi,
+                                               double *eta)
+{
+    (void)footpoint_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_gregory_precise_detail_checked(const double *const *x, int way,
+                                                                           double zero, double *xi,
+                                                                           double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_gregory_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double nA[3], const double nB[3],
+                                           const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                           double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_gregory_precise_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_gregory_precise_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_precise_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_gregory_precise_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_precise_checked_n(size_t n, const double *const x[27],
+                                                        double *FOOTPOINT_RESTRICT xi,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_gregory_precise_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_precise_over_n(const double *const nodes[8], size_t n,
+                                                     const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_gregory_precise_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_gregory_exact
+ *   operations:     772 mul, 11 div, 559 add, 0 sqrt, 14 compare; 423 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-139
+ *   genome_sha256:  607267c8de043f5c4252e738adb33e02ae58321cc22b2489190839c2179254be
+ *   poles:          t51 * t50 - t47 * t47: proved free of zeros, |...| >= 0.045 (rounding error <= 2.8e-12)
+ *   poles:          t106: proved free of zeros, |t106| >= 0.0033 (rounding error <= 6e-13)
+ *   poles:          t108: proved free of zeros, |t108| >= 0.046 (rounding error <= 1.4e-14)
+ *   poles:          t113: proved free of zeros, |t113| >= 0.0028 (rounding error <= 4.3e-13)
+ *   poles:          t115: proved free of zeros, |t115| >= 0.038 (rounding error <= 8.6e-15)
+ *   poles:          t201: proved free of zeros, |t201| >= 0.5 (rounding error <= 8.6e-10)
+ *   poles:          divisor of t207: proved free of zeros, |...| >= 0.51 (rounding error <= 1.7e-15)
+ *   poles:          t217 * t214 - t219 * t215: proved free of zeros, |...| >= 0.04 (rounding error <= 0.00022)
+ *   poles:          t270: proved free of zeros, |t270| >= 9.9e-13 (as computed, too)
+ *   poles:          t272: proved free of zeros, |t272| >= 9.9e-13 (as computed, too)
+ *   poles:          t397: proved free of zeros, |t397| >= 0.0023; status if computed as 0 or not finite
+ *   rounding:       xi 5.9e-09 sampled; eta 2.8e-09 sampled (1000000 points)
+ *   found_both:     seed 1 generations 11 islands 2
+ *   training_both:  genes 425 mean 4.422e-06
+ *   heldout:        xi 4.048e-06 6.601e-05 1.113e-03, eta 6.358e-06 1.029e-04 4.217e-03, samples 20000
+ *   heldout_random: xi 3.843e-06 6.209e-05 1.050e-03, eta 5.732e-06 9.082e-05 3.287e-03, samples 20000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double nA[3], const double nB[3],
+                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
+                                             double *eta)
+{
+    (void)footpoint_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_gregory_exact_detail_checked(const double *const *x, int way, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_gregory_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double nA[3], const double nB[3],
+                                         const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                         double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_gregory_exact_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_gregory_exact_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_exact_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                              double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_gregory_exact_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_exact_checked_n(size_t n, const double *const x[27],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_gregory_exact_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_gregory_exact_over_n(const double *const nodes[8], size_t n,
+                                                   const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_gregory_exact_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_gregory_full
+ *   operations:     1295 mul, 16 div, 881 add, 0 sqrt, 31 compare; 669 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-112
+ *   genome_sha256:  5f2a838f856a9ec32f461adc343b76e2593e83579fddb16838548a15bada74cd
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049; status if computed as 0 or not
+ *     finite
+ *   poles:          divisor of t59: proved free of zeros, |...| >= 0.51 (as computed, too)
+ *   poles:          t67 * t68 - t66 * t69: proved free of zeros, |...| >= 0.041; status if computed as 0 or not
+ *     finite
+ *   poles:          t107: proved free of zeros, |t107| >= 0.0033; status if computed as 0 or not finite
+ *   poles:          t109: proved free of zeros, |t109| >= 0.046; status if computed as 0 or not finite
+ *   poles:          t114: proved free of zeros, |t114| >= 0.0028; status if computed as 0 or not finite
+ *   poles:          t116: proved free of zeros, |t116| >= 0.038; status if computed as 0 or not finite
+ *   poles:          t253: proved free of zeros, |t253| >= 9.9e-13 (as computed, too)
+ *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
+ *   poles:          t378: proved free of zeros, |t378| >= 0.0023; status if computed as 0 or not finite
+ *   poles:          t421: proved free of zeros, |t421| >= 9.9e-13 (as computed, too)
+ *   poles:          t425: proved free of zeros, |t425| >= 9.9e-13 (as computed, too)
+ *   poles:          of 4 more denominators, 3 are proved free of zeros, 2 of these as computed, too
+ *   rounding:       xi 4.7e-11 sampled; eta 2.3e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 11 islands 2
+ *   training_both:  genes 269 mean 4.835e-09
+ *   heldout:        xi 1.082e-08 2.032e-08 7.109e-05, eta 3.073e-08 3.348e-08 2.645e-04, samples 20000
+ *   heldout_random: xi 8.639e-09 1.894e-08 6.097e-05, eta 1.962e-08 3.054e-08 9.877e-05, samples 20000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double nA[3], const double nB[3],
                                             const double nC[3], const double nD[3], const double xS[3], double *xi,
@@ -1831,13 +1861,13 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     (void)footpoint_gregory_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail_checked(const double *const *x, int full, double zero,
+FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail_checked(const double *const *x, int way, double zero,
                                                                         double *xi,
                                                                         double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_gregory_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1847,8 +1877,9 @@ FOOTPOINT_FN int footpoint_gregory_full(const double xA[3], const double xB[3], 
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_gregory_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_gregory_full_detail_checked, x, 4, 9, loc, gap);
+    if (footpoint_gregory_full_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_gregory_full_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1865,7 +1896,8 @@ FOOTPOINT_LOOP void footpoint_gregory_full_checked_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_gregory_full_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_gregory_full_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_full_over_n(const double *const nodes[8], size_t n,
@@ -1873,8 +1905,8 @@ FOOTPOINT_LOOP void footpoint_gregory_full_over_n(const double *const nodes[8], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_gregory_full_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_gregory_over_n(footpoint_gregory_full_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 #endif

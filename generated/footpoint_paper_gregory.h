@@ -91,6 +91,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -318,9 +321,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_gap(const double *con
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -350,6 +354,18 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_GREGORY_ANSWER
+#define FOOTPOINT_GREGORY_ANSWER
+/* The answer where a search is not good beyond doubt; nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_gregory_answer(footpoint_detail_search *search,
+                                                   const double *const *x, int nodes, double promise,
+                                                   double loc[2], double *gap)
+{
+    (void)promise;
+    return footpoint_detail_again(search, x, nodes, 9, loc, gap);
+}
+#endif
+
 #ifndef FOOTPOINT_GREGORY_ARRAYS
 #define FOOTPOINT_GREGORY_ARRAYS
 /* The search of _at. */
@@ -376,19 +392,19 @@ FOOTPOINT_PART void footpoint_detail_gregory_n(footpoint_detail_gregory_search *
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_gregory_full(footpoint_detail_search *search,
-                                                  const double *const *row, int nodes, double *xi,
-                                                  double *eta, double *gap, int *status)
+                                                  const double *const *row, int nodes, double promise,
+                                                  double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 9, loc, gap);
+    *status = footpoint_detail_gregory_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_gregory_checked_n(footpoint_detail_search *search, size_t n,
-                                                       const double *const *x, int nodes,
+                                                       const double *const *x, int nodes, double promise,
                                                        double *FOOTPOINT_RESTRICT xi,
                                                        double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap,
@@ -414,7 +430,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_checked_n(footpoint_detail_search *
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-            footpoint_detail_gregory_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_gregory_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                          &status[i]);
         }
 }
 
@@ -422,9 +439,9 @@ FOOTPOINT_PART void footpoint_detail_gregory_checked_n(footpoint_detail_search *
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                                const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                int *FOOTPOINT_RESTRICT status)
+                                const double *const *x, int nodes, double promise,
+                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[8][3];
@@ -447,7 +464,8 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[9] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], s};
-            footpoint_detail_gregory_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_gregory_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                          &status[i]);
         }
 }
 #endif
@@ -462,22 +480,10 @@ footpoint_detail_gregory_over_n(footpoint_detail_search *search, const double *c
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* footpoint_paper_gregory_facet
- *   operations:     69 mul, 1 div, 79 add, 0 sqrt, 4 compare; 52 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  c63b17cef1da5faf0bdf3053ad45faa4046e82cadba950c566f4a680c6d7bf50
- *   poles:          t27 * t27 - t25 * t26: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
- *   rounding:       xi 5.7e-12 sampled; eta 2e-12 sampled (1000000 points)
- *   found_both:     seed 1 generations 5 islands 2
- *   training_both:  genes 143 mean 2.330e-02
- *   heldout:        xi 1.946e-02 1.259e-01 4.513e-01, eta 2.780e-02 1.996e-01 8.994e-01, samples 27582
- *   heldout_random: xi 2.231e-02 1.731e-01 9.748e-01, eta 3.048e-02 2.760e-01 9.080e-01, samples 28409
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_gregory_facet_detail(const double xA[3], const double xB[3],
                                                                        const double xC[3], const double xD[3],
                                                                        const double nA[3], const double nB[3],
@@ -513,79 +519,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_facet_detail(const dou
     return footpoint_detail_outside(t27 * t27 - t25 * t26);
 }
 
-FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double nA[3], const double nB[3],
-                                                   const double nC[3], const double nD[3], const double xS[3],
-                                                   double *xi, double *eta)
-{
-    (void)footpoint_paper_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_gregory_facet_detail_checked(const double *const *x, int full,
-                                                                               double zero, double *xi,
-                                                                               double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double nA[3], const double nB[3],
-                                               const double nC[3], const double nD[3], const double xS[3],
-                                               double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_gregory_facet_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_gregory_facet_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *const x[27],
-                                                    double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_paper_gregory_facet_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_facet_checked_n(size_t n, const double *const x[27],
-                                                            double *FOOTPOINT_RESTRICT xi,
-                                                            double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap,
-                                                            int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_facet_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_facet_over_n(const double *const nodes[8], size_t n,
-                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_paper_gregory_facet_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_paper_gregory_smooth
- *   operations:     225 mul, 2 div, 187 add, 0 sqrt, 8 compare; 141 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  7da24519c16188dc1868c0c01e59f1d9112f6fac0e6c8957d3de0c709a865fa4
- *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
- *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013; status if computed as 0 or not
- *     finite
- *   rounding:       xi 1.6e-09 sampled; eta 2.1e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 5 islands 2
- *   training_both:  genes 143 mean 1.446e-02
- *   heldout:        xi 1.238e-02 1.207e-01 6.445e-01, eta 1.599e-02 1.579e-01 7.815e-01, samples 27582
- *   heldout_random: xi 1.642e-02 2.164e-01 8.926e-01, eta 2.077e-02 2.817e-01 9.061e-01, samples 28409
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double nA[3], const double nB[3],
@@ -662,82 +595,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail(const do
     return footpoint_detail_outside(t33 * t34 - t32 * t32) | footpoint_detail_outside(t121 * t122 - t120 * t120);
 }
 
-FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double nA[3], const double nB[3],
-                                                    const double nC[3], const double nD[3], const double xS[3],
-                                                    double *xi, double *eta)
-{
-    (void)footpoint_paper_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double nA[3], const double nB[3],
-                                                const double nC[3], const double nD[3], const double xS[3],
-                                                double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_gregory_smooth_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_gregory_smooth_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *const x[27],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_paper_gregory_smooth_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_checked_n(size_t n, const double *const x[27],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_smooth_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_over_n(const double *const nodes[8], size_t n,
-                                                          const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap,
-                                                          int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_paper_gregory_smooth_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_paper_gregory_weighted
- *   operations:     416 mul, 6 div, 324 add, 0 sqrt, 13 compare; 236 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  e4eb9a27b3086668b8542ef15f842773f20f8bd7018651de62930cde1e50b020
- *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
- *   poles:          t59: proved free of zeros, |t59| >= 1.8e-07 (rounding error <= 2e-14)
- *   poles:          t61: proved free of zeros, |t61| >= 0.011 (rounding error <= 6.3e-15)
- *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07 (as computed, too)
- *   poles:          t152: proved free of zeros, |t152| >= 0.24 (as computed, too)
- *   poles:          t214: proved free of zeros, |t214| >= 0.00027; status if computed as 0 or not finite
- *   rounding:       xi 5.1e-11 sampled; eta 1.3e-11 sampled (1000000 points)
- *   found_both:     seed 1 generations 5 islands 2
- *   training_both:  genes 143 mean 2.681e-03
- *   heldout:        xi 2.355e-03 2.516e-02 7.588e-01, eta 2.997e-03 3.467e-02 5.941e-01, samples 27582
- *   heldout_random: xi 4.688e-03 6.972e-02 9.977e-01, eta 5.899e-03 1.018e-01 9.295e-01, samples 28409
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_gregory_weighted_detail(const double xA[3], const double xB[3],
                                                                           const double xC[3], const double xD[3],
                                                                           const double nA[3], const double nB[3],
@@ -855,86 +712,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_weighted_detail(const 
         footpoint_detail_outside(t214);
 }
 
-FOOTPOINT_FN void footpoint_paper_gregory_weighted_at(const double xA[3], const double xB[3], const double xC[3],
-                                                      const double xD[3], const double nA[3], const double nB[3],
-                                                      const double nC[3], const double nD[3], const double xS[3],
-                                                      double *xi, double *eta)
-{
-    (void)footpoint_paper_gregory_weighted_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_gregory_weighted_detail_checked(const double *const *x, int full,
-                                                                                  double zero, double *xi,
-                                                                                  double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_gregory_weighted_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double nA[3], const double nB[3],
-                                                  const double nC[3], const double nD[3], const double xS[3],
-                                                  double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_gregory_weighted_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_gregory_weighted_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *const x[27],
-                                                       double *FOOTPOINT_RESTRICT xi,
-                                                       double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_paper_gregory_weighted_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_checked_n(size_t n, const double *const x[27],
-                                                               double *FOOTPOINT_RESTRICT xi,
-                                                               double *FOOTPOINT_RESTRICT eta,
-                                                               double *FOOTPOINT_RESTRICT gap,
-                                                               int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_weighted_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_over_n(const double *const nodes[8], size_t n,
-                                                            const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                            double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap,
-                                                            int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_paper_gregory_weighted_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_paper_gregory_precise
- *   operations:     737 mul, 10 div, 544 add, 0 sqrt, 13 compare; 386 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-144
- *   genome_sha256:  1574660cee74884d8b4bfbd9b88c701fd31b21473f4c143efc5d0a84404df4d4
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.0055 (rounding error <= 4e-13)
- *   poles:          divisor of t61: proved free of zeros, |...| >= 0.2 (rounding error <= 2.1e-15)
- *   poles:          t71 * t72 - t69 * t70: no zero where the region's requires hold, by no proved margin
- *   poles:          t109: proved free of zeros, |t109| >= 0.0068 (rounding error <= 1.7e-14)
- *   poles:          t111: proved free of zeros, |t111| >= 8.5e-05 (rounding error <= 5.6e-13)
- *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 7.3e-14)
- *   poles:          t118: proved free of zeros, |t118| >= 2.3e-05 (rounding error <= 1.3e-15)
- *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07 (as computed, too)
- *   poles:          t245: proved free of zeros, |t245| >= 0.24 (as computed, too)
- *   poles:          t366: proved free of zeros, |t366| >= 0.00023; status if computed as 0 or not finite
- *   rounding:       xi 2.1e-10 sampled; eta 2.3e-09 sampled (1000000 points)
- *   found_both:     seed 1 generations 5 islands 2
- *   training_both:  genes 326 mean 1.325e-03
- *   heldout:        xi 1.224e-03 1.803e-02 7.965e-01, eta 1.668e-03 2.684e-02 6.988e-01, samples 27582
- *   heldout_random: xi 2.634e-03 4.784e-02 6.411e-01, eta 3.576e-03 6.386e-02 9.080e-01, samples 28409
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_gregory_precise_detail(const double xA[3], const double xB[3],
                                                                          const double xC[3], const double xD[3],
                                                                          const double nA[3], const double nB[3],
@@ -1120,88 +897,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_precise_detail(const d
         footpoint_detail_outside(t243) | footpoint_detail_outside(t245) | footpoint_detail_outside(t366);
 }
 
-FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3],
-                                                     const double xD[3], const double nA[3], const double nB[3],
-                                                     const double nC[3], const double nD[3], const double xS[3],
-                                                     double *xi, double *eta)
-{
-    (void)footpoint_paper_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_gregory_precise_detail_checked(const double *const *x, int full,
-                                                                                 double zero, double *xi,
-                                                                                 double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_gregory_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double nA[3], const double nB[3],
-                                                 const double nC[3], const double nD[3], const double xS[3],
-                                                 double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_gregory_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_gregory_precise_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *const x[27],
-                                                      double *FOOTPOINT_RESTRICT xi,
-                                                      double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_paper_gregory_precise_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_precise_checked_n(size_t n, const double *const x[27],
-                                                              double *FOOTPOINT_RESTRICT xi,
-                                                              double *FOOTPOINT_RESTRICT eta,
-                                                              double *FOOTPOINT_RESTRICT gap,
-                                                              int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_precise_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const nodes[8], size_t n,
-                                                           const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_paper_gregory_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_paper_gregory_exact
- *   operations:     972 mul, 12 div, 675 add, 0 sqrt, 23 compare; 523 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-129
- *   genome_sha256:  32117d6a40f80a63ca867efa6ccdf79b4a6a492ccec2f4ea075f50b8f397d2c4
- *   poles:          t40 * t42 - t41 * t41: proved free of zeros, |...| >= 0.0013 (rounding error <= 3.5e-13)
- *   poles:          t88: proved free of zeros, |t88| >= 8.5e-05 (rounding error <= 5.6e-13)
- *   poles:          t90: proved free of zeros, |t90| >= 0.0068 (rounding error <= 1.7e-14)
- *   poles:          t95: proved free of zeros, |t95| >= 2.9e-07 (rounding error <= 7.3e-14)
- *   poles:          t97: proved free of zeros, |t97| >= 2.3e-05 (rounding error <= 1.3e-15)
- *   poles:          t191: proved free of zeros, |t191| >= 0.5 (rounding error <= 0.00015)
- *   poles:          t238: proved free of zeros, |t238| >= 9.9e-07 (as computed, too)
- *   poles:          t240: proved free of zeros, |t240| >= 0.24 (rounding error <= 0.13)
- *   poles:          t363: proved free of zeros, |t363| >= 0.00014; status if computed as 0 or not finite
- *   poles:          t406: proved free of zeros, |t406| >= 9.9e-07 (as computed, too)
- *   poles:          t410: proved free of zeros, |t410| >= 0.24 (as computed, too)
- *   poles:          t492: proved free of zeros, |t492| >= 0.00028; status if computed as 0 or not finite
- *   rounding:       xi 7.5e-11 sampled; eta 6.5e-12 sampled (1000000 points)
- *   found_both:     seed 1 generations 5 islands 2
- *   training_both:  genes 137 mean 5.318e-04
- *   heldout:        xi 4.221e-04 4.746e-03 7.965e-01, eta 6.270e-04 6.819e-03 8.994e-01, samples 27582
- *   heldout_random: xi 1.080e-03 1.641e-02 9.279e-01, eta 1.705e-03 2.223e-02 9.202e-01, samples 28409
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_gregory_exact_detail(const double xA[3], const double xB[3],
                                                                        const double xC[3], const double xD[3],
                                                                        const double nA[3], const double nB[3],
@@ -1454,89 +1149,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_exact_detail(const dou
         footpoint_detail_outside(t492);
 }
 
-FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double nA[3], const double nB[3],
-                                                   const double nC[3], const double nD[3], const double xS[3],
-                                                   double *xi, double *eta)
-{
-    (void)footpoint_paper_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_gregory_exact_detail_checked(const double *const *x, int full,
-                                                                               double zero, double *xi,
-                                                                               double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_gregory_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double nA[3], const double nB[3],
-                                               const double nC[3], const double nD[3], const double xS[3],
-                                               double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_gregory_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_gregory_exact_detail_checked, x, 4, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *const x[27],
-                                                    double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_gregory_n(footpoint_paper_gregory_exact_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_exact_checked_n(size_t n, const double *const x[27],
-                                                            double *FOOTPOINT_RESTRICT xi,
-                                                            double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap,
-                                                            int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_exact_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_gregory_exact_over_n(const double *const nodes[8], size_t n,
-                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_gregory_over_n(footpoint_paper_gregory_exact_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
-}
-
-/* footpoint_paper_gregory_full
- *   operations:     1405 mul, 14 div, 945 add, 0 sqrt, 31 compare; 706 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-110
- *   genome_sha256:  43fa4419db92ff6e2f5c9957186dcc96df21435fd4ce744594ac32779f13370e
- *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
- *   poles:          t69: proved free of zeros, |t69| >= 8.5e-05 (rounding error <= 5.6e-13)
- *   poles:          t71: proved free of zeros, |t71| >= 0.0068 (rounding error <= 1.7e-14)
- *   poles:          t76: proved free of zeros, |t76| >= 2.9e-07 (rounding error <= 7.3e-14)
- *   poles:          t78: proved free of zeros, |t78| >= 2.3e-05 (rounding error <= 1.3e-15)
- *   poles:          t215: proved free of zeros, |t215| >= 9.9e-07 (as computed, too)
- *   poles:          t217: proved free of zeros, |t217| >= 0.24 (rounding error <= 0.0002)
- *   poles:          t338: proved free of zeros, |t338| >= 0.00013; status if computed as 0 or not finite
- *   poles:          t385: proved free of zeros, |t385| >= 9.9e-07 (as computed, too)
- *   poles:          t387: proved free of zeros, |t387| >= 0.24 (as computed, too)
- *   poles:          t508: proved free of zeros, |t508| >= 0.00084; status if computed as 0 or not finite
- *   poles:          t555: proved free of zeros, |t555| >= 9.9e-07 (as computed, too)
- *   poles:          of 2 more denominators, 2 are proved free of zeros, 1 of these as computed, too
- *   rounding:       xi 8.8e-10 sampled; eta 4.7e-09 sampled (1000000 points)
- *   found_both:     a seed, composed of the frame's functions or given
- *   training_both:  genes 74 mean 3.355e-04
- *   heldout:        xi 2.489e-04 1.369e-03 9.599e-01, eta 3.621e-04 1.913e-03 9.884e-01, samples 27582
- *   heldout_random: xi 1.378e-03 6.508e-03 9.987e-01, eta 1.701e-03 7.530e-03 9.833e-01, samples 28409
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double nA[3], const double nB[3],
@@ -1873,6 +1485,422 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail(const doub
         footpoint_detail_outside(t555) | footpoint_detail_outside(t557) | footpoint_detail_outside(t678);
 }
 
+/* footpoint_paper_gregory_facet
+ *   operations:     69 mul, 1 div, 79 add, 0 sqrt, 4 compare; 52 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  c63b17cef1da5faf0bdf3053ad45faa4046e82cadba950c566f4a680c6d7bf50
+ *   poles:          t27 * t27 - t25 * t26: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
+ *   rounding:       xi 5.7e-12 sampled; eta 2e-12 sampled (1000000 points)
+ *   found_both:     seed 1 generations 5 islands 2
+ *   training_both:  genes 143 mean 2.330e-02
+ *   heldout:        xi 1.946e-02 1.259e-01 4.513e-01, eta 2.780e-02 1.996e-01 8.994e-01, samples 27582
+ *   heldout_random: xi 2.231e-02 1.731e-01 9.748e-01, eta 3.048e-02 2.760e-01 9.080e-01, samples 28409
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double nA[3], const double nB[3],
+                                                   const double nC[3], const double nD[3], const double xS[3],
+                                                   double *xi, double *eta)
+{
+    (void)footpoint_paper_gregory_facet_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_facet_detail_checked(const double *const *x, int way,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double nA[3], const double nB[3],
+                                               const double nC[3], const double nD[3], const double xS[3],
+                                               double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_gregory_facet_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_paper_gregory_facet_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_paper_gregory_facet_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_facet_checked_n(size_t n, const double *const x[27],
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_facet_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_facet_over_n(const double *const nodes[8], size_t n,
+                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_facet_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_paper_gregory_smooth
+ *   operations:     225 mul, 2 div, 187 add, 0 sqrt, 8 compare; 141 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  7da24519c16188dc1868c0c01e59f1d9112f6fac0e6c8957d3de0c709a865fa4
+ *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
+ *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 0.00013; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 1.6e-09 sampled; eta 2.1e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 5 islands 2
+ *   training_both:  genes 143 mean 1.446e-02
+ *   heldout:        xi 1.238e-02 1.207e-01 6.445e-01, eta 1.599e-02 1.579e-01 7.815e-01, samples 27582
+ *   heldout_random: xi 1.642e-02 2.164e-01 8.926e-01, eta 2.077e-02 2.817e-01 9.061e-01, samples 28409
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double nA[3], const double nB[3],
+                                                    const double nC[3], const double nD[3], const double xS[3],
+                                                    double *xi, double *eta)
+{
+    (void)footpoint_paper_gregory_smooth_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double nA[3], const double nB[3],
+                                                const double nC[3], const double nD[3], const double xS[3],
+                                                double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_gregory_smooth_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_paper_gregory_smooth_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_paper_gregory_smooth_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_checked_n(size_t n, const double *const x[27],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_smooth_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_over_n(const double *const nodes[8], size_t n,
+                                                          const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_smooth_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_paper_gregory_weighted
+ *   operations:     416 mul, 6 div, 324 add, 0 sqrt, 13 compare; 236 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  e4eb9a27b3086668b8542ef15f842773f20f8bd7018651de62930cde1e50b020
+ *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
+ *   poles:          t59: proved free of zeros, |t59| >= 1.8e-07 (rounding error <= 2e-14)
+ *   poles:          t61: proved free of zeros, |t61| >= 0.011 (rounding error <= 6.3e-15)
+ *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07 (as computed, too)
+ *   poles:          t152: proved free of zeros, |t152| >= 0.24 (as computed, too)
+ *   poles:          t214: proved free of zeros, |t214| >= 0.00027; status if computed as 0 or not finite
+ *   rounding:       xi 5.1e-11 sampled; eta 1.3e-11 sampled (1000000 points)
+ *   found_both:     seed 1 generations 5 islands 2
+ *   training_both:  genes 143 mean 2.681e-03
+ *   heldout:        xi 2.355e-03 2.516e-02 7.588e-01, eta 2.997e-03 3.467e-02 5.941e-01, samples 27582
+ *   heldout_random: xi 4.688e-03 6.972e-02 9.977e-01, eta 5.899e-03 1.018e-01 9.295e-01, samples 28409
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_gregory_weighted_at(const double xA[3], const double xB[3], const double xC[3],
+                                                      const double xD[3], const double nA[3], const double nB[3],
+                                                      const double nC[3], const double nD[3], const double xS[3],
+                                                      double *xi, double *eta)
+{
+    (void)footpoint_paper_gregory_weighted_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_weighted_detail_checked(const double *const *x, int way,
+                                                                                  double zero, double *xi,
+                                                                                  double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_gregory_weighted_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double nA[3], const double nB[3],
+                                                  const double nC[3], const double nD[3], const double xS[3],
+                                                  double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_gregory_weighted_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_paper_gregory_weighted_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi,
+                                                       double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_paper_gregory_weighted_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_checked_n(size_t n, const double *const x[27],
+                                                               double *FOOTPOINT_RESTRICT xi,
+                                                               double *FOOTPOINT_RESTRICT eta,
+                                                               double *FOOTPOINT_RESTRICT gap,
+                                                               int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_weighted_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_over_n(const double *const nodes[8], size_t n,
+                                                            const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_weighted_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_paper_gregory_precise
+ *   operations:     737 mul, 10 div, 544 add, 0 sqrt, 13 compare; 386 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-144
+ *   genome_sha256:  1574660cee74884d8b4bfbd9b88c701fd31b21473f4c143efc5d0a84404df4d4
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.0055 (rounding error <= 4e-13)
+ *   poles:          divisor of t61: proved free of zeros, |...| >= 0.2 (rounding error <= 2.1e-15)
+ *   poles:          t71 * t72 - t69 * t70: no zero where the region's requires hold, by no proved margin
+ *   poles:          t109: proved free of zeros, |t109| >= 0.0068 (rounding error <= 1.7e-14)
+ *   poles:          t111: proved free of zeros, |t111| >= 8.5e-05 (rounding error <= 5.6e-13)
+ *   poles:          t116: proved free of zeros, |t116| >= 2.9e-07 (rounding error <= 7.3e-14)
+ *   poles:          t118: proved free of zeros, |t118| >= 2.3e-05 (rounding error <= 1.3e-15)
+ *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07 (as computed, too)
+ *   poles:          t245: proved free of zeros, |t245| >= 0.24 (as computed, too)
+ *   poles:          t366: proved free of zeros, |t366| >= 0.00023; status if computed as 0 or not finite
+ *   rounding:       xi 2.1e-10 sampled; eta 2.3e-09 sampled (1000000 points)
+ *   found_both:     seed 1 generations 5 islands 2
+ *   training_both:  genes 326 mean 1.325e-03
+ *   heldout:        xi 1.224e-03 1.803e-02 7.965e-01, eta 1.668e-03 2.684e-02 6.988e-01, samples 27582
+ *   heldout_random: xi 2.634e-03 4.784e-02 6.411e-01, eta 3.576e-03 6.386e-02 9.080e-01, samples 28409
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3],
+                                                     const double xD[3], const double nA[3], const double nB[3],
+                                                     const double nC[3], const double nD[3], const double xS[3],
+                                                     double *xi, double *eta)
+{
+    (void)footpoint_paper_gregory_precise_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_precise_detail_checked(const double *const *x, int way,
+                                                                                 double zero, double *xi,
+                                                                                 double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_gregory_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double nA[3], const double nB[3],
+                                                 const double nC[3], const double nD[3], const double xS[3],
+                                                 double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_gregory_precise_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_paper_gregory_precise_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *const x[27],
+                                                      double *FOOTPOINT_RESTRICT xi,
+                                                      double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_paper_gregory_precise_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_precise_checked_n(size_t n, const double *const x[27],
+                                                              double *FOOTPOINT_RESTRICT xi,
+                                                              double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT gap,
+                                                              int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_precise_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_precise_over_n(const double *const nodes[8], size_t n,
+                                                           const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_precise_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_paper_gregory_exact
+ *   operations:     972 mul, 12 div, 675 add, 0 sqrt, 23 compare; 523 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-129
+ *   genome_sha256:  32117d6a40f80a63ca867efa6ccdf79b4a6a492ccec2f4ea075f50b8f397d2c4
+ *   poles:          t40 * t42 - t41 * t41: proved free of zeros, |...| >= 0.0013 (rounding error <= 3.5e-13)
+ *   poles:          t88: proved free of zeros, |t88| >= 8.5e-05 (rounding error <= 5.6e-13)
+ *   poles:          t90: proved free of zeros, |t90| >= 0.0068 (rounding error <= 1.7e-14)
+ *   poles:          t95: proved free of zeros, |t95| >= 2.9e-07 (rounding error <= 7.3e-14)
+ *   poles:          t97: proved free of zeros, |t97| >= 2.3e-05 (rounding error <= 1.3e-15)
+ *   poles:          t191: proved free of zeros, |t191| >= 0.5 (rounding error <= 0.00015)
+ *   poles:          t238: proved free of zeros, |t238| >= 9.9e-07 (as computed, too)
+ *   poles:          t240: proved free of zeros, |t240| >= 0.24 (rounding error <= 0.13)
+ *   poles:          t363: proved free of zeros, |t363| >= 0.00014; status if computed as 0 or not finite
+ *   poles:          t406: proved free of zeros, |t406| >= 9.9e-07 (as computed, too)
+ *   poles:          t410: proved free of zeros, |t410| >= 0.24 (as computed, too)
+ *   poles:          t492: proved free of zeros, |t492| >= 0.00028; status if computed as 0 or not finite
+ *   rounding:       xi 7.5e-11 sampled; eta 6.5e-12 sampled (1000000 points)
+ *   found_both:     seed 1 generations 5 islands 2
+ *   training_both:  genes 137 mean 5.318e-04
+ *   heldout:        xi 4.221e-04 4.746e-03 7.965e-01, eta 6.270e-04 6.819e-03 8.994e-01, samples 27582
+ *   heldout_random: xi 1.080e-03 1.641e-02 9.279e-01, eta 1.705e-03 2.223e-02 9.202e-01, samples 28409
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double nA[3], const double nB[3],
+                                                   const double nC[3], const double nD[3], const double xS[3],
+                                                   double *xi, double *eta)
+{
+    (void)footpoint_paper_gregory_exact_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_exact_detail_checked(const double *const *x, int way,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_gregory_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double nA[3], const double nB[3],
+                                               const double nC[3], const double nD[3], const double xS[3],
+                                               double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_gregory_exact_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_paper_gregory_exact_detail_checked, x, 4, 0.0, loc,
+                                               gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_gregory_n(footpoint_paper_gregory_exact_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_exact_checked_n(size_t n, const double *const x[27],
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_exact_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_gregory_exact_over_n(const double *const nodes[8], size_t n,
+                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_exact_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
+}
+
+/* footpoint_paper_gregory_full
+ *   operations:     1405 mul, 14 div, 945 add, 0 sqrt, 31 compare; 706 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-110
+ *   genome_sha256:  43fa4419db92ff6e2f5c9957186dcc96df21435fd4ce744594ac32779f13370e
+ *   poles:          t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 3e-14)
+ *   poles:          t69: proved free of zeros, |t69| >= 8.5e-05 (rounding error <= 5.6e-13)
+ *   poles:          t71: proved free of zeros, |t71| >= 0.0068 (rounding error <= 1.7e-14)
+ *   poles:          t76: proved free of zeros, |t76| >= 2.9e-07 (rounding error <= 7.3e-14)
+ *   poles:          t78: proved free of zeros, |t78| >= 2.3e-05 (rounding error <= 1.3e-15)
+ *   poles:          t215: proved free of zeros, |t215| >= 9.9e-07 (as computed, too)
+ *   poles:          t217: proved free of zeros, |t217| >= 0.24 (rounding error <= 0.0002)
+ *   poles:          t338: proved free of zeros, |t338| >= 0.00013; status if computed as 0 or not finite
+ *   poles:          t385: proved free of zeros, |t385| >= 9.9e-07 (as computed, too)
+ *   poles:          t387: proved free of zeros, |t387| >= 0.24 (as computed, too)
+ *   poles:          t508: proved free of zeros, |t508| >= 0.00084; status if computed as 0 or not finite
+ *   poles:          t555: proved free of zeros, |t555| >= 9.9e-07 (as computed, too)
+ *   poles:          of 2 more denominators, 2 are proved free of zeros, 1 of these as computed, too
+ *   rounding:       xi 8.8e-10 sampled; eta 4.7e-09 sampled (1000000 points)
+ *   found_both:     a seed, composed of the frame's functions or given
+ *   training_both:  genes 74 mean 3.355e-04
+ *   heldout:        xi 2.489e-04 1.369e-03 9.599e-01, eta 3.621e-04 1.913e-03 9.884e-01, samples 27582
+ *   heldout_random: xi 1.378e-03 6.508e-03 9.987e-01, eta 1.701e-03 7.530e-03 9.833e-01, samples 28409
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double nA[3], const double nB[3],
                                                   const double nC[3], const double nD[3], const double xS[3],
@@ -1881,13 +1909,13 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     (void)footpoint_paper_gregory_full_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail_checked(const double *const *x, int way,
                                                                               double zero, double *xi,
                                                                               double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_paper_gregory_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     flaw |= footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1898,8 +1926,9 @@ FOOTPOINT_FN int footpoint_paper_gregory_full(const double xA[3], const double x
 {
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     double xi, eta, g;
-    if (footpoint_paper_gregory_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_gregory_full_detail_checked, x, 4, 9, loc, gap);
+    if (footpoint_paper_gregory_full_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(footpoint_paper_gregory_full_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1919,7 +1948,8 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_full_checked_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_full_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_gregory_checked_n(footpoint_paper_gregory_full_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_gregory_full_over_n(const double *const nodes[8], size_t n,
@@ -1928,8 +1958,8 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_full_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_gregory_over_n(footpoint_paper_gregory_full_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_gregory_over_n(footpoint_paper_gregory_full_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 #endif

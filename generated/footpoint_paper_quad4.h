@@ -87,6 +87,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -293,9 +296,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3],
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -325,6 +329,332 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD4_ANSWER
+#define FOOTPOINT_QUAD4_ANSWER
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (unsigned long long)1 << 63;
+#else
+    return 0;
+#endif
+}
+
+/* The greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* The sum of the absolute values, and the largest. */
+FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+FOOTPOINT_PART double footpoint_detail_most(const double a[3])
+{
+    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
+}
+
+/* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
+ * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
+ * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
+ * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two. */
+typedef struct {
+    const double *a, *b, *c, *d;
+    double over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q. */
+FOOTPOINT_PART double footpoint_detail_quad4_off(const footpoint_detail_quad4_vectors *r, double p,
+                                                 double q, double uu, double mixed, double vv)
+{
+    const double a1 = footpoint_detail_sum(r->a), am = footpoint_detail_most(r->a);
+    const double b1 = footpoint_detail_sum(r->b), bm = footpoint_detail_most(r->b);
+    const double c1 = footpoint_detail_sum(r->c), cm = footpoint_detail_most(r->c);
+    const double first = a1 + c1 + 0.08 * b1, wide = am + cm + 0.08 * bm;
+    const double second = b1 + c1 + 0.08 * a1, high = bm + cm + 0.08 * am;
+    const double turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
+    const double bend = r->twist == 1 ? wide : r->twist == 2 ? high : wide + high;
+    const double u = first + q * turn, v = second + p * turn;
+    const double far = fabs(r->over) * footpoint_detail_most(r->d) + wide + high + p * wide +
+                     q * (high + p * bend);
+    return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
+}
+
+/* A step of third order to the foot point, by xi and eta, from products[] = a a, a b, b b, a c, b c, c c, a d, b d, c d.  The
+ * highest bit of what it returns is not set if a minimum of the distance is proved to lie within `promise` of the answer.
+ *
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  From Newton's step s = H^-1 F what is left
+ * of F is known, N(s), as it is a polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a
+ * ball of 1/6 about the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + c . c.  Let h = beta L (|s| + 2 |x| +
+ * 2 R), where R bounds rounding; in the ball of that radius 1 - H^-1 H(y) is at most h, so that Newton's iteration with
+ * H kept contracts: what it would do next, at most h |x| + R, bounds the distance of the answer from a root within a factor of
+ * 1 / (1 - h), and H is positive definite all the way there.
+ *
+ * rounding: (k + 20) units of rounding, if products are off by k units of what `reach` allows: polynomials take 8 more, Cramer's
+ * rule 9.  In row xi, F is off by rounding P T, P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., of reach, and H s and N by
+ * 24 |s| P T each: so do the bounds grow in the ball.  The weak inequality of det keeps rounding errors of beta and
+ * h below what 0.2, 1.4 and 1.3 leave of 0.25, 1.25 and 1.25. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
+                                                              const footpoint_detail_quad4_vectors *r,
+                                                              double promise, double *xi, double *eta)
+{
+    const double e11 = products[0], e12 = products[1] - products[8], e22 = products[2],
+               c1 = products[3];
+    const double c2 = products[4], cc = products[5], p = *xi, q = *eta;
+    const double tu = c1 + q * cc, tv = c2 + p * cc, y = p * c1 + q * tv, z = e12 + y;
+    const double uu = e11 + q * (c1 + tu), vv = e22 + p * (c2 + tv), r12 = z + y, mixed = fabs(r12);
+    const double f = products[6] - q * z - p * (e11 + q * c1);
+    const double g = products[7] - p * z - q * (e22 + p * c2);
+    const double per = 1.0 / (uu * vv - r12 * r12);
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    double off, left = step * (1.0 / 3.0), h, room, other;
+    if (promise < 1e-9)
+        off = per * footpoint_detail_quad4_off(r, fabs(p) + 2.0 * step, fabs(q) + 2.0 * step, uu,
+                                               mixed, vv);
+    else
+        off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
+                      (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
+    off *= r->rounding + 50.0 * r->rounding * step;
+    *xi = p + s;
+    *eta = q + t;
+    if (promise < 1e-3) {
+        const double along = tu * s, across = tv * t, both = cc * (s * t);
+        const double m = t * (along + along + across + both),
+                   n = s * (across + across + along + both);
+        const double v = (r12 * n - vv * m) * per, w = (r12 * m - uu * n) * per;
+        left = footpoint_detail_greater(fabs(v), fabs(w));
+        *xi += v;
+        *eta += w;
+    }
+    h = beta * (4.0 * (fabs(tu) + fabs(tv)) + 2.0 * cc) * (step + 2.0 * (left + off));
+    room = 0.999 * promise - (1.4 * h * left + 1.3 * off);
+    other = 0.2 - (h + 1.2 * step + 200.0 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(other) | footpoint_detail_bits(per) |
+           footpoint_detail_infinite(room) | footpoint_detail_fast();
+}
+
+/* Steps until one is proved, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+ * these are enough. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
+                                                               const footpoint_detail_quad4_vectors *r,
+                                                               double promise, int fixed, double *xi, double *eta)
+{
+    unsigned long long doubt = footpoint_detail_infinite(*xi + *eta);
+    int k = 0;
+    if (fixed) {
+        double u, v;
+        unsigned long long still;
+        doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        if (fixed < 2)
+            return doubt;
+        u = *xi;
+        v = *eta;
+        still = footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        *xi = doubt >> 63 ? u : *xi;
+        *eta = doubt >> 63 ? v : *eta;
+        return doubt & still;
+    }
+    if (!(doubt >> 63))
+        do {
+            doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        } while (doubt >> 63 && ++k < 4);
+    return doubt;
+}
+
+/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
+ * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+ *
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
+ * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
+ * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
+ * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
+ * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
+ * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
+ * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_prove(const double a[3], const double b[3],
+                                                               const double c[3], const double d[3], double over,
+                                                               double rounding, double promise, double *xi,
+                                                               double *eta)
+{
+    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
+    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const double w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
+                       over * d[2] - p * a[2] - q * v[2]};
+    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
+    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
+    const double det = uu * vv - r12 * r12, per = 1.0 / det;
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
+    const double second = footpoint_detail_sum(b);
+    const double far =
+        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
+    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
+    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const double off =
+        rounding * far * per *
+        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
+    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
+                   (4.0 * turns + cc + 1e-13 * (far * far));
+    double room, other;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999 * promise *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.2 * off);
+    other = 0.249 - h;
+    room = other < room ? other : room;
+    other = 0.083 - step;
+    room = other < room ? other : room;
+    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
+    room = other < room ? other : room;
+    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
+           footpoint_detail_fast();
+}
+
+/* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
+ * NULL, the step of Gauss and Newton from there, which leads downhill. */
+FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const double b[3], const double c[3],
+                                                   const double d[3], double xi, double eta, double *gauss)
+{
+    double u[3], v[3], w[3], uu, uv, vv, f, g, det;
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] - xi * a[i] - eta * v[i];
+    }
+    if (gauss) {
+        uu = footpoint_detail_dot(u, u);
+        uv = footpoint_detail_dot(u, v);
+        vv = footpoint_detail_dot(v, v);
+        f = footpoint_detail_dot(u, w);
+        g = footpoint_detail_dot(v, w);
+        det = 1.001 * uu * vv - uv * uv + 2.2250738585072014e-308;
+        gauss[0] = (vv * f - uv * g) / det;
+        gauss[1] = (uu * g - uv * f) / det;
+    }
+    return footpoint_detail_dot(w, w);
+}
+
+/* Vectors as sums of edges, four times r's. */
+FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], double b[3],
+                                                 double c[3], double d[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double ab = y[1][i] - y[0][i], dc = y[2][i] - y[3][i];
+        a[i] = ab + dc;
+        b[i] = (y[3][i] - y[0][i]) + (y[2][i] - y[1][i]);
+        c[i] = dc - ab;
+        d[i] = ((y[4][i] - y[0][i]) + (y[4][i] - y[2][i])) +
+               ((y[4][i] - y[1][i]) + (y[4][i] - y[3][i]));
+    }
+}
+
+/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
+ * lead downhill.  0 if nothing is nearer. */
+FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double b[3], const double c[3],
+                                                 const double d[3], double to[2], double at[2],
+                                                 double *apart)
+{
+    double gauss[2], damp = 1.0, less;
+    less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+    if (!(less <= *apart * (1.0 + 4e-16))) {
+        (void)footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], gauss);
+        do {
+            to[0] = at[0] + damp * gauss[0];
+            to[1] = at[1] + damp * gauss[1];
+            less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+            damp *= 0.25;
+        } while (!(less < *apart) && damp > 1e-4);
+    }
+    if (!(less <= *apart * (1.0 + 4e-16)))
+        return 0;
+    at[0] = to[0];
+    at[1] = to[1];
+    *apart = less;
+    return 1;
+}
+
+/* From loc by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  In a unit of length in which the segment is
+ * about 1 long, with vectors whose coordinates are off by 3 units of rounding: see footpoint_detail_quad4_prove(). */
+FOOTPOINT_COLD int footpoint_detail_quad4_repair(const double *const *x, double promise, double loc[2],
+                                                 double *gap)
+{
+    const double rounding = 11.0 * 1.12e-16;
+    double y[5][3], a[3], b[3], c[3], d[3], at[2], to[2], g, apart;
+    const double *z[5];
+    int exponent = 0, i, steps, status = FOOTPOINT_UNPROVED;
+    if (footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
+        return FOOTPOINT_UNPROVED;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    footpoint_detail_quad4_edges(y, a, b, c, d);
+    at[0] = fabs(loc[0]) < 1e3 ? loc[0] : 0.0;
+    at[1] = fabs(loc[1]) < 1e3 ? loc[1] : 0.0;
+    apart = footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], NULL);
+    for (steps = 0; steps < 20; steps++) {
+        to[0] = at[0];
+        to[1] = at[1];
+        if (!(footpoint_detail_quad4_prove(a, b, c, d, 1.0, rounding, promise, &to[0], &to[1]) >>
+              63)) {
+            at[0] = to[0];
+            at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        /* where steps have become shorter than that, rounding forbids the proof */
+        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 0.01 * promise ||
+            !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
+            break;
+    }
+    if (footpoint_detail_quad4_gap(z, at[0], at[1], 1e-6, &g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    g = ldexp(g, exponent);
+    if (footpoint_detail_infinite(g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *gap = g;
+    return status;
+}
+
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
+                                                 const double *const *x, int nodes, double promise,
+                                                 double loc[2], double *gap)
+{
+    int status;
+    double xi, eta, g;
+    if (promise > 0.0 &&
+        !(search(x, 2, 0.0, &xi, &eta, &g) >> 63)) { /* a loop takes fewer steps */
+        loc[0] = xi;
+        loc[1] = eta;
+        *gap = g;
+        return FOOTPOINT_OK;
+    }
+    status = footpoint_detail_again(search, x, nodes, 5, loc, gap);
+    return status == FOOTPOINT_OK && promise > 0.0
+               ? footpoint_detail_quad4_repair(x, promise, loc, gap)
+               : status;
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_ARRAYS
 #define FOOTPOINT_QUAD4_ARRAYS
 /* The search of _at. */
@@ -349,19 +679,19 @@ FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *sear
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
-                                                const double *const *row, int nodes, double *xi,
-                                                double *eta, double *gap, int *status)
+                                                const double *const *row, int nodes, double promise,
+                                                double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 5, loc, gap);
+    *status = footpoint_detail_quad4_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes,
+                                                     const double *const *x, int nodes, double promise,
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap,
@@ -385,7 +715,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 
@@ -393,9 +724,9 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                              int *FOOTPOINT_RESTRICT status)
+                              const double *const *x, int nodes, double promise,
+                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[4][3];
@@ -418,7 +749,8 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 #endif
@@ -469,22 +801,10 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* footpoint_paper_quad4_gauss
- *   operations:     29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  b0d2b917a0823c298a1a90f445e86a1b95cccf8d0c2a6f75f6f39303ac342119
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   rounding:       xi 4.9e-10 sampled; eta 5.1e-10 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 2.408e-02; eta genes 1 mean 3.603e-02
- *   heldout:        xi 2.094e-02 1.205e-01 2.546e+00, eta 3.106e-02 1.769e-01 1.956e+00, samples 439697
- *   heldout_random: xi 2.677e-02 1.392e-01 1.057e+02, eta 3.970e-02 2.121e-01 1.217e+02, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail(const double xA[3], const double xB[3],
                                                                      const double xC[3], const double xD[3],
                                                                      const double xS[3], double zero, double *xi,
@@ -504,75 +824,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail(const doubl
     return footpoint_detail_outside(t17 * t18 - t16 * t16);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail_nearest_shorter(const double *const *x,
-                                                                                     double zero, double *xi,
-                                                                                     double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_gauss_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail_checked(const double *const *x, int full,
-                                                                             double zero, double *xi,
-                                                                             double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_gauss_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_gauss_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_gauss_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_gauss_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap,
-                                                          int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_fast
- *   operations:     32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  a923c4288a48a75569cc3edb38c3c548038f26f1c91afeba9f35efff10d344f4
- *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
- *   rounding:       xi 5.1e-12 sampled; eta 5.7e-12 sampled (1000000 points)
- *   found_both:     seed 1 generations 100 islands 2
- *   training_both:  genes 14 mean 2.058e-02
- *   heldout:        xi 1.679e-02 1.221e-01 6.373e-01, eta 2.031e-02 1.475e-01 7.901e-01, samples 439697
- *   heldout_random: xi 1.835e-02 1.177e-01 9.844e-01, eta 2.424e-02 1.624e-01 1.067e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail(const double xA[3], const double xB[3],
                                                                     const double xC[3], const double xD[3],
                                                                     const double xS[3], double zero, double *xi,
@@ -594,75 +845,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail(const double
     return footpoint_detail_outside(t16 * t18 - t17 * t17);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail_nearest_shorter(const double *const *x,
-                                                                                    double zero, double *xi,
-                                                                                    double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_fast_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail_checked(const double *const *x, int full,
-                                                                            double zero, double *xi,
-                                                                            double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_fast_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_fast_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_fast_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_fast_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_taper
- *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  34d9211899b4a28aa8efad76340094ff912f9ef89f148fc43106ec7d90b8e26a
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   rounding:       xi 2.2e-10 sampled; eta 2e-11 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 8.630e-03; eta genes 1 mean 1.237e-02
- *   heldout:        xi 9.592e-03 9.288e-02 6.124e-01, eta 1.280e-02 1.332e-01 8.053e-01, samples 439697
- *   heldout_random: xi 8.398e-03 9.140e-02 9.793e-01, eta 1.224e-02 1.389e-01 9.829e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail(const double xA[3], const double xB[3],
                                                                      const double xC[3], const double xD[3],
                                                                      const double xS[3], double zero, double *xi,
@@ -688,77 +870,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail(const doubl
     return footpoint_detail_outside(t17 * t18 - t16 * t16);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail_nearest_shorter(const double *const *x,
-                                                                                     double zero, double *xi,
-                                                                                     double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_taper_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail_checked(const double *const *x, int full,
-                                                                             double zero, double *xi,
-                                                                             double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_taper_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_taper_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_taper_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_taper_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap,
-                                                          int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_taper_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_gauss2
- *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  31486ca32b630fff7ad7c182d72516b13fa038c26f00922465c50d7467f703a4
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09; status if computed as 0 or not
- *     finite
- *   rounding:       xi 2e-07 sampled; eta 2.1e-07 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 8.637e-03; eta genes 1 mean 1.207e-02
- *   heldout:        xi 3.655e-03 5.702e-02 2.370e+00, eta 4.161e-03 7.139e-02 2.686e+00, samples 439697
- *   heldout_random: xi 1.230e-02 6.036e-02 1.258e+02, eta 1.802e-02 8.296e-02 1.852e+02, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -784,78 +895,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail(const doub
     return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t31 * t33 - t32 * t32);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_gauss2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_gauss2_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_gauss2_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_coarse
- *   operations:     59 mul, 2 div, 65 add, 0 sqrt, 4 compare; 47 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  e7d80ee9d16b9818030571bcfc508e87f1f9e2fa877f2cc068b71cf6368ab0a7
- *   poles:          t17 * t18 - 0.8464976 * t16 * t16: proved free of zeros, |...| >= 0.0014 (rounding error <=
- *     3e-14)
- *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.1e-08)
- *   rounding:       xi 1.2e-11 sampled; eta 3.6e-11 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 146 mean 2.979e-03
- *   heldout:        xi 2.479e-03 4.082e-02 9.873e-01, eta 2.861e-03 4.698e-02 9.259e-01, samples 439697
- *   heldout_random: xi 2.767e-03 3.843e-02 9.851e-01, eta 3.482e-03 5.120e-02 9.971e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -884,77 +923,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail(const doub
         t32);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_coarse_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_coarse_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_coarse_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_newton
- *   operations:     68 mul, 2 div, 70 add, 0 sqrt, 5 compare; 56 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  09f7caf4f857f76cff4b78963935886c4cc936e0ce7d1c52eeab4e4529481121
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.2e-14)
- *   poles:          t43: proved free of zeros, |t43| >= 0.0001; status if computed as 0 or not finite
- *   rounding:       xi 9.1e-11 sampled; eta 2.5e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 60 islands 4
- *   training_both:  genes 194 mean 1.695e-03
- *   heldout:        xi 7.931e-04 1.227e-02 1.000e+00, eta 9.343e-04 1.205e-02 9.988e-01, samples 439697
- *   heldout_random: xi 1.999e-03 2.213e-02 9.994e-01, eta 2.117e-03 2.568e-02 9.983e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -984,78 +952,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail(const doub
     return footpoint_detail_outside(t16 * t16 - t17 * t18) | footpoint_detail_outside(t43);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_newton_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_newton_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_newton_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_newton_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_newton_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_newton_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_newton_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_medium
- *   operations:     68 mul, 3 div, 70 add, 0 sqrt, 5 compare; 58 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  0da79aec4cc6f51e3ffc649ee311df32be1e547bdffc773ee55e0a0c4070934b
- *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 3.1e-14)
- *   poles:          t30: proved free of zeros, |t30| >= 0.001; status if computed as 0 or not finite
- *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05; status if computed as 0 or not finite
- *   rounding:       xi 1.7e-11 sampled; eta 2.9e-11 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 194 mean 6.185e-04
- *   heldout:        xi 4.831e-04 6.358e-03 3.677e-01, eta 6.606e-04 6.936e-03 3.811e-01, samples 439697
- *   heldout_random: xi 5.860e-04 1.015e-02 9.918e-01, eta 7.744e-04 1.408e-02 9.660e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -1086,78 +982,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail(const doub
         footpoint_detail_outside(t44);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_medium_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_medium_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_medium_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_medium_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_medium_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_balanced
- *   operations:     82 mul, 3 div, 82 add, 0 sqrt, 9 compare; 73 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  ecc23278b504650ecc8c9e9ae99ca9940d1d6a1252edcaad692cf96d4a33c33b
- *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   poles:          t44: proved free of zeros, |t44| >= 0.002; status if computed as 0 or not finite
- *   poles:          t55: proved free of zeros, |t55| >= 0.00035; status if computed as 0 or not finite
- *   rounding:       xi 1.8e-08 sampled; eta 1.5e-07 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 284 mean 2.180e-04
- *   heldout:        xi 2.248e-04 2.270e-03 1.032e-01, eta 3.368e-04 2.734e-03 2.795e-01, samples 439697
- *   heldout_random: xi 2.134e-04 3.183e-03 9.428e-01, eta 2.909e-04 4.726e-03 9.436e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1193,79 +1017,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail(const do
     return footpoint_detail_outside(t19 - t18 * t17) | footpoint_detail_outside(t44) | footpoint_detail_outside(t55);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_balanced_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_balanced_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_balanced_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_fine
- *   operations:     85 mul, 4 div, 85 add, 0 sqrt, 9 compare; 80 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  87d57b3a78b1a0df39b16092c6e77b200996afcd23e724d0fc21b2c99662b78d
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   poles:          t33: proved free of zeros, |t33| >= 0.0016; status if computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00031; status if computed as 0 or not finite
- *   poles:          t64: proved free of zeros, |t64| >= 0.00054; status if computed as 0 or not finite
- *   rounding:       xi 1.9e-10 sampled; eta 1.7e-09 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 317 mean 1.024e-04
- *   heldout:        xi 1.028e-04 5.092e-05 7.341e-01, eta 1.496e-04 5.910e-05 9.362e-01, samples 439697
- *   heldout_random: xi 1.546e-04 2.667e-04 9.906e-01, eta 1.879e-04 3.743e-04 9.854e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail(const double xA[3], const double xB[3],
                                                                     const double xC[3], const double xD[3],
                                                                     const double xS[3], double zero, double *xi,
@@ -1302,79 +1053,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail(const double
         footpoint_detail_outside(t47) | footpoint_detail_outside(t64);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail_nearest_shorter(const double *const *x,
-                                                                                    double zero, double *xi,
-                                                                                    double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_fine_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail_checked(const double *const *x, int full,
-                                                                            double zero, double *xi,
-                                                                            double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_fine_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_fine_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_fine_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_precise
- *   operations:     103 mul, 5 div, 104 add, 0 sqrt, 10 compare; 97 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  c70947030fc9776681ee37a4456b60579e270cd6e9ff0cda09153f3334554f67
- *   poles:          t19: proved free of zeros, |t19| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   poles:          t35: proved free of zeros, |t35| >= 0.0015; status if computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00045; status if computed as 0 or not finite
- *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05; status if computed as 0 or not finite
- *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07; status if computed as 0 or not finite
- *   rounding:       xi 6.1e-11 sampled; eta 2.6e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 60 islands 4
- *   training_both:  genes 443 mean 3.208e-05
- *   heldout:        xi 2.577e-05 3.578e-08 2.752e-02, eta 3.808e-05 4.202e-08 7.031e-02, samples 439697
- *   heldout_random: xi 6.204e-05 1.028e-06 9.753e-01, eta 7.440e-05 1.382e-06 9.424e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail(const double xA[3], const double xB[3],
                                                                        const double xC[3], const double xD[3],
                                                                        const double xS[3], double zero, double *xi,
@@ -1417,81 +1095,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail(const dou
         footpoint_detail_outside(t65) | footpoint_detail_outside(t80);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail_nearest_shorter(const double *const *x,
-                                                                                       double zero, double *xi,
-                                                                                       double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_precise_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail_checked(const double *const *x, int full,
-                                                                               double zero, double *xi,
-                                                                               double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_precise_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_precise_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *const x[15],
-                                                    double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_precise_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_precise_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi,
-                                                            double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap,
-                                                            int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_precise_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_accurate
- *   operations:     115 mul, 6 div, 109 add, 0 sqrt, 14 compare; 102 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  c3373e2d9a4dd32f9243bf48a01349ba3c949b534d1dc07b3f3072ebc0d895cb
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   poles:          t39: proved free of zeros, |t39| >= 0.0017; status if computed as 0 or not finite
- *   poles:          t48: proved free of zeros, |t48| >= 0.00013; status if computed as 0 or not finite
- *   poles:          t55: proved free of zeros, |t55| >= 0.0036; status if computed as 0 or not finite
- *   poles:          t66: proved free of zeros, |t66| >= 0.00048; status if computed as 0 or not finite
- *   poles:          t82: proved free of zeros, |t82| >= 0.00043; status if computed as 0 or not finite
- *   rounding:       xi 3.3e-10 sampled; eta 4.1e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 491 mean 1.079e-05
- *   heldout:        xi 2.306e-05 7.319e-10 4.006e-02, eta 3.473e-05 8.883e-10 3.211e-02, samples 439697
- *   heldout_random: xi 2.487e-05 5.096e-08 9.392e-01, eta 3.249e-05 7.339e-08 9.660e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1538,81 +1141,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail(const do
         footpoint_detail_outside(t82);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_accurate_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_accurate_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_accurate_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_full
- *   operations:     127 mul, 6 div, 125 add, 0 sqrt, 12 compare; 116 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  e0b0f2650e84d1075773355947e55b8033cc52c0404665abe5f0ff1722505614
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   poles:          t35: proved free of zeros, |t35| >= 0.0015; status if computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00045; status if computed as 0 or not finite
- *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05; status if computed as 0 or not finite
- *   poles:          t80: proved free of zeros, |t80| >= 0.00047; status if computed as 0 or not finite
- *   poles:          t95: proved free of zeros, |t95| >= 6.6e-06; status if computed as 0 or not finite
- *   rounding:       xi 2.9e-10 sampled; eta 5.5e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 593 mean 2.239e-05
- *   heldout:        xi 6.184e-06 3.053e-15 1.670e-02, eta 8.634e-06 3.109e-15 1.557e-02, samples 439697
- *   heldout_random: xi 6.673e-05 4.196e-12 9.392e-01, eta 7.144e-05 5.885e-12 9.424e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail(const double xA[3], const double xB[3],
                                                                     const double xC[3], const double xD[3],
                                                                     const double xS[3], double zero, double *xi,
@@ -1662,79 +1190,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail(const double
         footpoint_detail_outside(t95);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail_nearest_shorter(const double *const *x,
-                                                                                    double zero, double *xi,
-                                                                                    double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_full_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail_checked(const double *const *x, int full,
-                                                                            double zero, double *xi,
-                                                                            double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_full_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_full_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_full_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_full_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_program1
- *   operations:     93 mul, 5 div, 94 add, 0 sqrt, 9 compare; 77 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  78507b47362e0b6a7c7d1d8e8c84c889100693912aba29ad723b6bfbb72e78ab
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
- *   poles:          t36: proved free of zeros, |t36| >= 0.0017; status if computed as 0 or not finite
- *   poles:          t44: proved free of zeros, |t44| >= 0.00014; status if computed as 0 or not finite
- *   poles:          t48: proved free of zeros, |t48| >= 0.0018; status if computed as 0 or not finite
- *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05; status if computed as 0 or not finite
- *   rounding:       xi 1.3e-11 sampled; eta 5.2e-12 sampled (1000000 points)
- *   found_both:     seed 1 generations 2 islands 2
- *   training_both:  genes 371 mean 6.350e-05
- *   heldout:        xi 6.067e-05 3.325e-05 7.079e-02, eta 9.194e-05 3.447e-05 9.978e-02, samples 439697
- *   heldout_random: xi 9.973e-05 6.345e-05 9.695e-01, eta 1.240e-04 7.587e-05 9.929e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1774,81 +1229,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail(const do
         footpoint_detail_outside(t44) | footpoint_detail_outside(t48) | footpoint_detail_outside(t60);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_program1_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_program1_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_program1_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_program1_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_program1_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_program1_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program1_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_program2
- *   operations:     111 mul, 6 div, 112 add, 0 sqrt, 10 compare; 94 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  7ef7353ffbf6253534d1118caaf88fbdd50fce3f4aa04ec634d30b10b6912fbf
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2.1e-14)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0017; status if computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00014; status if computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.0018; status if computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
- *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
- *   rounding:       xi 2e-10 sampled; eta 3.7e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 2 islands 2
- *   training_both:  genes 503 mean 3.061e-05
- *   heldout:        xi 1.491e-05 1.619e-09 3.676e-02, eta 2.252e-05 1.975e-09 3.905e-02, samples 439697
- *   heldout_random: xi 7.622e-05 1.269e-08 9.695e-01, eta 8.441e-05 1.643e-08 9.929e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1893,82 +1273,6 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail(const do
         footpoint_detail_outside(t75);
 }
 
-FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_paper_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_paper_quad4_program2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_paper_quad4_program2_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_paper_quad4_program2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_program2_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_paper_quad4_program2_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_paper_quad4_program2_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program2_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_paper_quad4_program3
- *   operations:     132 mul, 7 div, 130 add, 0 sqrt, 11 compare; 111 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  254ec2c7dc8b2d09626e5d0e93116c59936bd5ead236ca1b3334c0ee37a86150
- *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0017; status if computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00014; status if computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.0018; status if computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
- *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
- *   poles:          t91: proved free of zeros, |t91| >= 0.00047; status if computed as 0 or not finite
- *   rounding:       xi 3.6e-08 sampled; eta 9.3e-08 sampled (1000000 points)
- *   found_both:     seed 1 generations 2 islands 2
- *   training_both:  genes 635 mean 2.414e-05
- *   heldout:        xi 2.735e-06 7.772e-16 4.892e-03, eta 3.968e-06 7.772e-16 1.113e-02, samples 439697
- *   heldout_random: xi 7.005e-05 1.998e-15 9.695e-01, eta 7.282e-05 2.442e-15 9.929e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -2018,6 +1322,1062 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail(const do
         footpoint_detail_outside(t75) | footpoint_detail_outside(t91);
 }
 
+/* footpoint_paper_quad4_gauss
+ *   operations:     29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  b0d2b917a0823c298a1a90f445e86a1b95cccf8d0c2a6f75f6f39303ac342119
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   rounding:       xi 4.9e-10 sampled; eta 5.1e-10 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 2.408e-02; eta genes 1 mean 3.603e-02
+ *   heldout:        xi 2.094e-02 1.205e-01 2.546e+00, eta 3.106e-02 1.769e-01 1.956e+00, samples 439697
+ *   heldout_random: xi 2.677e-02 1.392e-01 1.057e+02, eta 3.970e-02 2.121e-01 1.217e+02, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_gauss_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss_detail_checked(const double *const *x, int way,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_gauss_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_gauss_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_gauss_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_gauss_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double *const x[15],
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_fast
+ *   operations:     32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  a923c4288a48a75569cc3edb38c3c548038f26f1c91afeba9f35efff10d344f4
+ *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
+ *   rounding:       xi 5.1e-12 sampled; eta 5.7e-12 sampled (1000000 points)
+ *   found_both:     seed 1 generations 100 islands 2
+ *   training_both:  genes 14 mean 2.058e-02
+ *   heldout:        xi 1.679e-02 1.221e-01 6.373e-01, eta 2.031e-02 1.475e-01 7.901e-01, samples 439697
+ *   heldout_random: xi 1.835e-02 1.177e-01 9.844e-01, eta 2.424e-02 1.624e-01 1.067e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_fast_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fast_detail_checked(const double *const *x, int way,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_fast_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_fast_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_fast_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_fast_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_fast_checked_n(size_t n, const double *const x[15],
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fast_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_taper
+ *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  34d9211899b4a28aa8efad76340094ff912f9ef89f148fc43106ec7d90b8e26a
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   rounding:       xi 2.2e-10 sampled; eta 2e-11 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 8.630e-03; eta genes 1 mean 1.237e-02
+ *   heldout:        xi 9.592e-03 9.288e-02 6.124e-01, eta 1.280e-02 1.332e-01 8.053e-01, samples 439697
+ *   heldout_random: xi 8.398e-03 9.140e-02 9.793e-01, eta 1.224e-02 1.389e-01 9.829e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_taper_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_taper_detail_checked(const double *const *x, int way,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_taper_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_taper_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_taper_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_taper_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double *const x[15],
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_taper_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_gauss2
+ *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  31486ca32b630fff7ad7c182d72516b13fa038c26f00922465c50d7467f703a4
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 2e-07 sampled; eta 2.1e-07 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 8.637e-03; eta genes 1 mean 1.207e-02
+ *   heldout:        xi 3.655e-03 5.702e-02 2.370e+00, eta 4.161e-03 7.139e-02 2.686e+00, samples 439697
+ *   heldout_random: xi 1.230e-02 6.036e-02 1.258e+02, eta 1.802e-02 8.296e-02 1.852e+02, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_gauss2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_gauss2_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_gauss2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_gauss2_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_gauss2_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_gauss2_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_gauss2_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_coarse
+ *   operations:     59 mul, 2 div, 65 add, 0 sqrt, 4 compare; 47 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  e7d80ee9d16b9818030571bcfc508e87f1f9e2fa877f2cc068b71cf6368ab0a7
+ *   poles:          t17 * t18 - 0.8464976 * t16 * t16: proved free of zeros, |...| >= 0.0014 (rounding error <=
+ *     3e-14)
+ *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.1e-08)
+ *   rounding:       xi 1.2e-11 sampled; eta 3.6e-11 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 146 mean 2.979e-03
+ *   heldout:        xi 2.479e-03 4.082e-02 9.873e-01, eta 2.861e-03 4.698e-02 9.259e-01, samples 439697
+ *   heldout_random: xi 2.767e-03 3.843e-02 9.851e-01, eta 3.482e-03 5.120e-02 9.971e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_coarse_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_coarse_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_coarse_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_coarse_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_coarse_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_coarse_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_coarse_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_newton
+ *   operations:     68 mul, 2 div, 70 add, 0 sqrt, 5 compare; 56 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  09f7caf4f857f76cff4b78963935886c4cc936e0ce7d1c52eeab4e4529481121
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.2e-14)
+ *   poles:          t43: proved free of zeros, |t43| >= 0.0001; status if computed as 0 or not finite
+ *   rounding:       xi 9.1e-11 sampled; eta 2.5e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 60 islands 4
+ *   training_both:  genes 194 mean 1.695e-03
+ *   heldout:        xi 7.931e-04 1.227e-02 1.000e+00, eta 9.343e-04 1.205e-02 9.988e-01, samples 439697
+ *   heldout_random: xi 1.999e-03 2.213e-02 9.994e-01, eta 2.117e-03 2.568e-02 9.983e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_newton_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_newton_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_newton_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_newton_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_newton_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_newton_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_newton_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_newton_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_medium
+ *   operations:     68 mul, 3 div, 70 add, 0 sqrt, 5 compare; 58 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  0da79aec4cc6f51e3ffc649ee311df32be1e547bdffc773ee55e0a0c4070934b
+ *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 3.1e-14)
+ *   poles:          t30: proved free of zeros, |t30| >= 0.001; status if computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05; status if computed as 0 or not finite
+ *   rounding:       xi 1.7e-11 sampled; eta 2.9e-11 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 194 mean 6.185e-04
+ *   heldout:        xi 4.831e-04 6.358e-03 3.677e-01, eta 6.606e-04 6.936e-03 3.811e-01, samples 439697
+ *   heldout_random: xi 5.860e-04 1.015e-02 9.918e-01, eta 7.744e-04 1.408e-02 9.660e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_medium_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_medium_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_medium_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_medium_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_medium_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_medium_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_medium_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_medium_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_balanced
+ *   operations:     82 mul, 3 div, 82 add, 0 sqrt, 9 compare; 73 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  ecc23278b504650ecc8c9e9ae99ca9940d1d6a1252edcaad692cf96d4a33c33b
+ *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t44: proved free of zeros, |t44| >= 0.002; status if computed as 0 or not finite
+ *   poles:          t55: proved free of zeros, |t55| >= 0.00035; status if computed as 0 or not finite
+ *   rounding:       xi 1.8e-08 sampled; eta 1.5e-07 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 284 mean 2.180e-04
+ *   heldout:        xi 2.248e-04 2.270e-03 1.032e-01, eta 3.368e-04 2.734e-03 2.795e-01, samples 439697
+ *   heldout_random: xi 2.134e-04 3.183e-03 9.428e-01, eta 2.909e-04 4.726e-03 9.436e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_balanced_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_balanced_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_balanced_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_balanced_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_balanced_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_balanced_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_balanced_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_fine
+ *   operations:     85 mul, 4 div, 85 add, 0 sqrt, 9 compare; 80 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  87d57b3a78b1a0df39b16092c6e77b200996afcd23e724d0fc21b2c99662b78d
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t33: proved free of zeros, |t33| >= 0.0016; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t64: proved free of zeros, |t64| >= 0.00054; status if computed as 0 or not finite
+ *   rounding:       xi 1.9e-10 sampled; eta 1.7e-09 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 317 mean 1.024e-04
+ *   heldout:        xi 1.028e-04 5.092e-05 7.341e-01, eta 1.496e-04 5.910e-05 9.362e-01, samples 439697
+ *   heldout_random: xi 1.546e-04 2.667e-04 9.906e-01, eta 1.879e-04 3.743e-04 9.854e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_fine_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_fine_detail_checked(const double *const *x, int way,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_fine_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_fine_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_fine_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_fine_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double *const x[15],
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_fine_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_precise
+ *   operations:     103 mul, 5 div, 104 add, 0 sqrt, 10 compare; 97 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  c70947030fc9776681ee37a4456b60579e270cd6e9ff0cda09153f3334554f67
+ *   poles:          t19: proved free of zeros, |t19| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t35: proved free of zeros, |t35| >= 0.0015; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00045; status if computed as 0 or not finite
+ *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05; status if computed as 0 or not finite
+ *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07; status if computed as 0 or not finite
+ *   rounding:       xi 6.1e-11 sampled; eta 2.6e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 60 islands 4
+ *   training_both:  genes 443 mean 3.208e-05
+ *   heldout:        xi 2.577e-05 3.578e-08 2.752e-02, eta 3.808e-05 4.202e-08 7.031e-02, samples 439697
+ *   heldout_random: xi 6.204e-05 1.028e-06 9.753e-01, eta 7.440e-05 1.382e-06 9.424e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail_nearest_shorter(const double *const *x,
+                                                                                       double zero, double *xi,
+                                                                                       double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_precise_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_precise_detail_checked(const double *const *x, int way,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_precise_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_precise_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_precise_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *const x[15],
+                                                    double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_precise_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_precise_checked_n(size_t n, const double *const x[15],
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_precise_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_accurate
+ *   operations:     115 mul, 6 div, 109 add, 0 sqrt, 14 compare; 102 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  c3373e2d9a4dd32f9243bf48a01349ba3c949b534d1dc07b3f3072ebc0d895cb
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t39: proved free of zeros, |t39| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.00013; status if computed as 0 or not finite
+ *   poles:          t55: proved free of zeros, |t55| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t66: proved free of zeros, |t66| >= 0.00048; status if computed as 0 or not finite
+ *   poles:          t82: proved free of zeros, |t82| >= 0.00043; status if computed as 0 or not finite
+ *   rounding:       xi 3.3e-10 sampled; eta 4.1e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 491 mean 1.079e-05
+ *   heldout:        xi 2.306e-05 7.319e-10 4.006e-02, eta 3.473e-05 8.883e-10 3.211e-02, samples 439697
+ *   heldout_random: xi 2.487e-05 5.096e-08 9.392e-01, eta 3.249e-05 7.339e-08 9.660e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_accurate_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_accurate_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_accurate_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_accurate_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_accurate_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_accurate_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_full
+ *   operations:     127 mul, 6 div, 125 add, 0 sqrt, 12 compare; 116 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  e0b0f2650e84d1075773355947e55b8033cc52c0404665abe5f0ff1722505614
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
+ *   poles:          t35: proved free of zeros, |t35| >= 0.0015; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00045; status if computed as 0 or not finite
+ *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05; status if computed as 0 or not finite
+ *   poles:          t80: proved free of zeros, |t80| >= 0.00047; status if computed as 0 or not finite
+ *   poles:          t95: proved free of zeros, |t95| >= 6.6e-06; status if computed as 0 or not finite
+ *   rounding:       xi 2.9e-10 sampled; eta 5.5e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 593 mean 2.239e-05
+ *   heldout:        xi 6.184e-06 3.053e-15 1.670e-02, eta 8.634e-06 3.109e-15 1.557e-02, samples 439697
+ *   heldout_random: xi 6.673e-05 4.196e-12 9.392e-01, eta 7.144e-05 5.885e-12 9.424e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_full_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_full_detail_checked(const double *const *x, int way,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_full_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_full_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_full_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_full_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double *const x[15],
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_full_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_program1
+ *   operations:     93 mul, 5 div, 94 add, 0 sqrt, 9 compare; 77 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  78507b47362e0b6a7c7d1d8e8c84c889100693912aba29ad723b6bfbb72e78ab
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
+ *   poles:          t36: proved free of zeros, |t36| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 0.00014; status if computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.0018; status if computed as 0 or not finite
+ *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05; status if computed as 0 or not finite
+ *   rounding:       xi 1.3e-11 sampled; eta 5.2e-12 sampled (1000000 points)
+ *   found_both:     seed 1 generations 2 islands 2
+ *   training_both:  genes 371 mean 6.350e-05
+ *   heldout:        xi 6.067e-05 3.325e-05 7.079e-02, eta 9.194e-05 3.447e-05 9.978e-02, samples 439697
+ *   heldout_random: xi 9.973e-05 6.345e-05 9.695e-01, eta 1.240e-04 7.587e-05 9.929e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_program1_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program1_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_program1_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_program1_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_program1_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_program1_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_program1_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program1_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_program2
+ *   operations:     111 mul, 6 div, 112 add, 0 sqrt, 10 compare; 94 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  7ef7353ffbf6253534d1118caaf88fbdd50fce3f4aa04ec634d30b10b6912fbf
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2.1e-14)
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00014; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0018; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
+ *   rounding:       xi 2e-10 sampled; eta 3.7e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 2 islands 2
+ *   training_both:  genes 503 mean 3.061e-05
+ *   heldout:        xi 1.491e-05 1.619e-09 3.676e-02, eta 2.252e-05 1.975e-09 3.905e-02, samples 439697
+ *   heldout_random: xi 7.622e-05 1.269e-08 9.695e-01, eta 8.441e-05 1.643e-08 9.929e-01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_paper_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_paper_quad4_program2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program2_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_paper_quad4_program2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_paper_quad4_program2_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_program2_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_paper_quad4_program2_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_paper_quad4_program2_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program2_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_paper_quad4_program3
+ *   operations:     132 mul, 7 div, 130 add, 0 sqrt, 11 compare; 111 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  254ec2c7dc8b2d09626e5d0e93116c59936bd5ead236ca1b3334c0ee37a86150
+ *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0017; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00014; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0018; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
+ *   poles:          t91: proved free of zeros, |t91| >= 0.00047; status if computed as 0 or not finite
+ *   rounding:       xi 3.6e-08 sampled; eta 9.3e-08 sampled (1000000 points)
+ *   found_both:     seed 1 generations 2 islands 2
+ *   training_both:  genes 635 mean 2.414e-05
+ *   heldout:        xi 2.735e-06 7.772e-16 4.892e-03, eta 3.968e-06 7.772e-16 1.113e-02, samples 439697
+ *   heldout_random: xi 7.005e-05 1.998e-15 9.695e-01, eta 7.282e-05 2.442e-15 9.929e-01, samples 200000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
@@ -2037,13 +2397,13 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail_nearest_
     return flaw;
 }
 
-FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail_checked(const double *const *x, int way,
                                                                                 double zero, double *xi,
                                                                                 double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_paper_quad4_program3_detail_nearest_shorter(x, zero, xi, eta);
     flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PAPER_QUAD4_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2052,8 +2412,9 @@ FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_paper_quad4_program3_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_paper_quad4_program3_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_paper_quad4_program3_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_paper_quad4_program3_detail_checked, x, 4, 0.0, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2073,7 +2434,8 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program3_checked_n(size_t n, const dou
                                                              double *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program3_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_paper_quad4_program3_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
 }
 
 #ifndef FOOTPOINT_DETAIL_ALONG

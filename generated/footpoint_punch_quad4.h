@@ -87,6 +87,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -293,9 +296,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3],
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -325,6 +329,332 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD4_ANSWER
+#define FOOTPOINT_QUAD4_ANSWER
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (unsigned long long)1 << 63;
+#else
+    return 0;
+#endif
+}
+
+/* The greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* The sum of the absolute values, and the largest. */
+FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+FOOTPOINT_PART double footpoint_detail_most(const double a[3])
+{
+    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
+}
+
+/* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
+ * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
+ * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
+ * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two. */
+typedef struct {
+    const double *a, *b, *c, *d;
+    double over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q. */
+FOOTPOINT_PART double footpoint_detail_quad4_off(const footpoint_detail_quad4_vectors *r, double p,
+                                                 double q, double uu, double mixed, double vv)
+{
+    const double a1 = footpoint_detail_sum(r->a), am = footpoint_detail_most(r->a);
+    const double b1 = footpoint_detail_sum(r->b), bm = footpoint_detail_most(r->b);
+    const double c1 = footpoint_detail_sum(r->c), cm = footpoint_detail_most(r->c);
+    const double first = a1 + c1 + 0.08 * b1, wide = am + cm + 0.08 * bm;
+    const double second = b1 + c1 + 0.08 * a1, high = bm + cm + 0.08 * am;
+    const double turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
+    const double bend = r->twist == 1 ? wide : r->twist == 2 ? high : wide + high;
+    const double u = first + q * turn, v = second + p * turn;
+    const double far = fabs(r->over) * footpoint_detail_most(r->d) + wide + high + p * wide +
+                     q * (high + p * bend);
+    return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
+}
+
+/* A step of third order to the foot point, by xi and eta, from products[] = a a, a b, b b, a c, b c, c c, a d, b d, c d.  The
+ * highest bit of what it returns is not set if a minimum of the distance is proved to lie within `promise` of the answer.
+ *
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  From Newton's step s = H^-1 F what is left
+ * of F is known, N(s), as it is a polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a
+ * ball of 1/6 about the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + c . c.  Let h = beta L (|s| + 2 |x| +
+ * 2 R), where R bounds rounding; in the ball of that radius 1 - H^-1 H(y) is at most h, so that Newton's iteration with
+ * H kept contracts: what it would do next, at most h |x| + R, bounds the distance of the answer from a root within a factor of
+ * 1 / (1 - h), and H is positive definite all the way there.
+ *
+ * rounding: (k + 20) units of rounding, if products are off by k units of what `reach` allows: polynomials take 8 more, Cramer's
+ * rule 9.  In row xi, F is off by rounding P T, P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., of reach, and H s and N by
+ * 24 |s| P T each: so do the bounds grow in the ball.  The weak inequality of det keeps rounding errors of beta and
+ * h below what 0.2, 1.4 and 1.3 leave of 0.25, 1.25 and 1.25. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
+                                                              const footpoint_detail_quad4_vectors *r,
+                                                              double promise, double *xi, double *eta)
+{
+    const double e11 = products[0], e12 = products[1] - products[8], e22 = products[2],
+               c1 = products[3];
+    const double c2 = products[4], cc = products[5], p = *xi, q = *eta;
+    const double tu = c1 + q * cc, tv = c2 + p * cc, y = p * c1 + q * tv, z = e12 + y;
+    const double uu = e11 + q * (c1 + tu), vv = e22 + p * (c2 + tv), r12 = z + y, mixed = fabs(r12);
+    const double f = products[6] - q * z - p * (e11 + q * c1);
+    const double g = products[7] - p * z - q * (e22 + p * c2);
+    const double per = 1.0 / (uu * vv - r12 * r12);
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    double off, left = step * (1.0 / 3.0), h, room, other;
+    if (promise < 1e-9)
+        off = per * footpoint_detail_quad4_off(r, fabs(p) + 2.0 * step, fabs(q) + 2.0 * step, uu,
+                                               mixed, vv);
+    else
+        off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
+                      (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
+    off *= r->rounding + 50.0 * r->rounding * step;
+    *xi = p + s;
+    *eta = q + t;
+    if (promise < 1e-3) {
+        const double along = tu * s, across = tv * t, both = cc * (s * t);
+        const double m = t * (along + along + across + both),
+                   n = s * (across + across + along + both);
+        const double v = (r12 * n - vv * m) * per, w = (r12 * m - uu * n) * per;
+        left = footpoint_detail_greater(fabs(v), fabs(w));
+        *xi += v;
+        *eta += w;
+    }
+    h = beta * (4.0 * (fabs(tu) + fabs(tv)) + 2.0 * cc) * (step + 2.0 * (left + off));
+    room = 0.999 * promise - (1.4 * h * left + 1.3 * off);
+    other = 0.2 - (h + 1.2 * step + 200.0 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(other) | footpoint_detail_bits(per) |
+           footpoint_detail_infinite(room) | footpoint_detail_fast();
+}
+
+/* Steps until one is proved, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+ * these are enough. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
+                                                               const footpoint_detail_quad4_vectors *r,
+                                                               double promise, int fixed, double *xi, double *eta)
+{
+    unsigned long long doubt = footpoint_detail_infinite(*xi + *eta);
+    int k = 0;
+    if (fixed) {
+        double u, v;
+        unsigned long long still;
+        doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        if (fixed < 2)
+            return doubt;
+        u = *xi;
+        v = *eta;
+        still = footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        *xi = doubt >> 63 ? u : *xi;
+        *eta = doubt >> 63 ? v : *eta;
+        return doubt & still;
+    }
+    if (!(doubt >> 63))
+        do {
+            doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        } while (doubt >> 63 && ++k < 4);
+    return doubt;
+}
+
+/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
+ * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+ *
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
+ * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
+ * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
+ * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
+ * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
+ * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
+ * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_prove(const double a[3], const double b[3],
+                                                               const double c[3], const double d[3], double over,
+                                                               double rounding, double promise, double *xi,
+                                                               double *eta)
+{
+    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
+    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const double w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
+                       over * d[2] - p * a[2] - q * v[2]};
+    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
+    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
+    const double det = uu * vv - r12 * r12, per = 1.0 / det;
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
+    const double second = footpoint_detail_sum(b);
+    const double far =
+        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
+    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
+    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const double off =
+        rounding * far * per *
+        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
+    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
+                   (4.0 * turns + cc + 1e-13 * (far * far));
+    double room, other;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999 * promise *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.2 * off);
+    other = 0.249 - h;
+    room = other < room ? other : room;
+    other = 0.083 - step;
+    room = other < room ? other : room;
+    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
+    room = other < room ? other : room;
+    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
+           footpoint_detail_fast();
+}
+
+/* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
+ * NULL, the step of Gauss and Newton from there, which leads downhill. */
+FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const double b[3], const double c[3],
+                                                   const double d[3], double xi, double eta, double *gauss)
+{
+    double u[3], v[3], w[3], uu, uv, vv, f, g, det;
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] - xi * a[i] - eta * v[i];
+    }
+    if (gauss) {
+        uu = footpoint_detail_dot(u, u);
+        uv = footpoint_detail_dot(u, v);
+        vv = footpoint_detail_dot(v, v);
+        f = footpoint_detail_dot(u, w);
+        g = footpoint_detail_dot(v, w);
+        det = 1.001 * uu * vv - uv * uv + 2.2250738585072014e-308;
+        gauss[0] = (vv * f - uv * g) / det;
+        gauss[1] = (uu * g - uv * f) / det;
+    }
+    return footpoint_detail_dot(w, w);
+}
+
+/* Vectors as sums of edges, four times r's. */
+FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], double b[3],
+                                                 double c[3], double d[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double ab = y[1][i] - y[0][i], dc = y[2][i] - y[3][i];
+        a[i] = ab + dc;
+        b[i] = (y[3][i] - y[0][i]) + (y[2][i] - y[1][i]);
+        c[i] = dc - ab;
+        d[i] = ((y[4][i] - y[0][i]) + (y[4][i] - y[2][i])) +
+               ((y[4][i] - y[1][i]) + (y[4][i] - y[3][i]));
+    }
+}
+
+/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
+ * lead downhill.  0 if nothing is nearer. */
+FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double b[3], const double c[3],
+                                                 const double d[3], double to[2], double at[2],
+                                                 double *apart)
+{
+    double gauss[2], damp = 1.0, less;
+    less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+    if (!(less <= *apart * (1.0 + 4e-16))) {
+        (void)footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], gauss);
+        do {
+            to[0] = at[0] + damp * gauss[0];
+            to[1] = at[1] + damp * gauss[1];
+            less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+            damp *= 0.25;
+        } while (!(less < *apart) && damp > 1e-4);
+    }
+    if (!(less <= *apart * (1.0 + 4e-16)))
+        return 0;
+    at[0] = to[0];
+    at[1] = to[1];
+    *apart = less;
+    return 1;
+}
+
+/* From loc by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  In a unit of length in which the segment is
+ * about 1 long, with vectors whose coordinates are off by 3 units of rounding: see footpoint_detail_quad4_prove(). */
+FOOTPOINT_COLD int footpoint_detail_quad4_repair(const double *const *x, double promise, double loc[2],
+                                                 double *gap)
+{
+    const double rounding = 11.0 * 1.12e-16;
+    double y[5][3], a[3], b[3], c[3], d[3], at[2], to[2], g, apart;
+    const double *z[5];
+    int exponent = 0, i, steps, status = FOOTPOINT_UNPROVED;
+    if (footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
+        return FOOTPOINT_UNPROVED;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    footpoint_detail_quad4_edges(y, a, b, c, d);
+    at[0] = fabs(loc[0]) < 1e3 ? loc[0] : 0.0;
+    at[1] = fabs(loc[1]) < 1e3 ? loc[1] : 0.0;
+    apart = footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], NULL);
+    for (steps = 0; steps < 20; steps++) {
+        to[0] = at[0];
+        to[1] = at[1];
+        if (!(footpoint_detail_quad4_prove(a, b, c, d, 1.0, rounding, promise, &to[0], &to[1]) >>
+              63)) {
+            at[0] = to[0];
+            at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        /* where steps have become shorter than that, rounding forbids the proof */
+        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 0.01 * promise ||
+            !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
+            break;
+    }
+    if (footpoint_detail_quad4_gap(z, at[0], at[1], 1e-6, &g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    g = ldexp(g, exponent);
+    if (footpoint_detail_infinite(g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *gap = g;
+    return status;
+}
+
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
+                                                 const double *const *x, int nodes, double promise,
+                                                 double loc[2], double *gap)
+{
+    int status;
+    double xi, eta, g;
+    if (promise > 0.0 &&
+        !(search(x, 2, 0.0, &xi, &eta, &g) >> 63)) { /* a loop takes fewer steps */
+        loc[0] = xi;
+        loc[1] = eta;
+        *gap = g;
+        return FOOTPOINT_OK;
+    }
+    status = footpoint_detail_again(search, x, nodes, 5, loc, gap);
+    return status == FOOTPOINT_OK && promise > 0.0
+               ? footpoint_detail_quad4_repair(x, promise, loc, gap)
+               : status;
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_ARRAYS
 #define FOOTPOINT_QUAD4_ARRAYS
 /* The search of _at. */
@@ -349,19 +679,19 @@ FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *sear
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
-                                                const double *const *row, int nodes, double *xi,
-                                                double *eta, double *gap, int *status)
+                                                const double *const *row, int nodes, double promise,
+                                                double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 5, loc, gap);
+    *status = footpoint_detail_quad4_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes,
+                                                     const double *const *x, int nodes, double promise,
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap,
@@ -385,7 +715,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 
@@ -393,9 +724,9 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                              int *FOOTPOINT_RESTRICT status)
+                              const double *const *x, int nodes, double promise,
+                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[4][3];
@@ -418,7 +749,8 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 #endif
@@ -1153,9 +1485,15 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
+
+/* , _checked_n and _over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
+ * within _PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
+ * errors included, which no order of summation changes.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where
+ * they ended; under -ffast-math nothing is proved.  A minimum on the whole surface need not be the nearest point of the
+ * segment: see _closest.  _at and _n prove nothing. */
 
 /* _closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
@@ -1177,17 +1515,6 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
-/* footpoint_punch_quad4_fast
- *   operations:     26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  159411c6c95fd15d85f1899663d655b756f781252e058f9dfb001b2dc7ff6e1a
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 9.1e-13)
- *   rounding:       xi <= 6.8e-15 proved, 1.5e-15 sampled; eta <= 5e-15 proved, 1.3e-15 sampled (1000000 points)
- *   training_both:  genes 38 mean 1.453e-02
- *   heldout:        xi 1.714e-02 1.232e-01 1.620e-01, eta 1.740e-02 1.106e-01 1.344e-01, samples 609
- *   heldout_random: xi 1.475e-02 1.180e-01 2.934e-01, eta 1.422e-02 1.132e-01 2.994e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fast_detail(const double xA[3], const double xB[3],
                                                                     const double xC[3], const double xD[3],
                                                                     const double xS[3], double zero, double *xi,
@@ -1207,42 +1534,264 @@ FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fast_detail(const double
     return footpoint_detail_outside(t17 * t18 - t16 * t16);
 }
 
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_coarse_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t8 = xA[2] - xD[2] + t3, t9 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t10 = xA[1] - xD[1] + t4;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4, t13 = xA[0] - xD[0] + t7;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t7, t16 = t8 * t6 + t10 * t12 + t13 * t15;
+    const double t17 = t8 * t8 + t10 * t10 + t13 * t13, t18 = t6 * t6 + t12 * t12 + t15 * t15;
+    const double t19 = t8 * t9 + t10 * t11 + t13 * t14, t20 = t6 * t9 + t12 * t11 + t15 * t14;
+    const double t21 = t3 * t6 + t4 * t12 + t7 * t15, t22 = t3 * t8 + t4 * t10 + t7 * t13;
+    const double t23 = t17 * t18 - t16 * t16, t24 = t16 * t19 - t17 * t20, t25 = t16 * t20 - t18 * t19;
+    const double t26 = (t21 * t17 - t22 * t16) * t25, t27 = t23 * t23, t28 = t27 + (t22 * t18 - t21 * t16) * t24;
+    const double t29 = t23 * (t26 + t28), t30 = 1.0 / t29;
+    *xi = t24 * t28 * t30;
+    *eta = t25 * (t27 + t26) * t30;
+    (void)zero;
+    return footpoint_detail_outside(t29);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_coarse_detail_prove(const double xA[3], const double xB[3],
+                                                                            const double xC[3], const double xD[3],
+                                                                            const double xS[3], double promise,
+                                                                            int fixed, double *xi,
+                                                                            double *eta, double *gap)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t8 = xA[2] - xD[2] + t3, t9 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t10 = xA[1] - xD[1] + t4;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4, t13 = xA[0] - xD[0] + t7;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t7, t16 = t8 * t6 + t10 * t12 + t13 * t15;
+    const double t17 = t8 * t8 + t10 * t10 + t13 * t13, t18 = t6 * t6 + t12 * t12 + t15 * t15;
+    const double t19 = t8 * t9 + t10 * t11 + t13 * t14, t20 = t6 * t9 + t12 * t11 + t15 * t14;
+    const double t21 = t3 * t6 + t4 * t12 + t7 * t15, t22 = t3 * t8 + t4 * t10 + t7 * t13;
+    const double a[3] = {t15, t12, t6};
+    const double b[3] = {t13, t10, t8};
+    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
+    const double d[3] = {t14, t11, t9};
+    const double size = t18 + t17 + footpoint_detail_dot(c, c);
+    const double products[9] = {t18, t16, t17, t21, t22,
+        footpoint_detail_dot(c, c), -1 * t20, -1 * t19, -1 * footpoint_detail_dot(c, d)};
+    const double ratio = -1, per = 0.5, unit = 1, rounding = 23 * 1.12e-16;
+    const footpoint_detail_quad4_vectors vectors = {a, b, c, d, -1, size, rounding, 1};
+    const unsigned long long doubt =
+        footpoint_detail_quad4_steps(products, &vectors, promise, fixed, xi, eta);
+    return doubt | footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, *xi, *eta,
+                                               FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_gauss2_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
+    const double t8 = xA[2] - xD[2] + t3, t9 = t2 + t4, t10 = xA[1] - xD[1] + t4;
+    const double t11 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t12 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t13 = t5 + t6;
+    const double t14 = xA[0] - xD[0] + t6, t15 = t5 - 2.0 * (xA[0] - xS[0]) + t14;
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14, t17 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t18 = t7 * t7 + t9 * t9 + t13 * t13, t19 = 1.0 / (t18 * t17 - t16 * t16);
+    const double t20 = t8 * t11 + t10 * t12 + t14 * t15, t21 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t13, t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t24 = (t17 * t21 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t21) * t19;
+    const double t26 = t3 * t3 + t4 * t4 + t6 * t6, t27 = t3 * t11 + t4 * t12 + t6 * t15, t28 = t23 - t26 * t24;
+    const double t29 = t22 - t26 * t25, t30 = t25 * t28, t31 = t17 - t24 * (t23 + t28), t32 = t22 * t24 - t16 + t30;
+    const double t33 = t18 - t25 * (t22 + t29), t34 = t20 - t24 * (t27 + t30), t35 = t21 - t25 * (t27 + t24 * t29);
+    const double t36 = 1.0 / (t32 * t32 - t33 * t31);
+    *xi = (t32 * t34 + t31 * t35) * t36;
+    *eta = (t33 * t34 + t32 * t35) * t36;
+    (void)zero;
+    return footpoint_detail_outside(t18 * t17 - t16 * t16) | footpoint_detail_outside(t32 * t32 - t33 * t31);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_gauss2_detail_prove(const double xA[3], const double xB[3],
+                                                                            const double xC[3], const double xD[3],
+                                                                            const double xS[3], double promise,
+                                                                            int fixed, double *xi,
+                                                                            double *eta, double *gap)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
+    const double t8 = xA[2] - xD[2] + t3, t9 = t2 + t4, t10 = xA[1] - xD[1] + t4;
+    const double t11 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t12 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t13 = t5 + t6;
+    const double t14 = xA[0] - xD[0] + t6, t15 = t5 - 2.0 * (xA[0] - xS[0]) + t14;
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14, t17 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t18 = t7 * t7 + t9 * t9 + t13 * t13, t20 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t21 = t7 * t11 + t9 * t12 + t13 * t15, t22 = t3 * t7 + t4 * t9 + t6 * t13;
+    const double t23 = t3 * t8 + t4 * t10 + t6 * t14, t26 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t27 = t3 * t11 + t4 * t12 + t6 * t15;
+    const double a[3] = {t13, t9, t7};
+    const double b[3] = {t14, t10, t8};
+    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
+    const double d[3] = {t15, t12, t11};
+    const double size = t18 + t17 + t26;
+    const double products[9] = {t18, t16, t17, t22, t23,
+        t26, -1 * t21, -1 * t20, -1 * t27};
+    const double ratio = -1, per = 0.5, unit = 1, rounding = 23 * 1.12e-16;
+    const footpoint_detail_quad4_vectors vectors = {a, b, c, d, -1, size, rounding, 1};
+    const unsigned long long doubt =
+        footpoint_detail_quad4_steps(products, &vectors, promise, fixed, xi, eta);
+    return doubt | footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, *xi, *eta,
+                                               FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_medium_detail(const double xA[3], const double xB[3],
+                                                                      const double xC[3], const double xD[3],
+                                                                      const double xS[3], double zero, double *xi,
+                                                                      double *eta)
+{
+    const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
+    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - t3, t9 = xA[1] - xD[1] + t4, t10 = t4 - t2;
+    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 + t9, t12 = 2.0 * (xS[2] - xA[2]) - t1 + t7;
+    const double t13 = xA[0] - xD[0] + t6, t14 = t6 - t5, t15 = 2.0 * (xS[0] - xA[0]) - t5 + t13;
+    const double t16 = t7 * t8 - t9 * t10 - t13 * t14, t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t9 * t11 + t7 * t12 + t13 * t15, t21 = t3 * t7 + t4 * t9 + t6 * t13;
+    const double t22 = t8 * t12 - t10 * t11 - t14 * t15, t23 = t3 * t8 - t4 * t10 - t6 * t14;
+    const double t24 = (t17 * t22 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t22) * t19, t26 = t25 * t19 * t24;
+    const double t27 = t24 - (t23 * t17 - t21 * t16) * t26, t28 = t25 - (t21 * t18 - t23 * t16) * t26;
+    const double t29 = t3 * t3 + t4 * t4 + t6 * t6, t30 = t4 * t11 + t3 * t12 + t6 * t15, t31 = t21 + t29 * t27;
+    const double t32 = t23 + t29 * t28, t33 = t28 * t31, t34 = t17 + t27 * (t21 + t31), t35 = t16 + t23 * t27 + t33;
+    const double t36 = t18 + t28 * (t23 + t32), t37 = t20 + t27 * (t30 + t33), t38 = t22 + t28 * (t30 + t27 * t32);
+    const double t39 = 1.0 / (t36 * t34 - t35 * t35);
+    *xi = (t34 * t38 - t35 * t37) * t39;
+    *eta = (t35 * t38 - t36 * t37) * t39;
+    (void)zero;
+    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t36 * t34 - t35 * t35);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_balanced_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7, t9 = t1 + t3;
+    const double t10 = xA[1] - xD[1] + t4, t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4;
+    const double t13 = xA[0] - xD[0] + t6, t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t6;
+    const double t16 = t9 * t7 + t12 * t10 + t15 * t13, t17 = t3 * t9 + t4 * t12 + t6 * t15;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15, t19 = t9 * t8 + t12 * t11 + t15 * t14;
+    const double t20 = t3 * t7 + t4 * t10 + t6 * t13, t21 = t7 * t8 + t10 * t11 + t13 * t14;
+    const double t22 = t7 * t7 + t10 * t10 + t13 * t13, t23 = t18 * t20 - t16 * t17, t24 = t22 * t19 - t16 * t21;
+    const double t25 = t17 * t22 - t20 * t16, t26 = t18 * t21 - t16 * t19, t27 = t18 * t22 - t16 * t16;
+    const double t28 = t23 * t24, t29 = t25 * t26, t30 = t28 + t29, t31 = t30 - t27 * t27;
+    const double t32 = t31 * t31 - t28 * t29, t33 = t27 * t32, t34 = 1.0 / t33, t35 = t27 * t24 * t26 * t31 * t34;
+    const double t36 = t32 * t34, t37 = t36 * (t24 - t25 * t35), t38 = t36 * (t26 - t23 * t35);
+    const double t39 = t3 * t3 + t4 * t4 + t6 * t6, t40 = t20 - t39 * t37, t41 = t17 - t39 * t38, t42 = t38 * t40;
+    const double t43 = t22 - t37 * (t20 + t40), t44 = t17 * t37 + t42;
+    const double t45 = t16 + (t3 * t8 + t4 * t11 + t6 * t14) - 2.0 * t44, t46 = t18 - t38 * (t17 + t41);
+    const double t47 = t21 - t37 * (t42 + t44), t48 = t19 - t38 * (t37 * t41 + t44);
+    const double t49 = 1.0 / (0.000000167173 * t30 * t36 + t45 * t45 - t46 * t43);
+    *xi = (t43 * t48 - t45 * t47) * t49;
+    *eta = (t46 * t47 - t45 * t48) * t49;
+    (void)zero;
+    return footpoint_detail_outside(t33) | footpoint_detail_outside(0.000000167173 * t30 * t36 + t45 * t45 - t46 *
+        t43);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fine_detail(const double xA[3], const double xB[3],
+                                                                    const double xC[3], const double xD[3],
+                                                                    const double xS[3], double zero, double *xi,
+                                                                    double *eta)
+{
+    const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
+    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - t3, t9 = xA[1] - xD[1] + t4, t10 = t4 - t2;
+    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 + t9, t12 = 2.0 * (xS[2] - xA[2]) - t1 + t7;
+    const double t13 = xA[0] - xD[0] + t6, t14 = 2.0 * (xS[0] - xA[0]) - t5 + t13, t15 = t6 - t5;
+    const double t16 = t7 * t8 - t9 * t10 - t13 * t15, t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t8 * t8 + t10 * t10 + t15 * t15, t19 = t17 * t18 - t16 * t16;
+    const double t20 = t7 * t12 + (t9 * t11 + t13 * t14), t21 = t3 * t7 + (t4 * t9 + t6 * t13);
+    const double t22 = t8 * t12 - t10 * t11 - t15 * t14, t23 = t3 * t8 - t4 * t10 - t6 * t15;
+    const double t24 = t3 * t3 + t4 * t4 + t6 * t6, t25 = 1.0 / t19, t26 = (t16 * t22 - t18 * t20) * t25;
+    const double t27 = (t17 * t22 - t16 * t20) * t25, t28 = t27 * t25 * t26;
+    const double t29 = (t21 * t18 - t23 * t16 - 0.487726 * t24 * t22) * t28, t30 = t26 - t29;
+    const double t31 = t27 + (t23 * t17 - t21 * t16 - 0.2964802 * t24 * t20) * t28, t32 = t23 - t24 * (t29 + t30);
+    const double t33 = t21 + t24 * t31, t34 = t4 * t11 + t3 * t12 + t6 * t14, t35 = t30 * t33;
+    const double t36 = t16 + t23 * t31 - t35, t37 = t17 + t31 * (t21 + t33), t38 = t18 - t30 * (t23 + t32);
+    const double t39 = t20 + t31 * (t34 - t35), t40 = t22 - t30 * (t34 + t31 * t32);
+    const double t41 = 1.0 / (0.000001916557 * t19 + t36 * t36 - t37 * t38), t42 = (t37 * t40 - t36 * t39) * t41;
+    const double t43 = (t39 * t38 - t36 * t40) * t41, t44 = t21 - t24 * t42, t45 = t23 - t24 * t43, t46 = t43 * t44;
+    const double t47 = t42 * (t21 + t44) - t17, t48 = t23 * t42 + t46, t49 = t16 - t34 - 2.0 * t48;
+    const double t50 = t18 - t43 * (t23 + t45), t51 = t20 + t42 * (t46 + t48), t52 = t22 + t43 * (t42 * t45 + t48);
+    const double t53 = 1.0 / (t50 * t47 + t49 * t49);
+    *xi = (t49 * t51 + t47 * t52) * t53;
+    *eta = (t50 * t51 - t49 * t52) * t53;
+    (void)zero;
+    return footpoint_detail_outside(t19) | footpoint_detail_outside(0.000001916557 * t19 + t36 * t36 - t37 * t38) |
+        footpoint_detail_outside(t50 * t47 + t49 * t49);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_accurate_detail(const double xA[3], const double xB[3],
+                                                                        const double xC[3], const double xD[3],
+                                                                        const double xS[3], double zero, double *xi,
+                                                                        double *eta)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
+    const double t8 = xA[2] - xD[2] + t3, t9 = t8 - (2.0 * (xA[2] - xS[2]) - t1), t10 = xA[1] - xD[1] + t4;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4, t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t6, t16 = t8 * t7 + t10 * t12 + t13 * t15;
+    const double t17 = t7 * t7 + t12 * t12 + t15 * t15, t18 = t8 * t8 + t10 * t10 + t13 * t13;
+    const double t19 = t3 * t7 + t4 * t12 + t6 * t15, t20 = t7 * t9 + t12 * t11 + t15 * t14;
+    const double t21 = t3 * t8 + t4 * t10 + t6 * t13, t22 = t8 * t9 + t10 * t11 + t13 * t14;
+    const double t23 = t18 * t17 - t16 * t16, t24 = t21 * t17 - t19 * t16, t25 = t18 * t20 - t16 * t22;
+    const double t26 = t19 * t18 - t21 * t16, t27 = t17 * t22 - t16 * t20, t28 = t24 * t25, t29 = t26 * t27;
+    const double t30 = t28 - t23 * t23 + t29, t31 = t30 * t30 - t28 * t29, t32 = t23 * t31, t33 = 1.0 / t32;
+    const double t34 = t23 * t25 * t27 * t30 * t33, t35 = t31 * t33, t36 = t35 * (t25 - t26 * t34);
+    const double t37 = t35 * (t27 - t24 * t34), t38 = t3 * t3 + t4 * t4 + t6 * t6, t39 = t21 - t38 * t36;
+    const double t40 = t16 + (t3 * t9 + t4 * t11 + t6 * t14), t41 = t19 - t38 * t37, t42 = t37 * t39;
+    const double t43 = t18 - t36 * (t21 + t39), t44 = t17 - t37 * (t19 + t41), t45 = t19 * t36 + t42;
+    const double t46 = t40 - 2.0 * t45, t47 = t22 - t36 * (t42 + t45), t48 = t20 - t37 * (t36 * t41 + t45);
+    const double t49 = 1.0 / (t44 * t43 - t46 * t46), t50 = (t44 * t47 - t46 * t48) * t49;
+    const double t51 = (t43 * t48 - t46 * t47) * t49, t52 = t21 - t38 * t51;
+    const double t53 = t19 - t38 * (t50 - 0.00001731828 * t37), t54 = t50 * t52, t55 = t18 - t51 * (t21 + t52);
+    const double t56 = t50 * (t19 + t53) - t17, t57 = t19 * t51 + t54, t58 = t40 - 2.0 * t57;
+    const double t59 = t51 * (t54 + t57) - t22, t60 = t20 - t50 * (t57 + t51 * t53);
+    const double t61 = 1.0 / (t58 * t58 + t55 * t56);
+    *xi = (t58 * t59 + t55 * t60) * t61;
+    *eta = (t56 * t59 - t58 * t60) * t61;
+    (void)zero;
+    return footpoint_detail_outside(t32) | footpoint_detail_outside(t44 * t43 - t46 * t46) |
+        footpoint_detail_outside(t58 * t58 + t55 * t56);
+}
+
+/* footpoint_punch_quad4_fast
+ *   operations:     26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  159411c6c95fd15d85f1899663d655b756f781252e058f9dfb001b2dc7ff6e1a
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 9.1e-13)
+ *   rounding:       xi <= 6.8e-15 proved, 1.5e-15 sampled; eta <= 5e-15 proved, 1.3e-15 sampled (1000000 points)
+ *   training_both:  genes 38 mean 1.453e-02
+ *   heldout:        xi 1.714e-02 1.232e-01 1.620e-01, eta 1.740e-02 1.106e-01 1.344e-01, samples 609
+ *   heldout_random: xi 1.475e-02 1.180e-01 2.934e-01, eta 1.422e-02 1.132e-01 2.994e-01, samples 200000
+ *   vectorises:     -O3
+ */
+#define FOOTPOINT_PUNCH_QUAD4_FAST_PROMISE 0.1 /* the largest error of xi and eta behind FOOTPOINT_OK */
+
 FOOTPOINT_FN void footpoint_punch_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
     (void)footpoint_punch_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_fast_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double xi, double eta, double *gap)
-{
-    const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
-    const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
-    const double t11 = t6 - 2.0 * (xB[2] - xS[2] + (xA[2] - xS[2]));
-    const double t12 = t8 - 2.0 * (xB[1] - xS[1] + (xA[1] - xS[1])), t13 = t10 - t9, t14 = t9 + t10;
-    const double t15 = t14 - 2.0 * (xB[0] - xS[0] + (xA[0] - xS[0])), t17 = t6 * t6 + t8 * t8 + t14 * t14;
-    const double t18 = t5 * t5 + t7 * t7 + t13 * t13;
-    const double a[3] = {t13, t7, t5};
-    const double b[3] = {t14, t8, t6};
-    const double c[3] = {-(xA[0] - xB[0] + (xC[0] - xD[0])), -(xA[1] - xB[1] + (xC[1] - xD[1])), -(xA[2] - xB[2] + (xC[2] - xD[2]))};
-    const double d[3] = {t15, t12, t11};
-    const double size = t18 + t17 + footpoint_detail_dot(c, c);
-    const double ratio = -1, per = 0.25, unit = 0.25;
-    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fast_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fast_detail_checked(const double *const *x, int way,
                                                                             double zero, double *xi,
                                                                             double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
-    if (full)
-        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-    {
-        const unsigned long long doubt = footpoint_punch_quad4_fast_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
-    }
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    if (way == 1)
+        return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    flaw |= footpoint_punch_quad4_coarse_detail_prove(x[0], x[1], x[2], x[3], x[4], FOOTPOINT_PUNCH_QUAD4_FAST_PROMISE, way ? 0 : 1, xi, eta, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
@@ -1250,8 +1799,9 @@ FOOTPOINT_FN int footpoint_punch_quad4_fast(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_punch_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_punch_quad4_fast_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_fast_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_punch_quad4_fast_detail_checked, x, 4, FOOTPOINT_PUNCH_QUAD4_FAST_PROMISE, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1270,7 +1820,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fast_checked_n(size_t n, const double 
                                                          double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fast_detail_checked, n, x, 4, FOOTPOINT_PUNCH_QUAD4_FAST_PROMISE, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fast_over_n(const double *const nodes[4], size_t n,
@@ -1278,8 +1829,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fast_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_punch_quad4_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_fast_detail_checked, nodes, n, x, 4, FOOTPOINT_PUNCH_QUAD4_FAST_PROMISE, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_punch_quad4_fast_detail_closest(const double *const *x, double zero, double at[3],
@@ -1331,27 +1882,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_fast_closest_of(size_t n, const double *c
  *   heldout_random: xi 4.126e-04 2.562e-03 1.062e-02, eta 4.154e-04 2.575e-03 1.865e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_coarse_detail(const double xA[3], const double xB[3],
-                                                                      const double xC[3], const double xD[3],
-                                                                      const double xS[3], double zero, double *xi,
-                                                                      double *eta)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t8 = xA[2] - xD[2] + t3, t9 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t10 = xA[1] - xD[1] + t4;
-    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4, t13 = xA[0] - xD[0] + t7;
-    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t7, t16 = t8 * t6 + t10 * t12 + t13 * t15;
-    const double t17 = t8 * t8 + t10 * t10 + t13 * t13, t18 = t6 * t6 + t12 * t12 + t15 * t15;
-    const double t19 = t8 * t9 + t10 * t11 + t13 * t14, t20 = t6 * t9 + t12 * t11 + t15 * t14;
-    const double t21 = t3 * t6 + t4 * t12 + t7 * t15, t22 = t3 * t8 + t4 * t10 + t7 * t13;
-    const double t23 = t17 * t18 - t16 * t16, t24 = t16 * t19 - t17 * t20, t25 = t16 * t20 - t18 * t19;
-    const double t26 = (t21 * t17 - t22 * t16) * t25, t27 = t23 * t23, t28 = t27 + (t22 * t18 - t21 * t16) * t24;
-    const double t29 = t23 * (t26 + t28), t30 = 1.0 / t29;
-    *xi = t24 * t28 * t30;
-    *eta = t25 * (t27 + t26) * t30;
-    (void)zero;
-    return footpoint_detail_outside(t29);
-}
+#define FOOTPOINT_PUNCH_QUAD4_COARSE_PROMISE 0.1 /* the largest error of xi and eta behind FOOTPOINT_OK */
 
 FOOTPOINT_FN void footpoint_punch_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
@@ -1359,36 +1890,15 @@ FOOTPOINT_FN void footpoint_punch_quad4_coarse_at(const double xA[3], const doub
     (void)footpoint_punch_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_coarse_detail_gap(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = t1 + t3, t7 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t8 = xA[2] - xD[2] + t3, t9 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t10 = xA[1] - xD[1] + t4;
-    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4, t13 = xA[0] - xD[0] + t7;
-    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t7, t17 = t8 * t8 + t10 * t10 + t13 * t13;
-    const double t18 = t6 * t6 + t12 * t12 + t15 * t15;
-    const double a[3] = {t15, t12, t6};
-    const double b[3] = {t13, t10, t8};
-    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
-    const double d[3] = {t14, t11, t9};
-    const double size = t18 + t17 + footpoint_detail_dot(c, c);
-    const double ratio = -1, per = 0.5, unit = 1;
-    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_coarse_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_coarse_detail_checked(const double *const *x, int way,
                                                                               double zero, double *xi,
                                                                               double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
-    if (full)
-        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-    {
-        const unsigned long long doubt = footpoint_punch_quad4_coarse_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
-    }
+    if (way == 1)
+        return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    flaw |= footpoint_punch_quad4_coarse_detail_prove(x[0], x[1], x[2], x[3], x[4], FOOTPOINT_PUNCH_QUAD4_COARSE_PROMISE, way ? 0 : 1, xi, eta, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
@@ -1396,8 +1906,9 @@ FOOTPOINT_FN int footpoint_punch_quad4_coarse(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_punch_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_punch_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_coarse_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_punch_quad4_coarse_detail_checked, x, 4, FOOTPOINT_PUNCH_QUAD4_COARSE_PROMISE, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1417,7 +1928,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_checked_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_coarse_detail_checked, n, x, 4, FOOTPOINT_PUNCH_QUAD4_COARSE_PROMISE, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_over_n(const double *const nodes[4], size_t n,
@@ -1426,8 +1938,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_punch_quad4_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_coarse_detail_checked, nodes, n, x, 4, FOOTPOINT_PUNCH_QUAD4_COARSE_PROMISE, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_punch_quad4_coarse_detail_closest(const double *const *x, double zero, double at[3],
@@ -1480,30 +1992,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_coarse_closest_of(size_t n, const double 
  *   heldout_random: xi 5.078e-05 9.017e-04 1.027e-02, eta 4.995e-05 9.005e-04 1.518e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_gauss2_detail(const double xA[3], const double xB[3],
-                                                                      const double xC[3], const double xD[3],
-                                                                      const double xS[3], double zero, double *xi,
-                                                                      double *eta)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
-    const double t8 = xA[2] - xD[2] + t3, t9 = t2 + t4, t10 = xA[1] - xD[1] + t4;
-    const double t11 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t12 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t13 = t5 + t6;
-    const double t14 = xA[0] - xD[0] + t6, t15 = t5 - 2.0 * (xA[0] - xS[0]) + t14;
-    const double t16 = t7 * t8 + t9 * t10 + t13 * t14, t17 = t8 * t8 + t10 * t10 + t14 * t14;
-    const double t18 = t7 * t7 + t9 * t9 + t13 * t13, t19 = 1.0 / (t18 * t17 - t16 * t16);
-    const double t20 = t8 * t11 + t10 * t12 + t14 * t15, t21 = t7 * t11 + t9 * t12 + t13 * t15;
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t13, t23 = t3 * t8 + t4 * t10 + t6 * t14;
-    const double t24 = (t17 * t21 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t21) * t19;
-    const double t26 = t3 * t3 + t4 * t4 + t6 * t6, t27 = t3 * t11 + t4 * t12 + t6 * t15, t28 = t23 - t26 * t24;
-    const double t29 = t22 - t26 * t25, t30 = t25 * t28, t31 = t17 - t24 * (t23 + t28), t32 = t22 * t24 - t16 + t30;
-    const double t33 = t18 - t25 * (t22 + t29), t34 = t20 - t24 * (t27 + t30), t35 = t21 - t25 * (t27 + t24 * t29);
-    const double t36 = 1.0 / (t32 * t32 - t33 * t31);
-    *xi = (t32 * t34 + t31 * t35) * t36;
-    *eta = (t33 * t34 + t32 * t35) * t36;
-    (void)zero;
-    return footpoint_detail_outside(t18 * t17 - t16 * t16) | footpoint_detail_outside(t32 * t32 - t33 * t31);
-}
+#define FOOTPOINT_PUNCH_QUAD4_GAUSS2_PROMISE 0.01 /* the largest error of xi and eta behind FOOTPOINT_OK */
 
 FOOTPOINT_FN void footpoint_punch_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
@@ -1511,37 +2000,15 @@ FOOTPOINT_FN void footpoint_punch_quad4_gauss2_at(const double xA[3], const doub
     (void)footpoint_punch_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_gauss2_detail_gap(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
-    const double t8 = xA[2] - xD[2] + t3, t9 = t2 + t4, t10 = xA[1] - xD[1] + t4;
-    const double t11 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t12 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t13 = t5 + t6;
-    const double t14 = xA[0] - xD[0] + t6, t15 = t5 - 2.0 * (xA[0] - xS[0]) + t14;
-    const double t17 = t8 * t8 + t10 * t10 + t14 * t14, t18 = t7 * t7 + t9 * t9 + t13 * t13;
-    const double t26 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double a[3] = {t13, t9, t7};
-    const double b[3] = {t14, t10, t8};
-    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
-    const double d[3] = {t15, t12, t11};
-    const double size = t18 + t17 + t26;
-    const double ratio = -1, per = 0.5, unit = 1;
-    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_gauss2_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_gauss2_detail_checked(const double *const *x, int way,
                                                                               double zero, double *xi,
                                                                               double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
-    if (full)
-        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-    {
-        const unsigned long long doubt = footpoint_punch_quad4_gauss2_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
-    }
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    if (way == 1)
+        return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    flaw |= footpoint_punch_quad4_coarse_detail_prove(x[0], x[1], x[2], x[3], x[4], FOOTPOINT_PUNCH_QUAD4_GAUSS2_PROMISE, way ? 0 : 1, xi, eta, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
@@ -1549,8 +2016,9 @@ FOOTPOINT_FN int footpoint_punch_quad4_gauss2(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_punch_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_punch_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_gauss2_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_punch_quad4_gauss2_detail_checked, x, 4, FOOTPOINT_PUNCH_QUAD4_GAUSS2_PROMISE, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1570,7 +2038,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_checked_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_gauss2_detail_checked, n, x, 4, FOOTPOINT_PUNCH_QUAD4_GAUSS2_PROMISE, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_over_n(const double *const nodes[4], size_t n,
@@ -1579,8 +2048,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_punch_quad4_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_gauss2_detail_checked, nodes, n, x, 4, FOOTPOINT_PUNCH_QUAD4_GAUSS2_PROMISE, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_punch_quad4_gauss2_detail_closest(const double *const *x, double zero, double at[3],
@@ -1633,31 +2102,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_gauss2_closest_of(size_t n, const double 
  *   heldout_random: xi 1.839e-06 2.620e-05 1.453e-03, eta 1.916e-06 2.688e-05 2.543e-03, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_medium_detail(const double xA[3], const double xB[3],
-                                                                      const double xC[3], const double xD[3],
-                                                                      const double xS[3], double zero, double *xi,
-                                                                      double *eta)
-{
-    const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
-    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - t3, t9 = xA[1] - xD[1] + t4, t10 = t4 - t2;
-    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 + t9, t12 = 2.0 * (xS[2] - xA[2]) - t1 + t7;
-    const double t13 = xA[0] - xD[0] + t6, t14 = t6 - t5, t15 = 2.0 * (xS[0] - xA[0]) - t5 + t13;
-    const double t16 = t7 * t8 - t9 * t10 - t13 * t14, t17 = t7 * t7 + t9 * t9 + t13 * t13;
-    const double t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t20 = t9 * t11 + t7 * t12 + t13 * t15, t21 = t3 * t7 + t4 * t9 + t6 * t13;
-    const double t22 = t8 * t12 - t10 * t11 - t14 * t15, t23 = t3 * t8 - t4 * t10 - t6 * t14;
-    const double t24 = (t17 * t22 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t22) * t19, t26 = t25 * t19 * t24;
-    const double t27 = t24 - (t23 * t17 - t21 * t16) * t26, t28 = t25 - (t21 * t18 - t23 * t16) * t26;
-    const double t29 = t3 * t3 + t4 * t4 + t6 * t6, t30 = t4 * t11 + t3 * t12 + t6 * t15, t31 = t21 + t29 * t27;
-    const double t32 = t23 + t29 * t28, t33 = t28 * t31, t34 = t17 + t27 * (t21 + t31), t35 = t16 + t23 * t27 + t33;
-    const double t36 = t18 + t28 * (t23 + t32), t37 = t20 + t27 * (t30 + t33), t38 = t22 + t28 * (t30 + t27 * t32);
-    const double t39 = 1.0 / (t36 * t34 - t35 * t35);
-    *xi = (t34 * t38 - t35 * t37) * t39;
-    *eta = (t35 * t38 - t36 * t37) * t39;
-    (void)zero;
-    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t36 * t34 - t35 * t35);
-}
+#define FOOTPOINT_PUNCH_QUAD4_MEDIUM_PROMISE 0.01 /* the largest error of xi and eta behind FOOTPOINT_OK */
 
 FOOTPOINT_FN void footpoint_punch_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
                                                   const double xD[3], const double xS[3], double *xi, double *eta)
@@ -1665,37 +2110,15 @@ FOOTPOINT_FN void footpoint_punch_quad4_medium_at(const double xA[3], const doub
     (void)footpoint_punch_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_medium_detail_gap(const double xA[3], const double xB[3], const double xC[3],
-                                        const double xD[3], const double xS[3], double xi, double eta, double *gap)
-{
-    const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
-    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - t3, t9 = xA[1] - xD[1] + t4, t10 = t4 - t2;
-    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 + t9, t12 = 2.0 * (xS[2] - xA[2]) - t1 + t7;
-    const double t13 = xA[0] - xD[0] + t6, t14 = t6 - t5, t15 = 2.0 * (xS[0] - xA[0]) - t5 + t13;
-    const double t17 = t7 * t7 + t9 * t9 + t13 * t13, t18 = t8 * t8 + t10 * t10 + t14 * t14;
-    const double t29 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double a[3] = {t14, t10, -t8};
-    const double b[3] = {t13, t9, t7};
-    const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
-    const double d[3] = {t15, t11, t12};
-    const double size = t18 + t17 + t29;
-    const double ratio = -1, per = 0.5, unit = 1;
-    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_medium_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_medium_detail_checked(const double *const *x, int way,
                                                                               double zero, double *xi,
                                                                               double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
-    if (full)
-        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-    {
-        const unsigned long long doubt = footpoint_punch_quad4_medium_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
-    }
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    if (way == 1)
+        return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    flaw |= footpoint_punch_quad4_coarse_detail_prove(x[0], x[1], x[2], x[3], x[4], FOOTPOINT_PUNCH_QUAD4_MEDIUM_PROMISE, way ? 0 : 1, xi, eta, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
@@ -1703,8 +2126,9 @@ FOOTPOINT_FN int footpoint_punch_quad4_medium(const double xA[3], const double x
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_punch_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_punch_quad4_medium_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_medium_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_punch_quad4_medium_detail_checked, x, 4, FOOTPOINT_PUNCH_QUAD4_MEDIUM_PROMISE, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1724,7 +2148,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_medium_checked_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_medium_detail_checked, n, x, 4, FOOTPOINT_PUNCH_QUAD4_MEDIUM_PROMISE, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_medium_over_n(const double *const nodes[4], size_t n,
@@ -1733,8 +2158,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_medium_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_punch_quad4_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_medium_detail_checked, nodes, n, x, 4, FOOTPOINT_PUNCH_QUAD4_MEDIUM_PROMISE, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_punch_quad4_medium_detail_closest(const double *const *x, double zero, double at[3],
@@ -1788,35 +2213,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_medium_closest_of(size_t n, const double 
  *   heldout_random: xi 3.651e-08 5.723e-07 4.354e-05, eta 3.598e-08 5.694e-07 4.232e-05, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_balanced_detail(const double xA[3], const double xB[3],
-                                                                        const double xC[3], const double xD[3],
-                                                                        const double xS[3], double zero, double *xi,
-                                                                        double *eta)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7, t9 = t1 + t3;
-    const double t10 = xA[1] - xD[1] + t4, t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4;
-    const double t13 = xA[0] - xD[0] + t6, t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t6;
-    const double t16 = t9 * t7 + t12 * t10 + t15 * t13, t17 = t3 * t9 + t4 * t12 + t6 * t15;
-    const double t18 = t9 * t9 + t12 * t12 + t15 * t15, t19 = t9 * t8 + t12 * t11 + t15 * t14;
-    const double t20 = t3 * t7 + t4 * t10 + t6 * t13, t21 = t7 * t8 + t10 * t11 + t13 * t14;
-    const double t22 = t7 * t7 + t10 * t10 + t13 * t13, t23 = t18 * t20 - t16 * t17, t24 = t22 * t19 - t16 * t21;
-    const double t25 = t17 * t22 - t20 * t16, t26 = t18 * t21 - t16 * t19, t27 = t18 * t22 - t16 * t16;
-    const double t28 = t23 * t24, t29 = t25 * t26, t30 = t28 + t29, t31 = t30 - t27 * t27;
-    const double t32 = t31 * t31 - t28 * t29, t33 = t27 * t32, t34 = 1.0 / t33, t35 = t27 * t24 * t26 * t31 * t34;
-    const double t36 = t32 * t34, t37 = t36 * (t24 - t25 * t35), t38 = t36 * (t26 - t23 * t35);
-    const double t39 = t3 * t3 + t4 * t4 + t6 * t6, t40 = t20 - t39 * t37, t41 = t17 - t39 * t38, t42 = t38 * t40;
-    const double t43 = t22 - t37 * (t20 + t40), t44 = t17 * t37 + t42;
-    const double t45 = t16 + (t3 * t8 + t4 * t11 + t6 * t14) - 2.0 * t44, t46 = t18 - t38 * (t17 + t41);
-    const double t47 = t21 - t37 * (t42 + t44), t48 = t19 - t38 * (t37 * t41 + t44);
-    const double t49 = 1.0 / (0.000000167173 * t30 * t36 + t45 * t45 - t46 * t43);
-    *xi = (t43 * t48 - t45 * t47) * t49;
-    *eta = (t46 * t47 - t45 * t48) * t49;
-    (void)zero;
-    return footpoint_detail_outside(t33) | footpoint_detail_outside(0.000000167173 * t30 * t36 + t45 * t45 - t46 *
-        t43);
-}
+#define FOOTPOINT_PUNCH_QUAD4_BALANCED_PROMISE 0.001 /* the largest error of xi and eta behind FOOTPOINT_OK */
 
 FOOTPOINT_FN void footpoint_punch_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
@@ -1824,37 +2221,15 @@ FOOTPOINT_FN void footpoint_punch_quad4_balanced_at(const double xA[3], const do
     (void)footpoint_punch_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_balanced_detail_gap(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double xi, double eta, double *gap)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7, t9 = t1 + t3;
-    const double t10 = xA[1] - xD[1] + t4, t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4;
-    const double t13 = xA[0] - xD[0] + t6, t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t6;
-    const double t18 = t9 * t9 + t12 * t12 + t15 * t15, t22 = t7 * t7 + t10 * t10 + t13 * t13;
-    const double t39 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double a[3] = {t15, t12, t9};
-    const double b[3] = {t13, t10, t7};
-    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
-    const double d[3] = {t14, t11, t8};
-    const double size = t18 + t22 + t39;
-    const double ratio = -1, per = 0.5, unit = 1;
-    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_balanced_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_balanced_detail_checked(const double *const *x, int way,
                                                                                 double zero, double *xi,
                                                                                 double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
-    if (full)
-        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-    {
-        const unsigned long long doubt = footpoint_punch_quad4_balanced_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
-    }
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    if (way == 1)
+        return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    flaw |= footpoint_punch_quad4_coarse_detail_prove(x[0], x[1], x[2], x[3], x[4], FOOTPOINT_PUNCH_QUAD4_BALANCED_PROMISE, way ? 0 : 1, xi, eta, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
@@ -1862,8 +2237,9 @@ FOOTPOINT_FN int footpoint_punch_quad4_balanced(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_punch_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_punch_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_balanced_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_punch_quad4_balanced_detail_checked, x, 4, FOOTPOINT_PUNCH_QUAD4_BALANCED_PROMISE, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1883,7 +2259,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_checked_n(size_t n, const dou
                                                              double *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_balanced_detail_checked, n, x, 4, FOOTPOINT_PUNCH_QUAD4_BALANCED_PROMISE, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_over_n(const double *const nodes[4], size_t n,
@@ -1892,8 +2269,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_over_n(const double *const no
                                                           double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_punch_quad4_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_balanced_detail_checked, nodes, n, x, 4, FOOTPOINT_PUNCH_QUAD4_BALANCED_PROMISE, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_punch_quad4_balanced_detail_closest(const double *const *x, double zero, double at[3],
@@ -1948,38 +2325,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_balanced_closest_of(size_t n, const doubl
  *   heldout_random: xi 1.590e-11 7.630e-11 6.933e-07, eta 1.880e-11 9.075e-11 8.278e-07, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fine_detail(const double xA[3], const double xB[3],
-                                                                    const double xC[3], const double xD[3],
-                                                                    const double xS[3], double zero, double *xi,
-                                                                    double *eta)
-{
-    const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
-    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - t3, t9 = xA[1] - xD[1] + t4, t10 = t4 - t2;
-    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 + t9, t12 = 2.0 * (xS[2] - xA[2]) - t1 + t7;
-    const double t13 = xA[0] - xD[0] + t6, t14 = 2.0 * (xS[0] - xA[0]) - t5 + t13, t15 = t6 - t5;
-    const double t16 = t7 * t8 - t9 * t10 - t13 * t15, t17 = t7 * t7 + t9 * t9 + t13 * t13;
-    const double t18 = t8 * t8 + t10 * t10 + t15 * t15, t19 = t17 * t18 - t16 * t16;
-    const double t20 = t7 * t12 + (t9 * t11 + t13 * t14), t21 = t3 * t7 + (t4 * t9 + t6 * t13);
-    const double t22 = t8 * t12 - t10 * t11 - t15 * t14, t23 = t3 * t8 - t4 * t10 - t6 * t15;
-    const double t24 = t3 * t3 + t4 * t4 + t6 * t6, t25 = 1.0 / t19, t26 = (t16 * t22 - t18 * t20) * t25;
-    const double t27 = (t17 * t22 - t16 * t20) * t25, t28 = t27 * t25 * t26;
-    const double t29 = (t21 * t18 - t23 * t16 - 0.487726 * t24 * t22) * t28, t30 = t26 - t29;
-    const double t31 = t27 + (t23 * t17 - t21 * t16 - 0.2964802 * t24 * t20) * t28, t32 = t23 - t24 * (t29 + t30);
-    const double t33 = t21 + t24 * t31, t34 = t4 * t11 + t3 * t12 + t6 * t14, t35 = t30 * t33;
-    const double t36 = t16 + t23 * t31 - t35, t37 = t17 + t31 * (t21 + t33), t38 = t18 - t30 * (t23 + t32);
-    const double t39 = t20 + t31 * (t34 - t35), t40 = t22 - t30 * (t34 + t31 * t32);
-    const double t41 = 1.0 / (0.000001916557 * t19 + t36 * t36 - t37 * t38), t42 = (t37 * t40 - t36 * t39) * t41;
-    const double t43 = (t39 * t38 - t36 * t40) * t41, t44 = t21 - t24 * t42, t45 = t23 - t24 * t43, t46 = t43 * t44;
-    const double t47 = t42 * (t21 + t44) - t17, t48 = t23 * t42 + t46, t49 = t16 - t34 - 2.0 * t48;
-    const double t50 = t18 - t43 * (t23 + t45), t51 = t20 + t42 * (t46 + t48), t52 = t22 + t43 * (t42 * t45 + t48);
-    const double t53 = 1.0 / (t50 * t47 + t49 * t49);
-    *xi = (t49 * t51 + t47 * t52) * t53;
-    *eta = (t50 * t51 - t49 * t52) * t53;
-    (void)zero;
-    return footpoint_detail_outside(t19) | footpoint_detail_outside(0.000001916557 * t19 + t36 * t36 - t37 * t38) |
-        footpoint_detail_outside(t50 * t47 + t49 * t49);
-}
+#define FOOTPOINT_PUNCH_QUAD4_FINE_PROMISE 1e-05 /* the largest error of xi and eta behind FOOTPOINT_OK */
 
 FOOTPOINT_FN void footpoint_punch_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
@@ -1987,37 +2333,15 @@ FOOTPOINT_FN void footpoint_punch_quad4_fine_at(const double xA[3], const double
     (void)footpoint_punch_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_fine_detail_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xS[3], double xi, double eta, double *gap)
-{
-    const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
-    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - t3, t9 = xA[1] - xD[1] + t4, t10 = t4 - t2;
-    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 + t9, t12 = 2.0 * (xS[2] - xA[2]) - t1 + t7;
-    const double t13 = xA[0] - xD[0] + t6, t14 = 2.0 * (xS[0] - xA[0]) - t5 + t13, t15 = t6 - t5;
-    const double t17 = t7 * t7 + t9 * t9 + t13 * t13, t18 = t8 * t8 + t10 * t10 + t15 * t15;
-    const double t24 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double a[3] = {t15, t10, -t8};
-    const double b[3] = {t13, t9, t7};
-    const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
-    const double d[3] = {t14, t11, t12};
-    const double size = t18 + t17 + t24;
-    const double ratio = -1, per = 0.5, unit = 1;
-    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fine_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_fine_detail_checked(const double *const *x, int way,
                                                                             double zero, double *xi,
                                                                             double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
-    if (full)
-        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-    {
-        const unsigned long long doubt = footpoint_punch_quad4_fine_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
-    }
+    unsigned long long flaw = footpoint_punch_quad4_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    if (way == 1)
+        return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    flaw |= footpoint_punch_quad4_coarse_detail_prove(x[0], x[1], x[2], x[3], x[4], FOOTPOINT_PUNCH_QUAD4_FINE_PROMISE, way ? 0 : 1, xi, eta, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
@@ -2025,8 +2349,9 @@ FOOTPOINT_FN int footpoint_punch_quad4_fine(const double xA[3], const double xB[
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_punch_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_punch_quad4_fine_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_fine_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_punch_quad4_fine_detail_checked, x, 4, FOOTPOINT_PUNCH_QUAD4_FINE_PROMISE, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2045,7 +2370,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fine_checked_n(size_t n, const double 
                                                          double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_fine_detail_checked, n, x, 4, FOOTPOINT_PUNCH_QUAD4_FINE_PROMISE, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_fine_over_n(const double *const nodes[4], size_t n,
@@ -2053,8 +2379,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fine_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_punch_quad4_fine_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_fine_detail_checked, nodes, n, x, 4, FOOTPOINT_PUNCH_QUAD4_FINE_PROMISE, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_punch_quad4_fine_detail_closest(const double *const *x, double zero, double at[3],
@@ -2109,39 +2435,7 @@ FOOTPOINT_FN int footpoint_punch_quad4_fine_closest_of(size_t n, const double *c
  *   heldout_random: xi 2.661e-14 8.205e-14 1.147e-09, eta 2.770e-14 6.151e-14 1.127e-09, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_accurate_detail(const double xA[3], const double xB[3],
-                                                                        const double xC[3], const double xD[3],
-                                                                        const double xS[3], double zero, double *xi,
-                                                                        double *eta)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
-    const double t8 = xA[2] - xD[2] + t3, t9 = t8 - (2.0 * (xA[2] - xS[2]) - t1), t10 = xA[1] - xD[1] + t4;
-    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4, t13 = xA[0] - xD[0] + t6;
-    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t6, t16 = t8 * t7 + t10 * t12 + t13 * t15;
-    const double t17 = t7 * t7 + t12 * t12 + t15 * t15, t18 = t8 * t8 + t10 * t10 + t13 * t13;
-    const double t19 = t3 * t7 + t4 * t12 + t6 * t15, t20 = t7 * t9 + t12 * t11 + t15 * t14;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t13, t22 = t8 * t9 + t10 * t11 + t13 * t14;
-    const double t23 = t18 * t17 - t16 * t16, t24 = t21 * t17 - t19 * t16, t25 = t18 * t20 - t16 * t22;
-    const double t26 = t19 * t18 - t21 * t16, t27 = t17 * t22 - t16 * t20, t28 = t24 * t25, t29 = t26 * t27;
-    const double t30 = t28 - t23 * t23 + t29, t31 = t30 * t30 - t28 * t29, t32 = t23 * t31, t33 = 1.0 / t32;
-    const double t34 = t23 * t25 * t27 * t30 * t33, t35 = t31 * t33, t36 = t35 * (t25 - t26 * t34);
-    const double t37 = t35 * (t27 - t24 * t34), t38 = t3 * t3 + t4 * t4 + t6 * t6, t39 = t21 - t38 * t36;
-    const double t40 = t16 + (t3 * t9 + t4 * t11 + t6 * t14), t41 = t19 - t38 * t37, t42 = t37 * t39;
-    const double t43 = t18 - t36 * (t21 + t39), t44 = t17 - t37 * (t19 + t41), t45 = t19 * t36 + t42;
-    const double t46 = t40 - 2.0 * t45, t47 = t22 - t36 * (t42 + t45), t48 = t20 - t37 * (t36 * t41 + t45);
-    const double t49 = 1.0 / (t44 * t43 - t46 * t46), t50 = (t44 * t47 - t46 * t48) * t49;
-    const double t51 = (t43 * t48 - t46 * t47) * t49, t52 = t21 - t38 * t51;
-    const double t53 = t19 - t38 * (t50 - 0.00001731828 * t37), t54 = t50 * t52, t55 = t18 - t51 * (t21 + t52);
-    const double t56 = t50 * (t19 + t53) - t17, t57 = t19 * t51 + t54, t58 = t40 - 2.0 * t57;
-    const double t59 = t51 * (t54 + t57) - t22, t60 = t20 - t50 * (t57 + t51 * t53);
-    const double t61 = 1.0 / (t58 * t58 + t55 * t56);
-    *xi = (t58 * t59 + t55 * t60) * t61;
-    *eta = (t56 * t59 - t58 * t60) * t61;
-    (void)zero;
-    return footpoint_detail_outside(t32) | footpoint_detail_outside(t44 * t43 - t46 * t46) |
-        footpoint_detail_outside(t58 * t58 + t55 * t56);
-}
+#define FOOTPOINT_PUNCH_QUAD4_ACCURATE_PROMISE 1e-10 /* the largest error of xi and eta behind FOOTPOINT_OK */
 
 FOOTPOINT_FN void footpoint_punch_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
@@ -2149,36 +2443,15 @@ FOOTPOINT_FN void footpoint_punch_quad4_accurate_at(const double xA[3], const do
     (void)footpoint_punch_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long
-footpoint_punch_quad4_accurate_detail_gap(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double xi, double eta, double *gap)
-{
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
-    const double t8 = xA[2] - xD[2] + t3, t9 = t8 - (2.0 * (xA[2] - xS[2]) - t1), t10 = xA[1] - xD[1] + t4;
-    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4, t13 = xA[0] - xD[0] + t6;
-    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t6, t17 = t7 * t7 + t12 * t12 + t15 * t15;
-    const double t18 = t8 * t8 + t10 * t10 + t13 * t13, t38 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double a[3] = {t15, t12, t7};
-    const double b[3] = {t13, t10, t8};
-    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
-    const double d[3] = {t14, t11, t9};
-    const double size = t17 + t18 + t38;
-    const double ratio = -1, per = 0.5, unit = 1;
-    return footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, xi, eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_punch_quad4_accurate_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_punch_quad4_accurate_detail_checked(const double *const *x, int way,
                                                                                 double zero, double *xi,
                                                                                 double *eta, double *gap)
 {
-    unsigned long long flaw = footpoint_punch_quad4_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
-    if (full)
-        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
-    {
-        const unsigned long long doubt = footpoint_punch_quad4_accurate_detail_gap(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
-    }
+    unsigned long long flaw = footpoint_punch_quad4_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
+    if (way == 1)
+        return flaw | footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PUNCH_QUAD4_LEAST, gap);
+    flaw |= footpoint_punch_quad4_gauss2_detail_prove(x[0], x[1], x[2], x[3], x[4], FOOTPOINT_PUNCH_QUAD4_ACCURATE_PROMISE, way ? 0 : 2, xi, eta, gap);
+    return flaw;
 }
 
 FOOTPOINT_FN int footpoint_punch_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
@@ -2186,8 +2459,9 @@ FOOTPOINT_FN int footpoint_punch_quad4_accurate(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_punch_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_punch_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_punch_quad4_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_punch_quad4_accurate_detail_checked, x, 4, FOOTPOINT_PUNCH_QUAD4_ACCURATE_PROMISE, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2207,7 +2481,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_checked_n(size_t n, const dou
                                                              double *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_punch_quad4_accurate_detail_checked, n, x, 4, FOOTPOINT_PUNCH_QUAD4_ACCURATE_PROMISE, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_over_n(const double *const nodes[4], size_t n,
@@ -2216,8 +2491,8 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_over_n(const double *const no
                                                           double *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_over_n(footpoint_punch_quad4_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad4_over_n(footpoint_punch_quad4_accurate_detail_checked, nodes, n, x, 4, FOOTPOINT_PUNCH_QUAD4_ACCURATE_PROMISE, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_punch_quad4_accurate_detail_closest(const double *const *x, double zero, double at[3],

@@ -89,6 +89,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -394,9 +397,10 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_over(const float a[3], cons
 
 #ifndef FOOTPOINT_DETAIL_AGAIN_F
 #define FOOTPOINT_DETAIL_AGAIN_F
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_f_zero. */
-typedef unsigned int footpoint_detail_f_search(const float *const *x, int full, float zero, float *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_f_zero. */
+typedef unsigned int footpoint_detail_f_search(const float *const *x, int way, float zero, float *xi,
                                                float *eta, float *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -426,6 +430,18 @@ FOOTPOINT_COLD int footpoint_detail_f_again(footpoint_detail_f_search *search, c
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD4_ANSWER_F
+#define FOOTPOINT_QUAD4_ANSWER_F
+/* The answer where a search is not good beyond doubt; nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_f_quad4_answer(footpoint_detail_f_search *search,
+                                                   const float *const *x, int nodes, float promise,
+                                                   float loc[2], float *gap)
+{
+    (void)promise;
+    return footpoint_detail_f_again(search, x, nodes, 5, loc, gap);
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_ARRAYS_F
 #define FOOTPOINT_QUAD4_ARRAYS_F
 /* The search of _at. */
@@ -450,19 +466,19 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_n(footpoint_detail_f_quad4_search *
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_full(footpoint_detail_f_search *search,
-                                                  const float *const *row, int nodes, float *xi,
-                                                  float *eta, float *gap, int *status)
+                                                  const float *const *row, int nodes, float promise,
+                                                  float *xi, float *eta, float *gap, int *status)
 {
     float loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_f_again(search, row, nodes, 5, loc, gap);
+    *status = footpoint_detail_f_quad4_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_f_quad4_checked_n(footpoint_detail_f_search *search, size_t n,
-                                                       const float *const *x, int nodes,
+                                                       const float *const *x, int nodes, float promise,
                                                        float *FOOTPOINT_RESTRICT xi,
                                                        float *FOOTPOINT_RESTRICT eta,
                                                        float *FOOTPOINT_RESTRICT gap,
@@ -486,7 +502,8 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_checked_n(footpoint_detail_f_search
             const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_f_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_f_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                          &status[i]);
         }
 }
 
@@ -494,9 +511,9 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_checked_n(footpoint_detail_f_search
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_f_quad4_over_n(footpoint_detail_f_search *search, const float *const *segment, size_t n,
-                                const float *const *x, int nodes, float *FOOTPOINT_RESTRICT xi,
-                                float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
-                                int *FOOTPOINT_RESTRICT status)
+                                const float *const *x, int nodes, float promise,
+                                float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const float zero = footpoint_detail_f_zero();
     float c[4][3];
@@ -519,7 +536,8 @@ footpoint_detail_f_quad4_over_n(footpoint_detail_f_search *search, const float *
         if (status[i] != FOOTPOINT_OK) {
             const float s[3] = {x[0][i], x[1][i], x[2][i]};
             const float *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_f_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_f_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                          &status[i]);
         }
 }
 #endif
@@ -1254,7 +1272,7 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_closest_of(footpoint_detail_f_neares
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
@@ -1278,17 +1296,6 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_closest_of(footpoint_detail_f_neares
  *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
-/* footpoint_quad4_float_fast
- *   operations:     26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  b3b40fb6d9f7787ff1bd53636ce04afb4ef22eb2fd3464ac5a061ceb1c845fee
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 0.031)
- *   rounding:       xi <= 4e-05 proved, 5.7e-06 sampled; eta <= 2.2e-05 proved, 2.5e-06 sampled (1000000 points)
- *   training_both:  genes 38 mean 5.347e-02
- *   heldout:        xi 5.327e-02 2.778e-01 4.769e-01, eta 5.346e-02 2.788e-01 4.327e-01, samples 200000
- *   heldout_random: xi 5.334e-02 2.767e-01 4.259e-01, eta 5.338e-02 2.767e-01 4.459e-01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail(const float xA[3], const float xB[3], const float xC[3],
                                                               const float xD[3], const float xS[3], float zero,
                                                               float *xi, float *eta)
@@ -1314,19 +1321,288 @@ FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail(const float xA[3],
     return footpoint_detail_f_outside(t17 * t18 - t16 * t16);
 }
 
+FOOTPOINT_PART unsigned int footpoint_quad4_float_coarse_detail(const float xA[3], const float xB[3],
+                                                                const float xC[3], const float xD[3],
+                                                                const float xS[3], float zero, float *xi, float *eta)
+{
+    const float yA[3] = {0.0f, 0.0f, 0.0f};
+    const float *const corner[4] = {xA, xB, xC, xD};
+    const float scale = footpoint_detail_f_relative(corner, 4);
+    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
+    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
+    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
+    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
+    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = t1 + t3, t7 = 0.5f * (yD[0] - yC[0] - t5);
+    const float t8 = yA[2] - yD[2] + t3, t9 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t10 = yA[1] - yD[1] + t4;
+    const float t11 = t2 - 2.0f * (yA[1] - yS[1]) + t10, t12 = t2 + t4, t13 = yA[0] - yD[0] + t7;
+    const float t14 = t5 - 2.0f * (yA[0] - yS[0]) + t13, t15 = t5 + t7, t16 = t8 * t6 + t10 * t12 + t13 * t15;
+    const float t17 = t8 * t8 + t10 * t10 + t13 * t13, t18 = t6 * t6 + t12 * t12 + t15 * t15;
+    const float t19 = t8 * t9 + t10 * t11 + t13 * t14, t20 = t6 * t9 + t12 * t11 + t15 * t14;
+    const float t21 = t3 * t6 + t4 * t12 + t7 * t15, t22 = t3 * t8 + t4 * t10 + t7 * t13, t23 = t17 * t18 - t16 * t16;
+    const float t24 = t16 * t19 - t17 * t20, t25 = t16 * t20 - t18 * t19, t26 = (t21 * t17 - t22 * t16) * t25;
+    const float t27 = t23 * t23, t28 = t27 + (t22 * t18 - t21 * t16) * t24, t29 = t23 * (t26 + t28), t30 = 1.0f / t29;
+    *xi = t24 * t28 * t30;
+    *eta = t25 * (t27 + t26) * t30;
+    (void)zero;
+    return footpoint_detail_f_outside(t29);
+}
+
+FOOTPOINT_PART unsigned int footpoint_quad4_float_gauss2_detail(const float xA[3], const float xB[3],
+                                                                const float xC[3], const float xD[3],
+                                                                const float xS[3], float zero, float *xi, float *eta)
+{
+    const float yA[3] = {0.0f, 0.0f, 0.0f};
+    const float *const corner[4] = {xA, xB, xC, xD};
+    const float scale = footpoint_detail_f_relative(corner, 4);
+    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
+    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
+    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
+    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
+    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5), t7 = t1 + t3;
+    const float t8 = yA[2] - yD[2] + t3, t9 = t2 + t4, t10 = yA[1] - yD[1] + t4;
+    const float t11 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t10, t13 = t5 + t6;
+    const float t14 = yA[0] - yD[0] + t6, t15 = t5 - 2.0f * (yA[0] - yS[0]) + t14;
+    const float t16 = t7 * t8 + t9 * t10 + t13 * t14, t17 = t8 * t8 + t10 * t10 + t14 * t14;
+    const float t18 = t7 * t7 + t9 * t9 + t13 * t13, t19 = 1.0f / (t18 * t17 - t16 * t16);
+    const float t20 = t8 * t11 + t10 * t12 + t14 * t15, t21 = t7 * t11 + t9 * t12 + t13 * t15;
+    const float t22 = t3 * t7 + t4 * t9 + t6 * t13, t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const float t24 = (t17 * t21 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t21) * t19;
+    const float t26 = t3 * t3 + t4 * t4 + t6 * t6, t27 = t3 * t11 + t4 * t12 + t6 * t15, t28 = t23 - t26 * t24;
+    const float t29 = t22 - t26 * t25, t30 = t25 * t28, t31 = t17 - t24 * (t23 + t28), t32 = t22 * t24 - t16 + t30;
+    const float t33 = t18 - t25 * (t22 + t29), t34 = t20 - t24 * (t27 + t30), t35 = t21 - t25 * (t27 + t24 * t29);
+    const float t36 = 1.0f / (t32 * t32 - t33 * t31);
+    *xi = (t32 * t34 + t31 * t35) * t36;
+    *eta = (t33 * t34 + t32 * t35) * t36;
+    (void)zero;
+    return footpoint_detail_f_outside(t18 * t17 - t16 * t16) | footpoint_detail_f_outside(t32 * t32 - t33 * t31);
+}
+
+FOOTPOINT_PART unsigned int footpoint_quad4_float_medium_detail(const float xA[3], const float xB[3],
+                                                                const float xC[3], const float xD[3],
+                                                                const float xS[3], float zero, float *xi, float *eta)
+{
+    const float yA[3] = {0.0f, 0.0f, 0.0f};
+    const float *const corner[4] = {xA, xB, xC, xD};
+    const float scale = footpoint_detail_f_relative(corner, 4);
+    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
+    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
+    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
+    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
+    const float t1 = yB[2] - yA[2], t2 = yB[1] - yA[1], t3 = 0.5f * (yD[2] - yC[2] + t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] + t2), t5 = yB[0] - yA[0], t6 = 0.5f * (yD[0] - yC[0] + t5);
+    const float t7 = yA[2] - yD[2] + t3, t8 = t1 - t3, t9 = yA[1] - yD[1] + t4, t10 = t4 - t2;
+    const float t11 = 2.0f * (yS[1] - yA[1]) - t2 + t9, t12 = 2.0f * (yS[2] - yA[2]) - t1 + t7;
+    const float t13 = yA[0] - yD[0] + t6, t14 = t6 - t5, t15 = 2.0f * (yS[0] - yA[0]) - t5 + t13;
+    const float t16 = t7 * t8 - t9 * t10 - t13 * t14, t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const float t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = 1.0f / (t17 * t18 - t16 * t16);
+    const float t20 = t9 * t11 + t7 * t12 + t13 * t15, t21 = t3 * t7 + t4 * t9 + t6 * t13;
+    const float t22 = t8 * t12 - t10 * t11 - t14 * t15, t23 = t3 * t8 - t4 * t10 - t6 * t14;
+    const float t24 = (t17 * t22 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t22) * t19, t26 = t25 * t19 * t24;
+    const float t27 = t24 - (t23 * t17 - t21 * t16) * t26, t28 = t25 - (t21 * t18 - t23 * t16) * t26;
+    const float t29 = t3 * t3 + t4 * t4 + t6 * t6, t30 = t4 * t11 + t3 * t12 + t6 * t15, t31 = t21 + t29 * t27;
+    const float t32 = t23 + t29 * t28, t33 = t28 * t31, t34 = t17 + t27 * (t21 + t31), t35 = t16 + t23 * t27 + t33;
+    const float t36 = t18 + t28 * (t23 + t32), t37 = t20 + t27 * (t30 + t33), t38 = t22 + t28 * (t30 + t27 * t32);
+    const float t39 = 1.0f / (t36 * t34 - t35 * t35);
+    *xi = (t34 * t38 - t35 * t37) * t39;
+    *eta = (t35 * t38 - t36 * t37) * t39;
+    (void)zero;
+    return footpoint_detail_f_outside(t17 * t18 - t16 * t16) | footpoint_detail_f_outside(t36 * t34 - t35 * t35);
+}
+
+FOOTPOINT_PART unsigned int footpoint_quad4_float_balanced_detail(const float xA[3], const float xB[3],
+                                                                  const float xC[3], const float xD[3],
+                                                                  const float xS[3], float zero, float *xi,
+                                                                  float *eta)
+{
+    const float yA[3] = {0.0f, 0.0f, 0.0f};
+    const float *const corner[4] = {xA, xB, xC, xD};
+    const float scale = footpoint_detail_f_relative(corner, 4);
+    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
+    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
+    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
+    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
+    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5);
+    const float t7 = yA[2] - yD[2] + t3, t8 = t1 + t3, t9 = yA[1] - yD[1] + t4, t10 = t2 + t4;
+    const float t11 = t1 - 2.0f * (yA[2] - yS[2]) + t7, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t9;
+    const float t13 = yA[0] - yD[0] + t6, t14 = t5 + t6, t15 = t5 - 2.0f * (yA[0] - yS[0]) + t13;
+    const float t16 = t7 * t8 + t9 * t10 + t13 * t14, t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const float t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = (float)(62500.0 / 57751.0) / (t17 * t18 - t16 * t16);
+    const float t20 = t7 * t11 + t9 * t12 + t13 * t15, t21 = t8 * t11 + t10 * t12 + t14 * t15;
+    const float t22 = t3 * t8 + t4 * t10 + t6 * t14, t23 = t3 * t7 + t4 * t9 + t6 * t13;
+    const float t24 = (t16 * t20 - t17 * t21) * t19, t25 = (t16 * t21 - t18 * t20) * t19;
+    const float t26 = t3 * t3 + t4 * t4 + t6 * t6, t27 = t23 + t26 * t24, t28 = t3 * t11 + t4 * t12 + t6 * t15;
+    const float t29 = t22 + t26 * t25, t30 = t25 * t27, t31 = t16 + t22 * t24 + t30, t32 = t17 + t24 * (t23 + t27);
+    const float t33 = t18 + t25 * (t22 + t29), t34 = t20 + t24 * (t28 - t30), t35 = t21 + t25 * (t28 - t24 * t29);
+    const float t36 = 1.0f / (t33 * t32 - t31 * t31), t37 = (t32 * t35 - t31 * t34) * t36;
+    const float t38 = (t33 * t34 - t31 * t35) * t36, t39 = t23 - t26 * t37, t40 = t22 - t26 * t38, t41 = t38 * t39;
+    const float t42 = t17 - t37 * (t23 + t39), t43 = t16 - t22 * t37 - t41, t44 = t18 - t38 * (t22 + t40);
+    const float t45 = t37 * (t28 + t41) - t20, t46 = t21 - t38 * (t28 + t37 * t40);
+    const float t47 = 1.0f / (t44 * t42 - t43 * t43);
+    *xi = -(t43 * t45 + t42 * t46) * t47;
+    *eta = (t43 * t46 + t44 * t45) * t47;
+    (void)zero;
+    return footpoint_detail_f_outside(t17 * t18 - t16 * t16) | footpoint_detail_f_outside(t33 * t32 - t31 * t31) |
+        footpoint_detail_f_outside(t44 * t42 - t43 * t43);
+}
+
+FOOTPOINT_PART unsigned int footpoint_quad4_float_fine_detail(const float xA[3], const float xB[3], const float xC[3],
+                                                              const float xD[3], const float xS[3], float zero,
+                                                              float *xi, float *eta)
+{
+    const float yA[3] = {0.0f, 0.0f, 0.0f};
+    const float *const corner[4] = {xA, xB, xC, xD};
+    const float scale = footpoint_detail_f_relative(corner, 4);
+    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
+    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
+    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
+    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
+    const float t1 = yB[2] - yA[2], t2 = yB[1] - yA[1], t3 = 0.5f * (yD[2] - yC[2] + t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] + t2), t5 = yB[0] - yA[0], t6 = 0.5f * (yD[0] - yC[0] + t5);
+    const float t7 = yA[2] - yD[2] + t3, t8 = t1 - 2.0f * (yS[2] - yA[2]) - t7, t9 = t1 - t3;
+    const float t10 = yA[1] - yD[1] + t4, t11 = t2 - 2.0f * (yS[1] - yA[1]) - t10, t12 = t4 - t2;
+    const float t13 = yA[0] - yD[0] + t6, t14 = t5 - 2.0f * (yS[0] - yA[0]) - t13, t15 = t6 - t5;
+    const float t16 = t7 * t9 - t10 * t12 - t13 * t15, t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const float t18 = t9 * t9 + t12 * t12 + t15 * t15, t19 = t3 * t9 - t4 * t12 - t6 * t15;
+    const float t20 = t9 * t8 - t12 * t11 - t15 * t14, t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const float t22 = t7 * t8 + t10 * t11 + t13 * t14, t23 = 1.0f / (t17 * t18 - t16 * t16);
+    const float t24 = t21 * t18 - t19 * t16, t25 = t16 * t22 - t17 * t20, t26 = t16 * t20 - t18 * t22;
+    const float t27 = t25 - 0.4730482f * t24, t28 = t26 * t23, t29 = t27 * t23 * t28;
+    const float t30 = t28 - t23 * (t24 - 0.01629384f * t27) * t29;
+    const float t31 = (float)(100000000.0 / 6345303.0) * (t21 * t16 - t19 * t17) + t26;
+    const float t32 = t3 * t3 + t4 * t4 + t6 * t6, t33 = t23 * (t25 + 0.07941114977985f * t31 * t29);
+    const float t34 = t3 * t8 + t4 * t11 + t6 * t14, t35 = t19 + t32 * t30, t36 = t32 * t33;
+    const float t37 = t18 + t30 * (t19 + t35), t38 = t21 + t36, t39 = t30 * t38, t40 = t17 + t33 * (t21 + t38);
+    const float t41 = t20 + t30 * (t34 - t33 * (t35 - 0.0001970578f * t19)), t42 = t16 + t19 * t33 + t39;
+    const float t43 = t33 * (t39 - t34) - t22, t44 = 1.0f / (t37 * t40 - t42 * t42);
+    const float t45 = t44 * (t42 * t43 + t40 * (t41 - 0.0008715408f * t36)), t46 = (t37 * t43 + t42 * t41) * t44;
+    const float t47 = t21 - t32 * t45, t48 = t19 + t32 * t46, t49 = t46 * t47, t50 = t17 - t45 * (t21 + t47);
+    const float t51 = t18 + t46 * (t19 + t48), t52 = t19 * t45 - t49, t53 = t16 + t34 - 2.0f * t52;
+    const float t54 = t22 + t45 * (t49 - t52), t55 = t20 + t46 * (t45 * t48 + t52);
+    const float t56 = 1.0f / (t51 * t50 - t53 * t53);
+    *xi = (t53 * t54 - t50 * t55) * t56;
+    *eta = (t51 * t54 - t53 * t55) * t56;
+    (void)zero;
+    return footpoint_detail_f_outside(t17 * t18 - t16 * t16) | footpoint_detail_f_outside(t37 * t40 - t42 * t42) |
+        footpoint_detail_f_outside(t51 * t50 - t53 * t53);
+}
+
+FOOTPOINT_PART unsigned int footpoint_quad4_float_precise_detail(const float xA[3], const float xB[3],
+                                                                 const float xC[3], const float xD[3],
+                                                                 const float xS[3], float zero, float *xi,
+                                                                 float *eta)
+{
+    const float yA[3] = {0.0f, 0.0f, 0.0f};
+    const float *const corner[4] = {xA, xB, xC, xD};
+    const float scale = footpoint_detail_f_relative(corner, 4);
+    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
+    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
+    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
+    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
+    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5), t7 = t1 + t3;
+    const float t8 = yA[2] - yD[2] + t3, t9 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t10 = t2 + t4;
+    const float t11 = yA[1] - yD[1] + t4, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t11, t13 = t5 + t6;
+    const float t14 = yA[0] - yD[0] + t6, t15 = t5 - 2.0f * (yA[0] - yS[0]) + t14;
+    const float t16 = t7 * t8 + t10 * t11 + t13 * t14, t17 = t8 * t8 + t11 * t11 + t14 * t14;
+    const float t18 = t7 * t7 + t10 * t10 + t13 * t13, t19 = 1.0f / (t18 * t17 - t16 * t16);
+    const float t20 = t3 * t7 + t4 * t10 + t6 * t13, t21 = t7 * t9 + t10 * t12 + t13 * t15;
+    const float t22 = t8 * t9 + t11 * t12 + t14 * t15, t23 = t3 * t8 + t4 * t11 + t6 * t14;
+    const float t24 = t16 * t23 - t20 * t17, t25 = t17 * t21 - t16 * t22;
+    const float t26 = (t18 * t22 - 0.2926255f * t24 - t16 * t21) * t19, t27 = t25 * t19, t28 = t26 * t19 * t27;
+    const float t29 = t27 - t24 * t28, t30 = t26 - (t20 * t16 - t18 * t23 - 0.07668135f * t25) * t28;
+    const float t31 = t3 * t3 + t4 * t4 + t6 * t6, t32 = t23 - t31 * t29, t33 = t3 * t9 + t4 * t12 + t6 * t15;
+    const float t34 = t20 - t31 * t30, t35 = t30 * t32, t36 = t17 - t29 * (t23 + t32), t37 = t16 - t20 * t29 - t35;
+    const float t38 = t18 - t30 * (t20 + t34), t39 = t21 - t30 * (t33 + t29 * t34), t40 = t22 - t29 * (t33 + t35);
+    const float t41 = 1.0f / (t37 * t37 - t38 * t36), t42 = (t36 * t39 - t37 * t40) * t41;
+    const float t43 = (t37 * t39 - t38 * t40) * t41, t44 = t23 + t31 * t42, t45 = t20 - t31 * t43;
+    const float t46 = t17 + t42 * (t23 + t44), t47 = t18 - t43 * (t20 + t45), t48 = t43 * t44, t49 = t48 - t20 * t42;
+    const float t50 = 2.0f * t49 - t16 - t33, t51 = t22 + t42 * (t48 + t49), t52 = t21 - t43 * (t49 - t42 * t45);
+    const float t53 = 1.0f / (t50 * t50 - t47 * t46), t54 = t50 * t51 + t46 * t52;
+    const float t55 = (t47 * t51 + t50 * t52) * t53, t56 = t43 + t55, t57 = t44 * t56, t58 = t42 - t54 * t53;
+    const float t59 = t45 * t58, t60 = t56 * (2.0f * t59 - t57), t61 = t58 * (t59 - 2.0f * t57);
+    *xi = t53 * (t54 - (t46 * t60 - t50 * t61));
+    *eta = t55 + t53 * (t47 * t61 - t50 * t60);
+    (void)zero;
+    return footpoint_detail_f_outside(t18 * t17 - t16 * t16) | footpoint_detail_f_outside(t37 * t37 - t38 * t36) |
+        footpoint_detail_f_outside(t50 * t50 - t47 * t46);
+}
+
+FOOTPOINT_PART unsigned int footpoint_quad4_float_accurate_detail(const float xA[3], const float xB[3],
+                                                                  const float xC[3], const float xD[3],
+                                                                  const float xS[3], float zero, float *xi,
+                                                                  float *eta)
+{
+    const float yA[3] = {0.0f, 0.0f, 0.0f};
+    const float *const corner[4] = {xA, xB, xC, xD};
+    const float scale = footpoint_detail_f_relative(corner, 4);
+    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
+    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
+    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
+    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
+    const float t1 = yB[2] - yA[2], t2 = yB[1] - yA[1], t3 = 0.5f * (yD[2] - yC[2] + t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] + t2), t5 = yB[0] - yA[0], t6 = 0.5f * (yD[0] - yC[0] + t5);
+    const float t7 = yA[2] - yD[2] + t3, t8 = 2.0f * (yS[2] - yA[2]) - t1 + t7, t9 = t1 - t3;
+    const float t10 = yA[1] - yD[1] + t4, t11 = 2.0f * (yS[1] - yA[1]) - t2 + t10, t12 = t4 - t2;
+    const float t13 = yA[0] - yD[0] + t6, t14 = 2.0f * (yS[0] - yA[0]) - t5 + t13, t15 = t6 - t5;
+    const float t16 = t7 * t9 - t10 * t12 - t13 * t15, t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const float t18 = t9 * t9 + t12 * t12 + t15 * t15, t19 = t3 * t9 - t4 * t12 - t6 * t15;
+    const float t20 = t9 * t8 - t12 * t11 - t15 * t14, t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const float t22 = t7 * t8 + t10 * t11 + t13 * t14, t23 = 0.7281655788624f / (t16 * t16 - t17 * t18);
+    const float t24 = t19 * t17 - t21 * t16;
+    const float t25 = (t24 + (float)(1250000.0 / 777289.0) * (t16 * t20 - t18 * t22)) * t23;
+    const float t26 = (t17 * t20 - t16 * t22) * t23 * (t24 * t23 * t25 + 0.8526833491790281248f);
+    const float t27 = (float)(198710546875000000000000000000.0 / 121268489168218156309617576021.0) * t26;
+    const float t28 = t3 * t3 + t4 * t4 + t6 * t6, t29 = t19 + t28 * t25, t30 = t3 * t8 + t4 * t11 + t6 * t14;
+    const float t31 = t21 - t28 * t27, t32 = t25 * t31, t33 = t17 - t27 * (t21 + t31), t34 = t16 - t19 * t27 + t32;
+    const float t35 = t18 + t25 * (t19 + t29), t36 = t20 + t25 * (t30 - t27 * t29), t37 = t22 - t27 * (t30 + t32);
+    const float t38 = 1.0f / (t35 * t33 - t34 * t34), t39 = (t36 * t33 - t34 * t37) * t38;
+    const float t40 = (t35 * t37 - t36 * t34) * t38, t41 = t21 + t28 * t39, t42 = t19 + t28 * t40, t43 = t40 * t41;
+    const float t44 = t16 + t19 * t39 + t43, t45 = t17 + t39 * (t21 + t41), t46 = t18 + t40 * (t19 + t42);
+    const float t47 = t22 + t39 * (t30 + t43), t48 = t20 + t40 * (t30 + t39 * t42);
+    const float t49 = 1.0f / (t46 * t45 - t44 * t44), t50 = (t45 * t48 - t44 * t47) * t49;
+    const float t51 = (t46 * t47 - t44 * t48) * t49, t52 = t21 + t28 * t50, t53 = t16 - t30, t54 = t19 + t28 * t51;
+    const float t55 = t51 * t52, t56 = t17 + t50 * (t21 + t52), t57 = t18 + t51 * (t19 + t54), t58 = t19 * t50 + t55;
+    const float t59 = t53 + 2.0f * t58, t60 = t22 + t50 * (t55 + t58), t61 = t20 + t51 * (t50 * t54 + t58);
+    const float t62 = 1.0f / (t57 * t56 - t59 * t59), t63 = (t56 * t61 - t59 * t60) * t62;
+    const float t64 = (t57 * t60 - t59 * t61) * t62, t65 = t21 + t28 * t63, t66 = t19 + t28 * t64, t67 = t64 * t65;
+    const float t68 = t17 + t63 * (t21 + t65), t69 = t18 + t64 * (t19 + t66), t70 = t19 * t63 + t67;
+    const float t71 = t53 + 2.0f * t70, t72 = t22 + t63 * (t67 + t70), t73 = t20 + t64 * (t63 * t66 + t70);
+    const float t74 = 1.0f / (t69 * t68 - t71 * t71);
+    *xi = (t68 * t73 - t71 * t72) * t74;
+    *eta = (t71 * t73 - t69 * t72) * t74;
+    (void)zero;
+    return footpoint_detail_f_outside(t16 * t16 - t17 * t18) | footpoint_detail_f_outside(t35 * t33 - t34 * t34) |
+        footpoint_detail_f_outside(t46 * t45 - t44 * t44) | footpoint_detail_f_outside(t57 * t56 - t59 * t59) |
+        footpoint_detail_f_outside(t69 * t68 - t71 * t71);
+}
+
+/* footpoint_quad4_float_fast
+ *   operations:     26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  b3b40fb6d9f7787ff1bd53636ce04afb4ef22eb2fd3464ac5a061ceb1c845fee
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 0.031)
+ *   rounding:       xi <= 4e-05 proved, 5.7e-06 sampled; eta <= 2.2e-05 proved, 2.5e-06 sampled (1000000 points)
+ *   training_both:  genes 38 mean 5.347e-02
+ *   heldout:        xi 5.327e-02 2.778e-01 4.769e-01, eta 5.346e-02 2.788e-01 4.327e-01, samples 200000
+ *   heldout_random: xi 5.334e-02 2.767e-01 4.259e-01, eta 5.338e-02 2.767e-01 4.459e-01, samples 200000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float xB[3], const float xC[3],
                                                 const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_fast_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail_checked(const float *const *x, int way, float zero,
                                                                       float *xi,
                                                                       float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_fast_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1335,8 +1611,9 @@ FOOTPOINT_FN int footpoint_quad4_float_fast(const float xA[3], const float xB[3]
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_fast_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_fast_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_fast_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_fast_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1366,7 +1643,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_checked_n(size_t n, const float *
                                                          float *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fast_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fast_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_over_n(const float *const nodes[4], size_t n,
@@ -1374,8 +1652,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_over_n(const float *const nodes[4
                                                       float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_fast_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_fast_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_fast_detail_closest(const float *const *x, float zero, float at[3],
@@ -1426,46 +1704,19 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *co
  *   heldout_random: xi 4.847e-03 3.710e-02 1.822e-01, eta 4.846e-03 3.716e-02 1.537e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int footpoint_quad4_float_coarse_detail(const float xA[3], const float xB[3],
-                                                                const float xC[3], const float xD[3],
-                                                                const float xS[3], float zero, float *xi, float *eta)
-{
-    const float yA[3] = {0.0f, 0.0f, 0.0f};
-    const float *const corner[4] = {xA, xB, xC, xD};
-    const float scale = footpoint_detail_f_relative(corner, 4);
-    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
-    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
-    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
-    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = t1 + t3, t7 = 0.5f * (yD[0] - yC[0] - t5);
-    const float t8 = yA[2] - yD[2] + t3, t9 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t10 = yA[1] - yD[1] + t4;
-    const float t11 = t2 - 2.0f * (yA[1] - yS[1]) + t10, t12 = t2 + t4, t13 = yA[0] - yD[0] + t7;
-    const float t14 = t5 - 2.0f * (yA[0] - yS[0]) + t13, t15 = t5 + t7, t16 = t8 * t6 + t10 * t12 + t13 * t15;
-    const float t17 = t8 * t8 + t10 * t10 + t13 * t13, t18 = t6 * t6 + t12 * t12 + t15 * t15;
-    const float t19 = t8 * t9 + t10 * t11 + t13 * t14, t20 = t6 * t9 + t12 * t11 + t15 * t14;
-    const float t21 = t3 * t6 + t4 * t12 + t7 * t15, t22 = t3 * t8 + t4 * t10 + t7 * t13, t23 = t17 * t18 - t16 * t16;
-    const float t24 = t16 * t19 - t17 * t20, t25 = t16 * t20 - t18 * t19, t26 = (t21 * t17 - t22 * t16) * t25;
-    const float t27 = t23 * t23, t28 = t27 + (t22 * t18 - t21 * t16) * t24, t29 = t23 * (t26 + t28), t30 = 1.0f / t29;
-    *xi = t24 * t28 * t30;
-    *eta = t25 * (t27 + t26) * t30;
-    (void)zero;
-    return footpoint_detail_f_outside(t29);
-}
-
 FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float xB[3], const float xC[3],
                                                   const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_coarse_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_coarse_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_coarse_detail_checked(const float *const *x, int way, float zero,
                                                                         float *xi,
                                                                         float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_coarse_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1474,8 +1725,9 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse(const float xA[3], const float xB[
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_coarse_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_coarse_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_coarse_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_coarse_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1506,7 +1758,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_checked_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_coarse_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_over_n(const float *const nodes[4], size_t n,
@@ -1514,8 +1767,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_over_n(const float *const nodes
                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_coarse_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_coarse_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_coarse_detail_closest(const float *const *x, float zero, float at[3],
@@ -1568,50 +1821,19 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *
  *   heldout_random: xi 1.261e-03 1.604e-02 1.218e-01, eta 1.266e-03 1.613e-02 1.140e-01, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int footpoint_quad4_float_gauss2_detail(const float xA[3], const float xB[3],
-                                                                const float xC[3], const float xD[3],
-                                                                const float xS[3], float zero, float *xi, float *eta)
-{
-    const float yA[3] = {0.0f, 0.0f, 0.0f};
-    const float *const corner[4] = {xA, xB, xC, xD};
-    const float scale = footpoint_detail_f_relative(corner, 4);
-    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
-    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
-    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
-    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5), t7 = t1 + t3;
-    const float t8 = yA[2] - yD[2] + t3, t9 = t2 + t4, t10 = yA[1] - yD[1] + t4;
-    const float t11 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t10, t13 = t5 + t6;
-    const float t14 = yA[0] - yD[0] + t6, t15 = t5 - 2.0f * (yA[0] - yS[0]) + t14;
-    const float t16 = t7 * t8 + t9 * t10 + t13 * t14, t17 = t8 * t8 + t10 * t10 + t14 * t14;
-    const float t18 = t7 * t7 + t9 * t9 + t13 * t13, t19 = 1.0f / (t18 * t17 - t16 * t16);
-    const float t20 = t8 * t11 + t10 * t12 + t14 * t15, t21 = t7 * t11 + t9 * t12 + t13 * t15;
-    const float t22 = t3 * t7 + t4 * t9 + t6 * t13, t23 = t3 * t8 + t4 * t10 + t6 * t14;
-    const float t24 = (t17 * t21 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t21) * t19;
-    const float t26 = t3 * t3 + t4 * t4 + t6 * t6, t27 = t3 * t11 + t4 * t12 + t6 * t15, t28 = t23 - t26 * t24;
-    const float t29 = t22 - t26 * t25, t30 = t25 * t28, t31 = t17 - t24 * (t23 + t28), t32 = t22 * t24 - t16 + t30;
-    const float t33 = t18 - t25 * (t22 + t29), t34 = t20 - t24 * (t27 + t30), t35 = t21 - t25 * (t27 + t24 * t29);
-    const float t36 = 1.0f / (t32 * t32 - t33 * t31);
-    *xi = (t32 * t34 + t31 * t35) * t36;
-    *eta = (t33 * t34 + t32 * t35) * t36;
-    (void)zero;
-    return footpoint_detail_f_outside(t18 * t17 - t16 * t16) | footpoint_detail_f_outside(t32 * t32 - t33 * t31);
-}
-
 FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float xB[3], const float xC[3],
                                                   const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_gauss2_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_gauss2_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_gauss2_detail_checked(const float *const *x, int way, float zero,
                                                                         float *xi,
                                                                         float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_gauss2_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1620,8 +1842,9 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2(const float xA[3], const float xB[
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_gauss2_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_gauss2_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_gauss2_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_gauss2_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1652,7 +1875,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_checked_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_gauss2_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_over_n(const float *const nodes[4], size_t n,
@@ -1660,8 +1884,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_over_n(const float *const nodes
                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_gauss2_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_gauss2_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_gauss2_detail_closest(const float *const *x, float zero, float at[3],
@@ -1714,51 +1938,19 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *
  *   heldout_random: xi 1.938e-04 3.022e-03 7.520e-02, eta 1.946e-04 3.060e-03 6.525e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int footpoint_quad4_float_medium_detail(const float xA[3], const float xB[3],
-                                                                const float xC[3], const float xD[3],
-                                                                const float xS[3], float zero, float *xi, float *eta)
-{
-    const float yA[3] = {0.0f, 0.0f, 0.0f};
-    const float *const corner[4] = {xA, xB, xC, xD};
-    const float scale = footpoint_detail_f_relative(corner, 4);
-    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
-    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
-    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
-    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yB[2] - yA[2], t2 = yB[1] - yA[1], t3 = 0.5f * (yD[2] - yC[2] + t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] + t2), t5 = yB[0] - yA[0], t6 = 0.5f * (yD[0] - yC[0] + t5);
-    const float t7 = yA[2] - yD[2] + t3, t8 = t1 - t3, t9 = yA[1] - yD[1] + t4, t10 = t4 - t2;
-    const float t11 = 2.0f * (yS[1] - yA[1]) - t2 + t9, t12 = 2.0f * (yS[2] - yA[2]) - t1 + t7;
-    const float t13 = yA[0] - yD[0] + t6, t14 = t6 - t5, t15 = 2.0f * (yS[0] - yA[0]) - t5 + t13;
-    const float t16 = t7 * t8 - t9 * t10 - t13 * t14, t17 = t7 * t7 + t9 * t9 + t13 * t13;
-    const float t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = 1.0f / (t17 * t18 - t16 * t16);
-    const float t20 = t9 * t11 + t7 * t12 + t13 * t15, t21 = t3 * t7 + t4 * t9 + t6 * t13;
-    const float t22 = t8 * t12 - t10 * t11 - t14 * t15, t23 = t3 * t8 - t4 * t10 - t6 * t14;
-    const float t24 = (t17 * t22 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t22) * t19, t26 = t25 * t19 * t24;
-    const float t27 = t24 - (t23 * t17 - t21 * t16) * t26, t28 = t25 - (t21 * t18 - t23 * t16) * t26;
-    const float t29 = t3 * t3 + t4 * t4 + t6 * t6, t30 = t4 * t11 + t3 * t12 + t6 * t15, t31 = t21 + t29 * t27;
-    const float t32 = t23 + t29 * t28, t33 = t28 * t31, t34 = t17 + t27 * (t21 + t31), t35 = t16 + t23 * t27 + t33;
-    const float t36 = t18 + t28 * (t23 + t32), t37 = t20 + t27 * (t30 + t33), t38 = t22 + t28 * (t30 + t27 * t32);
-    const float t39 = 1.0f / (t36 * t34 - t35 * t35);
-    *xi = (t34 * t38 - t35 * t37) * t39;
-    *eta = (t35 * t38 - t36 * t37) * t39;
-    (void)zero;
-    return footpoint_detail_f_outside(t17 * t18 - t16 * t16) | footpoint_detail_f_outside(t36 * t34 - t35 * t35);
-}
-
 FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float xB[3], const float xC[3],
                                                   const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_medium_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_medium_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_medium_detail_checked(const float *const *x, int way, float zero,
                                                                         float *xi,
                                                                         float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_medium_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1767,8 +1959,9 @@ FOOTPOINT_FN int footpoint_quad4_float_medium(const float xA[3], const float xB[
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_medium_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_medium_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_medium_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_medium_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1799,7 +1992,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_checked_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_medium_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_medium_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_over_n(const float *const nodes[4], size_t n,
@@ -1807,8 +2001,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_over_n(const float *const nodes
                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_medium_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_medium_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_medium_detail_closest(const float *const *x, float zero, float at[3],
@@ -1863,56 +2057,19 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *
  *   heldout_random: xi 1.794e-05 2.391e-04 2.736e-02, eta 1.790e-05 2.456e-04 2.112e-02, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int footpoint_quad4_float_balanced_detail(const float xA[3], const float xB[3],
-                                                                  const float xC[3], const float xD[3],
-                                                                  const float xS[3], float zero, float *xi,
-                                                                  float *eta)
-{
-    const float yA[3] = {0.0f, 0.0f, 0.0f};
-    const float *const corner[4] = {xA, xB, xC, xD};
-    const float scale = footpoint_detail_f_relative(corner, 4);
-    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
-    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
-    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
-    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5);
-    const float t7 = yA[2] - yD[2] + t3, t8 = t1 + t3, t9 = yA[1] - yD[1] + t4, t10 = t2 + t4;
-    const float t11 = t1 - 2.0f * (yA[2] - yS[2]) + t7, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t9;
-    const float t13 = yA[0] - yD[0] + t6, t14 = t5 + t6, t15 = t5 - 2.0f * (yA[0] - yS[0]) + t13;
-    const float t16 = t7 * t8 + t9 * t10 + t13 * t14, t17 = t7 * t7 + t9 * t9 + t13 * t13;
-    const float t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = (float)(62500.0 / 57751.0) / (t17 * t18 - t16 * t16);
-    const float t20 = t7 * t11 + t9 * t12 + t13 * t15, t21 = t8 * t11 + t10 * t12 + t14 * t15;
-    const float t22 = t3 * t8 + t4 * t10 + t6 * t14, t23 = t3 * t7 + t4 * t9 + t6 * t13;
-    const float t24 = (t16 * t20 - t17 * t21) * t19, t25 = (t16 * t21 - t18 * t20) * t19;
-    const float t26 = t3 * t3 + t4 * t4 + t6 * t6, t27 = t23 + t26 * t24, t28 = t3 * t11 + t4 * t12 + t6 * t15;
-    const float t29 = t22 + t26 * t25, t30 = t25 * t27, t31 = t16 + t22 * t24 + t30, t32 = t17 + t24 * (t23 + t27);
-    const float t33 = t18 + t25 * (t22 + t29), t34 = t20 + t24 * (t28 - t30), t35 = t21 + t25 * (t28 - t24 * t29);
-    const float t36 = 1.0f / (t33 * t32 - t31 * t31), t37 = (t32 * t35 - t31 * t34) * t36;
-    const float t38 = (t33 * t34 - t31 * t35) * t36, t39 = t23 - t26 * t37, t40 = t22 - t26 * t38, t41 = t38 * t39;
-    const float t42 = t17 - t37 * (t23 + t39), t43 = t16 - t22 * t37 - t41, t44 = t18 - t38 * (t22 + t40);
-    const float t45 = t37 * (t28 + t41) - t20, t46 = t21 - t38 * (t28 + t37 * t40);
-    const float t47 = 1.0f / (t44 * t42 - t43 * t43);
-    *xi = -(t43 * t45 + t42 * t46) * t47;
-    *eta = (t43 * t46 + t44 * t45) * t47;
-    (void)zero;
-    return footpoint_detail_f_outside(t17 * t18 - t16 * t16) | footpoint_detail_f_outside(t33 * t32 - t31 * t31) |
-        footpoint_detail_f_outside(t44 * t42 - t43 * t43);
-}
-
 FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const float xB[3], const float xC[3],
                                                     const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_balanced_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_balanced_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_balanced_detail_checked(const float *const *x, int way, float zero,
                                                                           float *xi,
                                                                           float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_balanced_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1921,8 +2078,9 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced(const float xA[3], const float x
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_balanced_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_balanced_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_balanced_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_balanced_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1954,7 +2112,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_checked_n(size_t n, const flo
                                                              float *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_balanced_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_over_n(const float *const nodes[4], size_t n,
@@ -1963,8 +2122,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_over_n(const float *const nod
                                                           float *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_balanced_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_balanced_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_balanced_detail_closest(const float *const *x, float zero, float at[3],
@@ -2019,60 +2178,19 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float
  *   heldout_random: xi 5.728e-07 3.541e-06 5.709e-03, eta 5.028e-07 3.311e-06 3.580e-03, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int footpoint_quad4_float_fine_detail(const float xA[3], const float xB[3], const float xC[3],
-                                                              const float xD[3], const float xS[3], float zero,
-                                                              float *xi, float *eta)
-{
-    const float yA[3] = {0.0f, 0.0f, 0.0f};
-    const float *const corner[4] = {xA, xB, xC, xD};
-    const float scale = footpoint_detail_f_relative(corner, 4);
-    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
-    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
-    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
-    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yB[2] - yA[2], t2 = yB[1] - yA[1], t3 = 0.5f * (yD[2] - yC[2] + t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] + t2), t5 = yB[0] - yA[0], t6 = 0.5f * (yD[0] - yC[0] + t5);
-    const float t7 = yA[2] - yD[2] + t3, t8 = t1 - 2.0f * (yS[2] - yA[2]) - t7, t9 = t1 - t3;
-    const float t10 = yA[1] - yD[1] + t4, t11 = t2 - 2.0f * (yS[1] - yA[1]) - t10, t12 = t4 - t2;
-    const float t13 = yA[0] - yD[0] + t6, t14 = t5 - 2.0f * (yS[0] - yA[0]) - t13, t15 = t6 - t5;
-    const float t16 = t7 * t9 - t10 * t12 - t13 * t15, t17 = t7 * t7 + t10 * t10 + t13 * t13;
-    const float t18 = t9 * t9 + t12 * t12 + t15 * t15, t19 = t3 * t9 - t4 * t12 - t6 * t15;
-    const float t20 = t9 * t8 - t12 * t11 - t15 * t14, t21 = t3 * t7 + t4 * t10 + t6 * t13;
-    const float t22 = t7 * t8 + t10 * t11 + t13 * t14, t23 = 1.0f / (t17 * t18 - t16 * t16);
-    const float t24 = t21 * t18 - t19 * t16, t25 = t16 * t22 - t17 * t20, t26 = t16 * t20 - t18 * t22;
-    const float t27 = t25 - 0.4730482f * t24, t28 = t26 * t23, t29 = t27 * t23 * t28;
-    const float t30 = t28 - t23 * (t24 - 0.01629384f * t27) * t29;
-    const float t31 = (float)(100000000.0 / 6345303.0) * (t21 * t16 - t19 * t17) + t26;
-    const float t32 = t3 * t3 + t4 * t4 + t6 * t6, t33 = t23 * (t25 + 0.07941114977985f * t31 * t29);
-    const float t34 = t3 * t8 + t4 * t11 + t6 * t14, t35 = t19 + t32 * t30, t36 = t32 * t33;
-    const float t37 = t18 + t30 * (t19 + t35), t38 = t21 + t36, t39 = t30 * t38, t40 = t17 + t33 * (t21 + t38);
-    const float t41 = t20 + t30 * (t34 - t33 * (t35 - 0.0001970578f * t19)), t42 = t16 + t19 * t33 + t39;
-    const float t43 = t33 * (t39 - t34) - t22, t44 = 1.0f / (t37 * t40 - t42 * t42);
-    const float t45 = t44 * (t42 * t43 + t40 * (t41 - 0.0008715408f * t36)), t46 = (t37 * t43 + t42 * t41) * t44;
-    const float t47 = t21 - t32 * t45, t48 = t19 + t32 * t46, t49 = t46 * t47, t50 = t17 - t45 * (t21 + t47);
-    const float t51 = t18 + t46 * (t19 + t48), t52 = t19 * t45 - t49, t53 = t16 + t34 - 2.0f * t52;
-    const float t54 = t22 + t45 * (t49 - t52), t55 = t20 + t46 * (t45 * t48 + t52);
-    const float t56 = 1.0f / (t51 * t50 - t53 * t53);
-    *xi = (t53 * t54 - t50 * t55) * t56;
-    *eta = (t51 * t54 - t53 * t55) * t56;
-    (void)zero;
-    return footpoint_detail_f_outside(t17 * t18 - t16 * t16) | footpoint_detail_f_outside(t37 * t40 - t42 * t42) |
-        footpoint_detail_f_outside(t51 * t50 - t53 * t53);
-}
-
 FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float xB[3], const float xC[3],
                                                 const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_fine_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_fine_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_fine_detail_checked(const float *const *x, int way, float zero,
                                                                       float *xi,
                                                                       float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_fine_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2081,8 +2199,9 @@ FOOTPOINT_FN int footpoint_quad4_float_fine(const float xA[3], const float xB[3]
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_fine_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_fine_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_fine_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_fine_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2112,7 +2231,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_checked_n(size_t n, const float *
                                                          float *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fine_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_fine_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_over_n(const float *const nodes[4], size_t n,
@@ -2120,8 +2240,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_over_n(const float *const nodes[4
                                                       float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_fine_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_fine_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_fine_detail_closest(const float *const *x, float zero, float at[3],
@@ -2175,60 +2295,19 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   heldout_random: xi 1.427e-07 9.507e-07 7.398e-04, eta 1.410e-07 9.049e-07 5.159e-04, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int footpoint_quad4_float_precise_detail(const float xA[3], const float xB[3],
-                                                                 const float xC[3], const float xD[3],
-                                                                 const float xS[3], float zero, float *xi,
-                                                                 float *eta)
-{
-    const float yA[3] = {0.0f, 0.0f, 0.0f};
-    const float *const corner[4] = {xA, xB, xC, xD};
-    const float scale = footpoint_detail_f_relative(corner, 4);
-    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
-    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
-    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
-    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5), t7 = t1 + t3;
-    const float t8 = yA[2] - yD[2] + t3, t9 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t10 = t2 + t4;
-    const float t11 = yA[1] - yD[1] + t4, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t11, t13 = t5 + t6;
-    const float t14 = yA[0] - yD[0] + t6, t15 = t5 - 2.0f * (yA[0] - yS[0]) + t14;
-    const float t16 = t7 * t8 + t10 * t11 + t13 * t14, t17 = t8 * t8 + t11 * t11 + t14 * t14;
-    const float t18 = t7 * t7 + t10 * t10 + t13 * t13, t19 = 1.0f / (t18 * t17 - t16 * t16);
-    const float t20 = t3 * t7 + t4 * t10 + t6 * t13, t21 = t7 * t9 + t10 * t12 + t13 * t15;
-    const float t22 = t8 * t9 + t11 * t12 + t14 * t15, t23 = t3 * t8 + t4 * t11 + t6 * t14;
-    const float t24 = t16 * t23 - t20 * t17, t25 = t17 * t21 - t16 * t22;
-    const float t26 = (t18 * t22 - 0.2926255f * t24 - t16 * t21) * t19, t27 = t25 * t19, t28 = t26 * t19 * t27;
-    const float t29 = t27 - t24 * t28, t30 = t26 - (t20 * t16 - t18 * t23 - 0.07668135f * t25) * t28;
-    const float t31 = t3 * t3 + t4 * t4 + t6 * t6, t32 = t23 - t31 * t29, t33 = t3 * t9 + t4 * t12 + t6 * t15;
-    const float t34 = t20 - t31 * t30, t35 = t30 * t32, t36 = t17 - t29 * (t23 + t32), t37 = t16 - t20 * t29 - t35;
-    const float t38 = t18 - t30 * (t20 + t34), t39 = t21 - t30 * (t33 + t29 * t34), t40 = t22 - t29 * (t33 + t35);
-    const float t41 = 1.0f / (t37 * t37 - t38 * t36), t42 = (t36 * t39 - t37 * t40) * t41;
-    const float t43 = (t37 * t39 - t38 * t40) * t41, t44 = t23 + t31 * t42, t45 = t20 - t31 * t43;
-    const float t46 = t17 + t42 * (t23 + t44), t47 = t18 - t43 * (t20 + t45), t48 = t43 * t44, t49 = t48 - t20 * t42;
-    const float t50 = 2.0f * t49 - t16 - t33, t51 = t22 + t42 * (t48 + t49), t52 = t21 - t43 * (t49 - t42 * t45);
-    const float t53 = 1.0f / (t50 * t50 - t47 * t46), t54 = t50 * t51 + t46 * t52;
-    const float t55 = (t47 * t51 + t50 * t52) * t53, t56 = t43 + t55, t57 = t44 * t56, t58 = t42 - t54 * t53;
-    const float t59 = t45 * t58, t60 = t56 * (2.0f * t59 - t57), t61 = t58 * (t59 - 2.0f * t57);
-    *xi = t53 * (t54 - (t46 * t60 - t50 * t61));
-    *eta = t55 + t53 * (t47 * t61 - t50 * t60);
-    (void)zero;
-    return footpoint_detail_f_outside(t18 * t17 - t16 * t16) | footpoint_detail_f_outside(t37 * t37 - t38 * t36) |
-        footpoint_detail_f_outside(t50 * t50 - t47 * t46);
-}
-
 FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const float xB[3], const float xC[3],
                                                    const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_precise_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_precise_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_precise_detail_checked(const float *const *x, int way, float zero,
                                                                          float *xi,
                                                                          float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_precise_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2237,8 +2316,9 @@ FOOTPOINT_FN int footpoint_quad4_float_precise(const float xA[3], const float xB
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_precise_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_precise_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_precise_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_precise_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2269,7 +2349,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_checked_n(size_t n, const floa
                                                             float *FOOTPOINT_RESTRICT gap,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_precise_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_precise_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_over_n(const float *const nodes[4], size_t n,
@@ -2278,8 +2359,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_over_n(const float *const node
                                                          float *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_precise_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_precise_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_precise_detail_closest(const float *const *x, float zero, float at[3],
@@ -2336,68 +2417,19 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float 
  *   heldout_random: xi 1.233e-07 8.853e-07 7.134e-06, eta 1.222e-07 8.470e-07 6.884e-06, samples 200000
  *   vectorises:     -O3
  */
-FOOTPOINT_PART unsigned int footpoint_quad4_float_accurate_detail(const float xA[3], const float xB[3],
-                                                                  const float xC[3], const float xD[3],
-                                                                  const float xS[3], float zero, float *xi,
-                                                                  float *eta)
-{
-    const float yA[3] = {0.0f, 0.0f, 0.0f};
-    const float *const corner[4] = {xA, xB, xC, xD};
-    const float scale = footpoint_detail_f_relative(corner, 4);
-    const float yB[3] = {(xB[0] - xA[0]) * scale, (xB[1] - xA[1]) * scale, (xB[2] - xA[2]) * scale};
-    const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
-    const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
-    const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yB[2] - yA[2], t2 = yB[1] - yA[1], t3 = 0.5f * (yD[2] - yC[2] + t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] + t2), t5 = yB[0] - yA[0], t6 = 0.5f * (yD[0] - yC[0] + t5);
-    const float t7 = yA[2] - yD[2] + t3, t8 = 2.0f * (yS[2] - yA[2]) - t1 + t7, t9 = t1 - t3;
-    const float t10 = yA[1] - yD[1] + t4, t11 = 2.0f * (yS[1] - yA[1]) - t2 + t10, t12 = t4 - t2;
-    const float t13 = yA[0] - yD[0] + t6, t14 = 2.0f * (yS[0] - yA[0]) - t5 + t13, t15 = t6 - t5;
-    const float t16 = t7 * t9 - t10 * t12 - t13 * t15, t17 = t7 * t7 + t10 * t10 + t13 * t13;
-    const float t18 = t9 * t9 + t12 * t12 + t15 * t15, t19 = t3 * t9 - t4 * t12 - t6 * t15;
-    const float t20 = t9 * t8 - t12 * t11 - t15 * t14, t21 = t3 * t7 + t4 * t10 + t6 * t13;
-    const float t22 = t7 * t8 + t10 * t11 + t13 * t14, t23 = 0.7281655788624f / (t16 * t16 - t17 * t18);
-    const float t24 = t19 * t17 - t21 * t16;
-    const float t25 = (t24 + (float)(1250000.0 / 777289.0) * (t16 * t20 - t18 * t22)) * t23;
-    const float t26 = (t17 * t20 - t16 * t22) * t23 * (t24 * t23 * t25 + 0.8526833491790281248f);
-    const float t27 = (float)(198710546875000000000000000000.0 / 121268489168218156309617576021.0) * t26;
-    const float t28 = t3 * t3 + t4 * t4 + t6 * t6, t29 = t19 + t28 * t25, t30 = t3 * t8 + t4 * t11 + t6 * t14;
-    const float t31 = t21 - t28 * t27, t32 = t25 * t31, t33 = t17 - t27 * (t21 + t31), t34 = t16 - t19 * t27 + t32;
-    const float t35 = t18 + t25 * (t19 + t29), t36 = t20 + t25 * (t30 - t27 * t29), t37 = t22 - t27 * (t30 + t32);
-    const float t38 = 1.0f / (t35 * t33 - t34 * t34), t39 = (t36 * t33 - t34 * t37) * t38;
-    const float t40 = (t35 * t37 - t36 * t34) * t38, t41 = t21 + t28 * t39, t42 = t19 + t28 * t40, t43 = t40 * t41;
-    const float t44 = t16 + t19 * t39 + t43, t45 = t17 + t39 * (t21 + t41), t46 = t18 + t40 * (t19 + t42);
-    const float t47 = t22 + t39 * (t30 + t43), t48 = t20 + t40 * (t30 + t39 * t42);
-    const float t49 = 1.0f / (t46 * t45 - t44 * t44), t50 = (t45 * t48 - t44 * t47) * t49;
-    const float t51 = (t46 * t47 - t44 * t48) * t49, t52 = t21 + t28 * t50, t53 = t16 - t30, t54 = t19 + t28 * t51;
-    const float t55 = t51 * t52, t56 = t17 + t50 * (t21 + t52), t57 = t18 + t51 * (t19 + t54), t58 = t19 * t50 + t55;
-    const float t59 = t53 + 2.0f * t58, t60 = t22 + t50 * (t55 + t58), t61 = t20 + t51 * (t50 * t54 + t58);
-    const float t62 = 1.0f / (t57 * t56 - t59 * t59), t63 = (t56 * t61 - t59 * t60) * t62;
-    const float t64 = (t57 * t60 - t59 * t61) * t62, t65 = t21 + t28 * t63, t66 = t19 + t28 * t64, t67 = t64 * t65;
-    const float t68 = t17 + t63 * (t21 + t65), t69 = t18 + t64 * (t19 + t66), t70 = t19 * t63 + t67;
-    const float t71 = t53 + 2.0f * t70, t72 = t22 + t63 * (t67 + t70), t73 = t20 + t64 * (t63 * t66 + t70);
-    const float t74 = 1.0f / (t69 * t68 - t71 * t71);
-    *xi = (t68 * t73 - t71 * t72) * t74;
-    *eta = (t71 * t73 - t69 * t72) * t74;
-    (void)zero;
-    return footpoint_detail_f_outside(t16 * t16 - t17 * t18) | footpoint_detail_f_outside(t35 * t33 - t34 * t34) |
-        footpoint_detail_f_outside(t46 * t45 - t44 * t44) | footpoint_detail_f_outside(t57 * t56 - t59 * t59) |
-        footpoint_detail_f_outside(t69 * t68 - t71 * t71);
-}
-
 FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const float xB[3], const float xC[3],
                                                     const float xD[3], const float xS[3], float *xi, float *eta)
 {
     (void)footpoint_quad4_float_accurate_detail(xA, xB, xC, xD, xS, 0.0f, xi, eta);
 }
 
-FOOTPOINT_PART unsigned int footpoint_quad4_float_accurate_detail_checked(const float *const *x, int full, float zero,
+FOOTPOINT_PART unsigned int footpoint_quad4_float_accurate_detail_checked(const float *const *x, int way, float zero,
                                                                           float *xi,
                                                                           float *eta, float *gap)
 {
     unsigned int flaw = footpoint_quad4_float_accurate_detail(x[0], x[1], x[2], x[3], x[4], zero, xi, eta);
     flaw |= footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2406,8 +2438,9 @@ FOOTPOINT_FN int footpoint_quad4_float_accurate(const float xA[3], const float x
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float xi, eta, g;
-    if (footpoint_quad4_float_accurate_detail_checked(x, 0, 0.0f, &xi, &eta, &g) >> 31)
-        return footpoint_detail_f_again(footpoint_quad4_float_accurate_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_quad4_float_accurate_detail_checked(x, 2, 0.0f, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_quad4_answer(footpoint_quad4_float_accurate_detail_checked, x, 4, 0.0, loc,
+                                               gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2439,7 +2472,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_checked_n(size_t n, const flo
                                                              float *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_quad4_float_accurate_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                       status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_over_n(const float *const nodes[4], size_t n,
@@ -2448,8 +2482,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_over_n(const float *const nod
                                                           float *FOOTPOINT_RESTRICT gap,
                                                           int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_accurate_detail_checked, nodes, n, x, 4, xi, eta, gap,
-                                    status);
+    footpoint_detail_f_quad4_over_n(footpoint_quad4_float_accurate_detail_checked, nodes, n, x, 4, 0.0, xi, eta,
+                                    gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad4_float_accurate_detail_closest(const float *const *x, float zero, float at[3],

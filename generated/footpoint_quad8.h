@@ -93,6 +93,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -298,9 +301,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad8_gap(const double *const
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -330,6 +334,18 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD8_ANSWER
+#define FOOTPOINT_QUAD8_ANSWER
+/* The answer where a search is not good beyond doubt; nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_quad8_answer(footpoint_detail_search *search,
+                                                 const double *const *x, int nodes, double promise,
+                                                 double loc[2], double *gap)
+{
+    (void)promise;
+    return footpoint_detail_again(search, x, nodes, 9, loc, gap);
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD8_ARRAYS
 #define FOOTPOINT_QUAD8_ARRAYS
 /* The search of _at. */
@@ -356,19 +372,19 @@ FOOTPOINT_PART void footpoint_detail_quad8_n(footpoint_detail_quad8_search *sear
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_quad8_full(footpoint_detail_search *search,
-                                                const double *const *row, int nodes, double *xi,
-                                                double *eta, double *gap, int *status)
+                                                const double *const *row, int nodes, double promise,
+                                                double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 9, loc, gap);
+    *status = footpoint_detail_quad8_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_quad8_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes,
+                                                     const double *const *x, int nodes, double promise,
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap,
@@ -394,7 +410,8 @@ FOOTPOINT_PART void footpoint_detail_quad8_checked_n(footpoint_detail_search *se
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-            footpoint_detail_quad8_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad8_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 
@@ -402,9 +419,9 @@ FOOTPOINT_PART void footpoint_detail_quad8_checked_n(footpoint_detail_search *se
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad8_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                              int *FOOTPOINT_RESTRICT status)
+                              const double *const *x, int nodes, double promise,
+                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[8][3];
@@ -427,7 +444,8 @@ footpoint_detail_quad8_over_n(footpoint_detail_search *search, const double *con
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[9] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], s};
-            footpoint_detail_quad8_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad8_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 #endif
@@ -1213,7 +1231,7 @@ FOOTPOINT_PART int footpoint_detail_quad8_closest_of(footpoint_detail_nearest *n
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xG, xH, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
@@ -1237,18 +1255,6 @@ FOOTPOINT_PART int footpoint_detail_quad8_closest_of(footpoint_detail_nearest *n
  *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
-/* footpoint_quad8_fast
- *   operations:     43 mul, 1 div, 62 add, 0 sqrt, 0 compare; 27 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 128-bit prime: chance of error below 2^-112
- *   genome_sha256:  812a954b917cc6dbc729594005e1664d24b970965a2883f57dccc48fa9199a01
- *   poles:          t17 * t17 - t15 * t16: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   rounding:       xi <= 4.4e-13 proved, 1.1e-14 sampled; eta <= 1.9e-13 proved, 4.3e-15 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 95 mean 2.048e-02
- *   heldout:        xi 2.038e-02 1.210e-01 3.743e-01, eta 2.045e-02 1.205e-01 4.938e-01, samples 50000
- *   heldout_random: xi 2.039e-02 1.209e-01 4.431e-01, eta 2.038e-02 1.201e-01 4.423e-01, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_fast_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xD[3],
                                                               const double xE[3], const double xF[3],
@@ -1274,109 +1280,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_fast_detail(const double xA[3]
     return footpoint_detail_outside(t17 * t17 - t15 * t16);
 }
 
-FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xS[3], double *xi,
-                                          double *eta)
-{
-    (void)footpoint_quad8_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad8_fast_detail_checked(const double *const *x, int full, double zero,
-                                                                      double *xi,
-                                                                      double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad8_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double xi, eta, g;
-    if (footpoint_quad8_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_fast_detail_checked, x, 8, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fast_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                           double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad8_n(footpoint_quad8_fast_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fast_checked_n(size_t n, const double *const x[27],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_checked_n(footpoint_quad8_fast_detail_checked, n, x, 8, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fast_over_n(const double *const nodes[8], size_t n,
-                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_over_n(footpoint_quad8_fast_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad8_fast_detail_closest(const double *const *x, double zero, double at[3],
-                                                       int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad8_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
-    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad8_fast_closest(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xS[3],
-                                              double loc[2], double *dist, int *region)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_quad8_fast_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fast_closest_n(size_t n, const double *const x[27],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                   int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_closest_n(footpoint_quad8_fast_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad8_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
-                                                 double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad8_closest_of(footpoint_quad8_fast_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad8_coarse
- *   operations:     90 mul, 2 div, 136 add, 0 sqrt, 0 compare; 79 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  908d01c5d0fe0a2fbe125c9c178f63ec992b6cfe62f6be1f5b3467454ad02d2e
- *   poles:          t30 * t31 - t29 * t29: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t73 * t73 - t75 * t74: proved free of zeros, |...| >= 1.2 (rounding error <= 6.9e-05)
- *   rounding:       xi 1.1e-14 sampled; eta 1.4e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 59 mean 1.093e-03
- *   heldout:        xi 1.091e-03 1.341e-02 1.329e-01, eta 1.095e-03 1.255e-02 2.095e-01, samples 50000
- *   heldout_random: xi 1.096e-03 1.365e-02 1.892e-01, eta 1.123e-03 1.304e-02 1.944e-01, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_coarse_detail(const double xA[3], const double xB[3],
                                                                 const double xC[3], const double xD[3],
                                                                 const double xE[3], const double xF[3],
@@ -1418,112 +1321,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_coarse_detail(const double xA[
     return footpoint_detail_outside(t30 * t31 - t29 * t29) | footpoint_detail_outside(t73 * t73 - t75 * t74);
 }
 
-FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xE[3], const double xF[3],
-                                            const double xG[3], const double xH[3], const double xS[3], double *xi,
-                                            double *eta)
-{
-    (void)footpoint_quad8_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad8_coarse_detail_checked(const double *const *x, int full, double zero,
-                                                                        double *xi,
-                                                                        double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad8_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                        const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double xi, eta, g;
-    if (footpoint_quad8_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_coarse_detail_checked, x, 8, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_coarse_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                             double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad8_n(footpoint_quad8_coarse_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_coarse_checked_n(size_t n, const double *const x[27],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_checked_n(footpoint_quad8_coarse_detail_checked, n, x, 8, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_coarse_over_n(const double *const nodes[8], size_t n,
-                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                  int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_over_n(footpoint_quad8_coarse_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad8_coarse_detail_closest(const double *const *x, double zero, double at[3],
-                                                         int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad8_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
-    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad8_coarse_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xE[3], const double xF[3],
-                                                const double xG[3], const double xH[3], const double xS[3],
-                                                double loc[2], double *dist, int *region)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_quad8_coarse_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_coarse_closest_n(size_t n, const double *const x[27],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_closest_n(footpoint_quad8_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad8_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                   double loc[2],
-                                                   double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad8_closest_of(footpoint_quad8_coarse_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad8_medium
- *   operations:     129 mul, 3 div, 178 add, 0 sqrt, 0 compare; 118 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  0440c03023275850548fd7638baccc32d89d591cb941d804744980a7c5194992
- *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 4.2e-05)
- *   poles:          t111 * t111 - t110 * t112: proved free of zeros, |...| >= 0.52; status if computed as 0 or not
- *     finite
- *   rounding:       xi 2.8e-14 sampled; eta 7.1e-15 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 9.159e-05; eta genes 1 mean 9.528e-05
- *   heldout:        xi 9.183e-05 1.328e-03 2.870e-01, eta 9.511e-05 1.263e-03 4.863e-01, samples 50000
- *   heldout_random: xi 8.975e-05 1.319e-03 8.623e-02, eta 9.393e-05 1.360e-03 9.258e-02, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_medium_detail(const double xA[3], const double xB[3],
                                                                 const double xC[3], const double xD[3],
                                                                 const double xE[3], const double xF[3],
@@ -1577,112 +1374,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_medium_detail(const double xA[
         footpoint_detail_outside(t111 * t111 - t110 * t112);
 }
 
-FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xE[3], const double xF[3],
-                                            const double xG[3], const double xH[3], const double xS[3], double *xi,
-                                            double *eta)
-{
-    (void)footpoint_quad8_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad8_medium_detail_checked(const double *const *x, int full, double zero,
-                                                                        double *xi,
-                                                                        double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad8_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                        const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double xi, eta, g;
-    if (footpoint_quad8_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_medium_detail_checked, x, 8, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_medium_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                             double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad8_n(footpoint_quad8_medium_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_medium_checked_n(size_t n, const double *const x[27],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_checked_n(footpoint_quad8_medium_detail_checked, n, x, 8, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_medium_over_n(const double *const nodes[8], size_t n,
-                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                  int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_over_n(footpoint_quad8_medium_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad8_medium_detail_closest(const double *const *x, double zero, double at[3],
-                                                         int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad8_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
-    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad8_medium_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xE[3], const double xF[3],
-                                                const double xG[3], const double xH[3], const double xS[3],
-                                                double loc[2], double *dist, int *region)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_quad8_medium_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_medium_closest_n(size_t n, const double *const x[27],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_closest_n(footpoint_quad8_medium_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad8_medium_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                   double loc[2],
-                                                   double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad8_closest_of(footpoint_quad8_medium_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad8_balanced
- *   operations:     162 mul, 3 div, 203 add, 0 sqrt, 0 compare; 138 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-159
- *   genome_sha256:  a056205ecf22849446d40c3c3b0838ced08ed16600d86bde01b209fc60d413d1
- *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t84 * t85 - t83 * t83: proved free of zeros, |...| >= 0.74 (rounding error <= 6e-05)
- *   poles:          t128 * t129 - t127 * t127: proved free of zeros, |...| >= 0.81; status if computed as 0 or not
- *     finite
- *   rounding:       xi 1.9e-14 sampled; eta 2.1e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 101 mean 6.936e-06
- *   heldout:        xi 5.462e-06 3.558e-05 1.439e-02, eta 5.772e-06 3.410e-05 2.296e-02, samples 50000
- *   heldout_random: xi 5.838e-06 3.918e-05 3.006e-02, eta 6.574e-06 3.943e-05 5.537e-02, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_balanced_detail(const double xA[3], const double xB[3],
                                                                   const double xC[3], const double xD[3],
                                                                   const double xE[3], const double xF[3],
@@ -1745,117 +1436,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_balanced_detail(const double x
         footpoint_detail_outside(t128 * t129 - t127 * t127);
 }
 
-FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xS[3], double *xi,
-                                              double *eta)
-{
-    (void)footpoint_quad8_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad8_balanced_detail_checked(const double *const *x, int full,
-                                                                          double zero, double *xi,
-                                                                          double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad8_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xS[3], double loc[2],
-                                          double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double xi, eta, g;
-    if (footpoint_quad8_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_balanced_detail_checked, x, 8, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                               double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad8_n(footpoint_quad8_balanced_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_balanced_checked_n(size_t n, const double *const x[27],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_checked_n(footpoint_quad8_balanced_detail_checked, n, x, 8, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_balanced_over_n(const double *const nodes[8], size_t n,
-                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_over_n(footpoint_quad8_balanced_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad8_balanced_detail_closest(const double *const *x, double zero, double at[3],
-                                                           int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad8_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
-    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad8_balanced_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xE[3], const double xF[3],
-                                                  const double xG[3], const double xH[3], const double xS[3],
-                                                  double loc[2], double *dist, int *region)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_quad8_balanced_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_balanced_closest_n(size_t n, const double *const x[27],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist,
-                                                       int *FOOTPOINT_RESTRICT region,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_closest_n(footpoint_quad8_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad8_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                     double loc[2],
-                                                     double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad8_closest_of(footpoint_quad8_balanced_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad8_fine
- *   operations:     189 mul, 4 div, 226 add, 0 sqrt, 0 compare; 146 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  6991c5b03bf567254c92cf5efa577e6c3f6ff46d6db3ac79da758750639e558e
- *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 4.2e-05)
- *   poles:          t126 * t127 - t125 * t125: proved free of zeros, |...| >= 1.3; status if computed as 0 or not
- *     finite
- *   poles:          t136 * t140 - t139 * t139: proved free of zeros, |...| >= 0.74; status if computed as 0 or not
- *     finite
- *   rounding:       xi 2.9e-14 sampled; eta 4.7e-15 sampled (1000000 points)
- *   found_both:     a seed, composed of the frame's functions or given
- *   training_both:  genes 38 mean 1.548e-06
- *   heldout:        xi 7.310e-07 3.117e-06 4.516e-03, eta 8.240e-07 3.214e-06 7.647e-03, samples 50000
- *   heldout_random: xi 9.358e-07 3.664e-06 7.057e-03, eta 9.381e-07 3.217e-06 8.531e-03, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_fine_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xD[3],
                                                               const double xE[3], const double xF[3],
@@ -1924,113 +1504,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_fine_detail(const double xA[3]
         footpoint_detail_outside(t126 * t127 - t125 * t125) | footpoint_detail_outside(t136 * t140 - t139 * t139);
 }
 
-FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xS[3], double *xi,
-                                          double *eta)
-{
-    (void)footpoint_quad8_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad8_fine_detail_checked(const double *const *x, int full, double zero,
-                                                                      double *xi,
-                                                                      double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad8_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double xi, eta, g;
-    if (footpoint_quad8_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_fine_detail_checked, x, 8, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fine_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                           double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad8_n(footpoint_quad8_fine_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fine_checked_n(size_t n, const double *const x[27],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_checked_n(footpoint_quad8_fine_detail_checked, n, x, 8, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fine_over_n(const double *const nodes[8], size_t n,
-                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_over_n(footpoint_quad8_fine_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad8_fine_detail_closest(const double *const *x, double zero, double at[3],
-                                                       int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad8_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
-    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad8_fine_closest(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xS[3],
-                                              double loc[2], double *dist, int *region)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_quad8_fine_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_fine_closest_n(size_t n, const double *const x[27],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                   int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_closest_n(footpoint_quad8_fine_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad8_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
-                                                 double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad8_closest_of(footpoint_quad8_fine_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad8_accurate
- *   operations:     220 mul, 4 div, 243 add, 0 sqrt, 0 compare; 160 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  a191949822bfb21ea158d20c5f1d22fd95bb690e91a97be4fe0d01eee6be7f78
- *   poles:          t30 * t31 - t29 * t29: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t87 * t88 - t86 * t86: proved free of zeros, |...| >= 0.68 (rounding error <= 0.00066)
- *   poles:          t138 * t137 - t136 * t136: proved free of zeros, |...| >= 0.68; status if computed as 0 or not
- *     finite
- *   poles:          t147 * t151 - t150 * t150: proved free of zeros, |...| >= 0.54; status if computed as 0 or not
- *     finite
- *   rounding:       xi 2.1e-14 sampled; eta 7.5e-15 sampled (1000000 points)
- *   found_both:     seed 1 generations 60 islands 2
- *   training_both:  genes 146 mean 2.627e-07
- *   heldout:        xi 2.788e-07 1.729e-07 2.963e-03, eta 3.220e-07 1.647e-07 5.525e-03, samples 50000
- *   heldout_random: xi 2.202e-07 1.772e-07 1.804e-03, eta 2.433e-07 1.844e-07 2.885e-03, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_accurate_detail(const double xA[3], const double xB[3],
                                                                   const double xC[3], const double xD[3],
                                                                   const double xE[3], const double xF[3],
@@ -2106,122 +1579,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_accurate_detail(const double x
         footpoint_detail_outside(t138 * t137 - t136 * t136) | footpoint_detail_outside(t147 * t151 - t150 * t150);
 }
 
-FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xS[3], double *xi,
-                                              double *eta)
-{
-    (void)footpoint_quad8_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad8_accurate_detail_checked(const double *const *x, int full,
-                                                                          double zero, double *xi,
-                                                                          double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad8_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xS[3], double loc[2],
-                                          double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double xi, eta, g;
-    if (footpoint_quad8_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_accurate_detail_checked, x, 8, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                               double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad8_n(footpoint_quad8_accurate_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_accurate_checked_n(size_t n, const double *const x[27],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_checked_n(footpoint_quad8_accurate_detail_checked, n, x, 8, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_accurate_over_n(const double *const nodes[8], size_t n,
-                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_over_n(footpoint_quad8_accurate_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad8_accurate_detail_closest(const double *const *x, double zero, double at[3],
-                                                           int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad8_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
-    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad8_accurate_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xE[3], const double xF[3],
-                                                  const double xG[3], const double xH[3], const double xS[3],
-                                                  double loc[2], double *dist, int *region)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_quad8_accurate_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_accurate_closest_n(size_t n, const double *const x[27],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist,
-                                                       int *FOOTPOINT_RESTRICT region,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_closest_n(footpoint_quad8_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad8_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                     double loc[2],
-                                                     double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad8_closest_of(footpoint_quad8_accurate_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad8_sharp
- *   operations:     311 mul, 6 div, 331 add, 0 sqrt, 0 compare; 213 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  32f1407ed18ee2d0ed8f5f5051a1c48e21606409469a7a67bbc8949993e3c7de
- *   poles:          t27 * t28 - t26 * t26: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t77 * t78 - t76 * t76: proved free of zeros, |...| >= 0.93 (rounding error <= 8.4e-05)
- *   poles:          t126 * t127 - t128 * t128: proved free of zeros, |...| >= 0.74; status if computed as 0 or not
- *     finite
- *   poles:          t140 * t140 - t137 * t141: proved free of zeros, |...| >= 0.51; status if computed as 0 or not
- *     finite
- *   poles:          t189 * t190 - t191 * t191: proved free of zeros, |...| >= 0.45; status if computed as 0 or not
- *     finite
- *   poles:          t203 * t203 + t200 * t204: proved free of zeros, |...| >= 0.46; status if computed as 0 or not
- *     finite
- *   rounding:       xi 3.1e-14 sampled; eta 7.2e-15 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 71 mean 2.035e-12
- *   heldout:        xi 1.175e-12 5.551e-16 3.159e-08, eta 5.759e-13 6.106e-16 1.184e-08, samples 50000
- *   heldout_random: xi 2.453e-11 5.551e-16 8.248e-07, eta 3.475e-11 6.661e-16 1.573e-06, samples 50000
- *   heldout_even:   xi 3.540e-11 6.661e-16 1.509e-06, eta 5.148e-11 7.355e-16 2.411e-06, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_sharp_detail(const double xA[3], const double xB[3],
                                                                const double xC[3], const double xD[3],
                                                                const double xE[3], const double xF[3],
@@ -2319,121 +1676,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_sharp_detail(const double xA[3
         footpoint_detail_outside(t189 * t190 - t191 * t191) | footpoint_detail_outside(t203 * t203 + t200 * t204);
 }
 
-FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double xE[3], const double xF[3],
-                                           const double xG[3], const double xH[3], const double xS[3], double *xi,
-                                           double *eta)
-{
-    (void)footpoint_quad8_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad8_sharp_detail_checked(const double *const *x, int full, double zero,
-                                                                       double *xi,
-                                                                       double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad8_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
-    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad8_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                       const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double xi, eta, g;
-    if (footpoint_quad8_sharp_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_sharp_detail_checked, x, 8, 9, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_sharp_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
-                                            double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad8_n(footpoint_quad8_sharp_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_sharp_checked_n(size_t n, const double *const x[27],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_checked_n(footpoint_quad8_sharp_detail_checked, n, x, 8, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_sharp_over_n(const double *const nodes[8], size_t n,
-                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                 int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_over_n(footpoint_quad8_sharp_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad8_sharp_detail_closest(const double *const *x, double zero, double at[3],
-                                                        int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad8_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
-    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad8_sharp_closest(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xE[3], const double xF[3],
-                                               const double xG[3], const double xH[3], const double xS[3],
-                                               double loc[2], double *dist, int *region)
-{
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad8_closest(footpoint_quad8_sharp_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad8_sharp_closest_n(size_t n, const double *const x[27],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad8_closest_n(footpoint_quad8_sharp_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad8_sharp_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                  double loc[2],
-                                                  double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad8_closest_of(footpoint_quad8_sharp_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad8_full
- *   operations:     406 mul, 7 div, 423 add, 0 sqrt, 0 compare; 271 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  311ef30a8df0d347d1db463807a4bd55af263b0ae4c2f4e07983bf699a13ae33
- *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 4.2e-05)
- *   poles:          t127 * t126 + t125 * t125: proved free of zeros, |...| >= 1.3; status if computed as 0 or not
- *     finite
- *   poles:          t139 * t139 + t136 * t140: proved free of zeros, |...| >= 0.74; status if computed as 0 or not
- *     finite
- *   poles:          t188 * t188 - t190 * t189: proved free of zeros, |...| >= 0.54; status if computed as 0 or not
- *     finite
- *   poles:          t202 * t202 - t199 * t203: proved free of zeros, |...| >= 0.47; status if computed as 0 or not
- *     finite
- *   poles:          t260 * t260 - t262 * t258: proved free of zeros, |...| >= 0.46; status if computed as 0 or not
- *     finite
- *   rounding:       xi 2.7e-14 sampled; eta 9.4e-15 sampled (1000000 points)
- *   exact:          nothing evolved, the frame's value is right to rounding
- *   training:       xi genes 1 mean 8.173e-17; eta genes 1 mean 7.995e-17
- *   heldout:        xi 7.987e-17 4.441e-16 1.776e-15, eta 7.883e-17 4.927e-16 1.887e-15, samples 50000
- *   heldout_random: xi 8.031e-17 4.441e-16 2.220e-15, eta 7.915e-17 5.274e-16 2.887e-15, samples 50000
- *   heldout_even:   xi 1.092e-16 5.551e-16 9.102e-13, eta 1.209e-16 6.106e-16 1.537e-12, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad8_full_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xD[3],
                                                               const double xE[3], const double xF[3],
@@ -2560,6 +1802,796 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_full_detail(const double xA[3]
         footpoint_detail_outside(t260 * t260 - t262 * t258);
 }
 
+/* footpoint_quad8_fast
+ *   operations:     43 mul, 1 div, 62 add, 0 sqrt, 0 compare; 27 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 128-bit prime: chance of error below 2^-112
+ *   genome_sha256:  812a954b917cc6dbc729594005e1664d24b970965a2883f57dccc48fa9199a01
+ *   poles:          t17 * t17 - t15 * t16: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   rounding:       xi <= 4.4e-13 proved, 1.1e-14 sampled; eta <= 1.9e-13 proved, 4.3e-15 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 95 mean 2.048e-02
+ *   heldout:        xi 2.038e-02 1.210e-01 3.743e-01, eta 2.045e-02 1.205e-01 4.938e-01, samples 50000
+ *   heldout_random: xi 2.039e-02 1.209e-01 4.431e-01, eta 2.038e-02 1.201e-01 4.423e-01, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xS[3], double *xi,
+                                          double *eta)
+{
+    (void)footpoint_quad8_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad8_fast_detail_checked(const double *const *x, int way, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad8_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double xi, eta, g;
+    if (footpoint_quad8_fast_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_fast_detail_checked, x, 8, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fast_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad8_n(footpoint_quad8_fast_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fast_checked_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_checked_n(footpoint_quad8_fast_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fast_over_n(const double *const nodes[8], size_t n,
+                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_quad8_fast_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad8_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad8_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fast_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xS[3],
+                                              double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_fast_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fast_closest_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_quad8_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                 double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad8_coarse
+ *   operations:     90 mul, 2 div, 136 add, 0 sqrt, 0 compare; 79 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  908d01c5d0fe0a2fbe125c9c178f63ec992b6cfe62f6be1f5b3467454ad02d2e
+ *   poles:          t30 * t31 - t29 * t29: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t73 * t73 - t75 * t74: proved free of zeros, |...| >= 1.2 (rounding error <= 6.9e-05)
+ *   rounding:       xi 1.1e-14 sampled; eta 1.4e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 59 mean 1.093e-03
+ *   heldout:        xi 1.091e-03 1.341e-02 1.329e-01, eta 1.095e-03 1.255e-02 2.095e-01, samples 50000
+ *   heldout_random: xi 1.096e-03 1.365e-02 1.892e-01, eta 1.123e-03 1.304e-02 1.944e-01, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xE[3], const double xF[3],
+                                            const double xG[3], const double xH[3], const double xS[3], double *xi,
+                                            double *eta)
+{
+    (void)footpoint_quad8_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad8_coarse_detail_checked(const double *const *x, int way, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad8_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double xi, eta, g;
+    if (footpoint_quad8_coarse_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_coarse_detail_checked, x, 8, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_coarse_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad8_n(footpoint_quad8_coarse_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_coarse_checked_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_checked_n(footpoint_quad8_coarse_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_coarse_over_n(const double *const nodes[8], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_quad8_coarse_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad8_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad8_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_coarse_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xE[3], const double xF[3],
+                                                const double xG[3], const double xH[3], const double xS[3],
+                                                double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_coarse_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_coarse_closest_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_quad8_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad8_medium
+ *   operations:     129 mul, 3 div, 178 add, 0 sqrt, 0 compare; 118 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  0440c03023275850548fd7638baccc32d89d591cb941d804744980a7c5194992
+ *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 4.2e-05)
+ *   poles:          t111 * t111 - t110 * t112: proved free of zeros, |...| >= 0.52; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 2.8e-14 sampled; eta 7.1e-15 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 9.159e-05; eta genes 1 mean 9.528e-05
+ *   heldout:        xi 9.183e-05 1.328e-03 2.870e-01, eta 9.511e-05 1.263e-03 4.863e-01, samples 50000
+ *   heldout_random: xi 8.975e-05 1.319e-03 8.623e-02, eta 9.393e-05 1.360e-03 9.258e-02, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xE[3], const double xF[3],
+                                            const double xG[3], const double xH[3], const double xS[3], double *xi,
+                                            double *eta)
+{
+    (void)footpoint_quad8_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad8_medium_detail_checked(const double *const *x, int way, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad8_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double xi, eta, g;
+    if (footpoint_quad8_medium_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_medium_detail_checked, x, 8, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_medium_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad8_n(footpoint_quad8_medium_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_medium_checked_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_checked_n(footpoint_quad8_medium_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_medium_over_n(const double *const nodes[8], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_quad8_medium_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad8_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad8_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_medium_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xE[3], const double xF[3],
+                                                const double xG[3], const double xH[3], const double xS[3],
+                                                double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_medium_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_medium_closest_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_quad8_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_medium_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad8_balanced
+ *   operations:     162 mul, 3 div, 203 add, 0 sqrt, 0 compare; 138 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-159
+ *   genome_sha256:  a056205ecf22849446d40c3c3b0838ced08ed16600d86bde01b209fc60d413d1
+ *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t84 * t85 - t83 * t83: proved free of zeros, |...| >= 0.74 (rounding error <= 6e-05)
+ *   poles:          t128 * t129 - t127 * t127: proved free of zeros, |...| >= 0.81; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 1.9e-14 sampled; eta 2.1e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 101 mean 6.936e-06
+ *   heldout:        xi 5.462e-06 3.558e-05 1.439e-02, eta 5.772e-06 3.410e-05 2.296e-02, samples 50000
+ *   heldout_random: xi 5.838e-06 3.918e-05 3.006e-02, eta 6.574e-06 3.943e-05 5.537e-02, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xS[3], double *xi,
+                                              double *eta)
+{
+    (void)footpoint_quad8_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad8_balanced_detail_checked(const double *const *x, int way, double zero,
+                                                                          double *xi,
+                                                                          double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad8_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xS[3], double loc[2],
+                                          double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double xi, eta, g;
+    if (footpoint_quad8_balanced_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_balanced_detail_checked, x, 8, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad8_n(footpoint_quad8_balanced_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_balanced_checked_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_checked_n(footpoint_quad8_balanced_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_balanced_over_n(const double *const nodes[8], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_quad8_balanced_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad8_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad8_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_balanced_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xE[3], const double xF[3],
+                                                  const double xG[3], const double xH[3], const double xS[3],
+                                                  double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_balanced_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_balanced_closest_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_quad8_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad8_fine
+ *   operations:     189 mul, 4 div, 226 add, 0 sqrt, 0 compare; 146 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  6991c5b03bf567254c92cf5efa577e6c3f6ff46d6db3ac79da758750639e558e
+ *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 4.2e-05)
+ *   poles:          t126 * t127 - t125 * t125: proved free of zeros, |...| >= 1.3; status if computed as 0 or not
+ *     finite
+ *   poles:          t136 * t140 - t139 * t139: proved free of zeros, |...| >= 0.74; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 2.9e-14 sampled; eta 4.7e-15 sampled (1000000 points)
+ *   found_both:     a seed, composed of the frame's functions or given
+ *   training_both:  genes 38 mean 1.548e-06
+ *   heldout:        xi 7.310e-07 3.117e-06 4.516e-03, eta 8.240e-07 3.214e-06 7.647e-03, samples 50000
+ *   heldout_random: xi 9.358e-07 3.664e-06 7.057e-03, eta 9.381e-07 3.217e-06 8.531e-03, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xS[3], double *xi,
+                                          double *eta)
+{
+    (void)footpoint_quad8_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad8_fine_detail_checked(const double *const *x, int way, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad8_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double xi, eta, g;
+    if (footpoint_quad8_fine_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_fine_detail_checked, x, 8, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fine_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad8_n(footpoint_quad8_fine_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fine_checked_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_checked_n(footpoint_quad8_fine_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fine_over_n(const double *const nodes[8], size_t n,
+                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_quad8_fine_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad8_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad8_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fine_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xS[3],
+                                              double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_fine_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fine_closest_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_quad8_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                 double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad8_accurate
+ *   operations:     220 mul, 4 div, 243 add, 0 sqrt, 0 compare; 160 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  a191949822bfb21ea158d20c5f1d22fd95bb690e91a97be4fe0d01eee6be7f78
+ *   poles:          t30 * t31 - t29 * t29: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t87 * t88 - t86 * t86: proved free of zeros, |...| >= 0.68 (rounding error <= 0.00066)
+ *   poles:          t138 * t137 - t136 * t136: proved free of zeros, |...| >= 0.68; status if computed as 0 or not
+ *     finite
+ *   poles:          t147 * t151 - t150 * t150: proved free of zeros, |...| >= 0.54; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 2.1e-14 sampled; eta 7.5e-15 sampled (1000000 points)
+ *   found_both:     seed 1 generations 60 islands 2
+ *   training_both:  genes 146 mean 2.627e-07
+ *   heldout:        xi 2.788e-07 1.729e-07 2.963e-03, eta 3.220e-07 1.647e-07 5.525e-03, samples 50000
+ *   heldout_random: xi 2.202e-07 1.772e-07 1.804e-03, eta 2.433e-07 1.844e-07 2.885e-03, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xS[3], double *xi,
+                                              double *eta)
+{
+    (void)footpoint_quad8_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad8_accurate_detail_checked(const double *const *x, int way, double zero,
+                                                                          double *xi,
+                                                                          double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad8_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xS[3], double loc[2],
+                                          double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double xi, eta, g;
+    if (footpoint_quad8_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_accurate_detail_checked, x, 8, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad8_n(footpoint_quad8_accurate_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_accurate_checked_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_checked_n(footpoint_quad8_accurate_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_accurate_over_n(const double *const nodes[8], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_quad8_accurate_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad8_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad8_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_accurate_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xE[3], const double xF[3],
+                                                  const double xG[3], const double xH[3], const double xS[3],
+                                                  double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_accurate_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_accurate_closest_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_quad8_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad8_sharp
+ *   operations:     311 mul, 6 div, 331 add, 0 sqrt, 0 compare; 213 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  32f1407ed18ee2d0ed8f5f5051a1c48e21606409469a7a67bbc8949993e3c7de
+ *   poles:          t27 * t28 - t26 * t26: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t77 * t78 - t76 * t76: proved free of zeros, |...| >= 0.93 (rounding error <= 8.4e-05)
+ *   poles:          t126 * t127 - t128 * t128: proved free of zeros, |...| >= 0.74; status if computed as 0 or not
+ *     finite
+ *   poles:          t140 * t140 - t137 * t141: proved free of zeros, |...| >= 0.51; status if computed as 0 or not
+ *     finite
+ *   poles:          t189 * t190 - t191 * t191: proved free of zeros, |...| >= 0.45; status if computed as 0 or not
+ *     finite
+ *   poles:          t203 * t203 + t200 * t204: proved free of zeros, |...| >= 0.46; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 3.1e-14 sampled; eta 7.2e-15 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 71 mean 2.035e-12
+ *   heldout:        xi 1.175e-12 5.551e-16 3.159e-08, eta 5.759e-13 6.106e-16 1.184e-08, samples 50000
+ *   heldout_random: xi 2.453e-11 5.551e-16 8.248e-07, eta 3.475e-11 6.661e-16 1.573e-06, samples 50000
+ *   heldout_even:   xi 3.540e-11 6.661e-16 1.509e-06, eta 5.148e-11 7.355e-16 2.411e-06, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xE[3], const double xF[3],
+                                           const double xG[3], const double xH[3], const double xS[3], double *xi,
+                                           double *eta)
+{
+    (void)footpoint_quad8_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad8_sharp_detail_checked(const double *const *x, int way, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad8_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad8_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                       const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double xi, eta, g;
+    if (footpoint_quad8_sharp_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_sharp_detail_checked, x, 8, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_sharp_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                            double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad8_n(footpoint_quad8_sharp_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_sharp_checked_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_checked_n(footpoint_quad8_sharp_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_sharp_over_n(const double *const nodes[8], size_t n,
+                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                 int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_quad8_sharp_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad8_sharp_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad8_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_sharp_closest(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xE[3], const double xF[3],
+                                               const double xG[3], const double xH[3], const double xS[3],
+                                               double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad8_closest(footpoint_quad8_sharp_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_sharp_closest_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_quad8_sharp_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_sharp_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                  double loc[2],
+                                                  double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_quad8_sharp_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad8_full
+ *   operations:     406 mul, 7 div, 423 add, 0 sqrt, 0 compare; 271 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  311ef30a8df0d347d1db463807a4bd55af263b0ae4c2f4e07983bf699a13ae33
+ *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 4.2e-05)
+ *   poles:          t127 * t126 + t125 * t125: proved free of zeros, |...| >= 1.3; status if computed as 0 or not
+ *     finite
+ *   poles:          t139 * t139 + t136 * t140: proved free of zeros, |...| >= 0.74; status if computed as 0 or not
+ *     finite
+ *   poles:          t188 * t188 - t190 * t189: proved free of zeros, |...| >= 0.54; status if computed as 0 or not
+ *     finite
+ *   poles:          t202 * t202 - t199 * t203: proved free of zeros, |...| >= 0.47; status if computed as 0 or not
+ *     finite
+ *   poles:          t260 * t260 - t262 * t258: proved free of zeros, |...| >= 0.46; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 2.7e-14 sampled; eta 9.4e-15 sampled (1000000 points)
+ *   exact:          nothing evolved, the frame's value is right to rounding
+ *   training:       xi genes 1 mean 8.173e-17; eta genes 1 mean 7.995e-17
+ *   heldout:        xi 7.987e-17 4.441e-16 1.776e-15, eta 7.883e-17 4.927e-16 1.887e-15, samples 50000
+ *   heldout_random: xi 8.031e-17 4.441e-16 2.220e-15, eta 7.915e-17 5.274e-16 2.887e-15, samples 50000
+ *   heldout_even:   xi 1.092e-16 5.551e-16 9.102e-13, eta 1.209e-16 6.106e-16 1.537e-12, samples 50000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3], const double xC[3],
                                           const double xD[3], const double xE[3], const double xF[3],
                                           const double xG[3], const double xH[3], const double xS[3], double *xi,
@@ -2568,13 +2600,13 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
     (void)footpoint_quad8_full_detail(xA, xB, xC, xD, xE, xF, xG, xH, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long footpoint_quad8_full_detail_checked(const double *const *x, int full, double zero,
+FOOTPOINT_PART unsigned long long footpoint_quad8_full_detail_checked(const double *const *x, int way, double zero,
                                                                       double *xi,
                                                                       double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_quad8_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     flaw |= footpoint_detail_quad8_gap(x, *xi, *eta, FOOTPOINT_QUAD8_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2584,8 +2616,9 @@ FOOTPOINT_FN int footpoint_quad8_full(const double xA[3], const double xB[3], co
 {
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     double xi, eta, g;
-    if (footpoint_quad8_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad8_full_detail_checked, x, 8, 9, loc, gap);
+    if (footpoint_quad8_full_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad8_answer(footpoint_quad8_full_detail_checked, x, 8, 0.0, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2602,7 +2635,8 @@ FOOTPOINT_LOOP void footpoint_quad8_full_checked_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_checked_n(footpoint_quad8_full_detail_checked, n, x, 8, xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_quad8_full_detail_checked, n, x, 8, 0.0, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_full_over_n(const double *const nodes[8], size_t n,
@@ -2610,8 +2644,8 @@ FOOTPOINT_LOOP void footpoint_quad8_full_over_n(const double *const nodes[8], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad8_over_n(footpoint_quad8_full_detail_checked, nodes, n, x, 8, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad8_over_n(footpoint_quad8_full_detail_checked, nodes, n, x, 8, 0.0, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad8_full_detail_closest(const double *const *x, double zero, double at[3],

@@ -94,6 +94,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -294,9 +297,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad9_gap(const double *const
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -323,6 +327,18 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
     loc[1] = eta;
     *gap = g;
     return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_ANSWER
+#define FOOTPOINT_QUAD9_ANSWER
+/* The answer where a search is not good beyond doubt; nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_quad9_answer(footpoint_detail_search *search,
+                                                 const double *const *x, int nodes, double promise,
+                                                 double loc[2], double *gap)
+{
+    (void)promise;
+    return footpoint_detail_again(search, x, nodes, 10, loc, gap);
 }
 #endif
 
@@ -353,19 +369,19 @@ FOOTPOINT_PART void footpoint_detail_quad9_n(footpoint_detail_quad9_search *sear
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_quad9_full(footpoint_detail_search *search,
-                                                const double *const *row, int nodes, double *xi,
-                                                double *eta, double *gap, int *status)
+                                                const double *const *row, int nodes, double promise,
+                                                double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 10, loc, gap);
+    *status = footpoint_detail_quad9_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_quad9_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes,
+                                                     const double *const *x, int nodes, double promise,
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap,
@@ -393,7 +409,8 @@ FOOTPOINT_PART void footpoint_detail_quad9_checked_n(footpoint_detail_search *se
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]},
             {x[27][i], x[28][i], x[29][i]}};
             const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-            footpoint_detail_quad9_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad9_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 
@@ -401,9 +418,9 @@ FOOTPOINT_PART void footpoint_detail_quad9_checked_n(footpoint_detail_search *se
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad9_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                              int *FOOTPOINT_RESTRICT status)
+                              const double *const *x, int nodes, double promise,
+                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[9][3];
@@ -426,7 +443,8 @@ footpoint_detail_quad9_over_n(footpoint_detail_search *search, const double *con
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[10] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], s};
-            footpoint_detail_quad9_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad9_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 #endif
@@ -1214,7 +1232,7 @@ FOOTPOINT_PART int footpoint_detail_quad9_closest_of(footpoint_detail_nearest *n
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xG, xH, xI, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
@@ -1238,18 +1256,6 @@ FOOTPOINT_PART int footpoint_detail_quad9_closest_of(footpoint_detail_nearest *n
  *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
-/* footpoint_quad9_fast
- *   operations:     23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  77f6632918693e65ced6313c5a6e7b23abbbf0612c6f3c8c650e5db944dbebbc
- *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   rounding:       xi <= 1.1e-13 proved, 7.8e-15 sampled; eta <= 7e-14 proved, 3.7e-15 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 5.838e-02; eta genes 1 mean 5.862e-02
- *   heldout:        xi 5.947e-02 2.968e-01 5.583e-01, eta 5.961e-02 2.956e-01 5.505e-01, samples 50000
- *   heldout_random: xi 5.971e-02 2.992e-01 6.153e-01, eta 5.957e-02 2.990e-01 6.287e-01, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_fast_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xD[3],
                                                               const double xE[3], const double xF[3],
@@ -1269,109 +1275,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_fast_detail(const double xA[3]
     return footpoint_detail_outside(t8 * t9 - t7 * t7);
 }
 
-FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xI[3],
-                                          const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_quad9_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad9_fast_detail_checked(const double *const *x, int full, double zero,
-                                                                      double *xi,
-                                                                      double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad9_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
-    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xI[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double xi, eta, g;
-    if (footpoint_quad9_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_fast_detail_checked, x, 9, 10, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fast_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
-                                           double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad9_n(footpoint_quad9_fast_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fast_checked_n(size_t n, const double *const x[30],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_checked_n(footpoint_quad9_fast_detail_checked, n, x, 9, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fast_over_n(const double *const nodes[9], size_t n,
-                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_over_n(footpoint_quad9_fast_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad9_fast_detail_closest(const double *const *x, double zero, double at[3],
-                                                       int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad9_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
-    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad9_fast_closest(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xI[3],
-                                              const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_quad9_fast_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fast_closest_n(size_t n, const double *const x[30],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                   int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_closest_n(footpoint_quad9_fast_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad9_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
-                                                 double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad9_closest_of(footpoint_quad9_fast_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad9_coarse
- *   operations:     101 mul, 2 div, 141 add, 0 sqrt, 0 compare; 89 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  211590e9a4a72c935a345f282891a4a0a54c7664a7c5d82a004bc0a28739d312
- *   poles:          t9 * t8 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t82: proved free of zeros, |t82| >= 0.99 (rounding error <= 0.00075)
- *   rounding:       xi 3.4e-14 sampled; eta 3.8e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 74 mean 8.551e-04
- *   heldout:        xi 8.731e-04 1.087e-02 1.203e-01, eta 8.695e-04 1.054e-02 2.329e-01, samples 50000
- *   heldout_random: xi 8.610e-04 1.019e-02 1.884e-01, eta 8.712e-04 1.050e-02 3.263e-01, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_coarse_detail(const double xA[3], const double xB[3],
                                                                 const double xC[3], const double xD[3],
                                                                 const double xE[3], const double xF[3],
@@ -1414,112 +1317,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_coarse_detail(const double xA[
     return footpoint_detail_outside(t9 * t8 - t7 * t7) | footpoint_detail_outside(t82);
 }
 
-FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xE[3], const double xF[3],
-                                            const double xG[3], const double xH[3], const double xI[3],
-                                            const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_quad9_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad9_coarse_detail_checked(const double *const *x, int full, double zero,
-                                                                        double *xi,
-                                                                        double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad9_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
-    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                        const double xI[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double xi, eta, g;
-    if (footpoint_quad9_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_coarse_detail_checked, x, 9, 10, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_coarse_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
-                                             double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad9_n(footpoint_quad9_coarse_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_coarse_checked_n(size_t n, const double *const x[30],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_checked_n(footpoint_quad9_coarse_detail_checked, n, x, 9, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_coarse_over_n(const double *const nodes[9], size_t n,
-                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                  int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_over_n(footpoint_quad9_coarse_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad9_coarse_detail_closest(const double *const *x, double zero, double at[3],
-                                                         int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad9_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
-    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad9_coarse_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xE[3], const double xF[3],
-                                                const double xG[3], const double xH[3], const double xI[3],
-                                                const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_quad9_coarse_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_coarse_closest_n(size_t n, const double *const x[30],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_closest_n(footpoint_quad9_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad9_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                   double loc[2],
-                                                   double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad9_closest_of(footpoint_quad9_coarse_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad9_medium
- *   operations:     139 mul, 3 div, 190 add, 0 sqrt, 0 compare; 136 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  f4475f41f47669d7c2df53288a437705b79fbba525e0f27554222dd3aa52ab67
- *   poles:          0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 8 (rounding error <= 4.9e-13)
- *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 0.00059)
- *   poles:          t126 * t127 - t125 * t125: proved free of zeros, |...| >= 0.93; status if computed as 0 or not
- *     finite
- *   rounding:       xi 6.7e-14 sampled; eta 4.4e-14 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 1.326e-04; eta genes 1 mean 1.274e-04
- *   heldout:        xi 1.258e-04 1.857e-03 1.707e-01, eta 1.290e-04 1.798e-03 2.467e-01, samples 50000
- *   heldout_random: xi 1.299e-04 1.913e-03 1.393e-01, eta 1.334e-04 1.839e-03 2.410e-01, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_medium_detail(const double xA[3], const double xB[3],
                                                                 const double xC[3], const double xD[3],
                                                                 const double xE[3], const double xF[3],
@@ -1576,112 +1373,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_medium_detail(const double xA[
         footpoint_detail_outside(t126 * t127 - t125 * t125);
 }
 
-FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xE[3], const double xF[3],
-                                            const double xG[3], const double xH[3], const double xI[3],
-                                            const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_quad9_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad9_medium_detail_checked(const double *const *x, int full, double zero,
-                                                                        double *xi,
-                                                                        double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad9_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
-    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                        const double xI[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double xi, eta, g;
-    if (footpoint_quad9_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_medium_detail_checked, x, 9, 10, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_medium_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
-                                             double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad9_n(footpoint_quad9_medium_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_medium_checked_n(size_t n, const double *const x[30],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_checked_n(footpoint_quad9_medium_detail_checked, n, x, 9, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_medium_over_n(const double *const nodes[9], size_t n,
-                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                  int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_over_n(footpoint_quad9_medium_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad9_medium_detail_closest(const double *const *x, double zero, double at[3],
-                                                         int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad9_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
-    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad9_medium_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xE[3], const double xF[3],
-                                                const double xG[3], const double xH[3], const double xI[3],
-                                                const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_quad9_medium_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_medium_closest_n(size_t n, const double *const x[30],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_closest_n(footpoint_quad9_medium_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad9_medium_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                   double loc[2],
-                                                   double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad9_closest_of(footpoint_quad9_medium_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad9_balanced
- *   operations:     177 mul, 3 div, 218 add, 0 sqrt, 0 compare; 151 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  cb1518daab4266906ce83d7c9b435211a399ff985793cd0ab2fd2969de923d9b
- *   poles:          t18 * t19 - t17 * t17: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t92 * t93 - t91 * t91: proved free of zeros, |...| >= 0.93 (rounding error <= 0.00074)
- *   poles:          t143 * t142 - t141 * t146: proved free of zeros, |...| >= 0.37; status if computed as 0 or not
- *     finite
- *   rounding:       xi 4.8e-14 sampled; eta 6.2e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 92 mean 9.092e-06
- *   heldout:        xi 9.042e-06 7.068e-05 2.680e-02, eta 9.910e-06 6.726e-05 3.897e-02, samples 50000
- *   heldout_random: xi 1.137e-05 5.915e-05 8.993e-02, eta 1.316e-05 6.229e-05 1.477e-01, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_balanced_detail(const double xA[3], const double xB[3],
                                                                   const double xC[3], const double xD[3],
                                                                   const double xE[3], const double xF[3],
@@ -1748,118 +1439,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_balanced_detail(const double x
         footpoint_detail_outside(t143 * t142 - t141 * t146);
 }
 
-FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xI[3],
-                                              const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_quad9_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad9_balanced_detail_checked(const double *const *x, int full,
-                                                                          double zero, double *xi,
-                                                                          double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad9_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
-    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad9_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xI[3],
-                                          const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double xi, eta, g;
-    if (footpoint_quad9_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_balanced_detail_checked, x, 9, 10, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_balanced_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
-                                               double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad9_n(footpoint_quad9_balanced_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_balanced_checked_n(size_t n, const double *const x[30],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_checked_n(footpoint_quad9_balanced_detail_checked, n, x, 9, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_balanced_over_n(const double *const nodes[9], size_t n,
-                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_over_n(footpoint_quad9_balanced_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad9_balanced_detail_closest(const double *const *x, double zero, double at[3],
-                                                           int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad9_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
-    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad9_balanced_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xE[3], const double xF[3],
-                                                  const double xG[3], const double xH[3], const double xI[3],
-                                                  const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_quad9_balanced_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_balanced_closest_n(size_t n, const double *const x[30],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist,
-                                                       int *FOOTPOINT_RESTRICT region,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_closest_n(footpoint_quad9_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad9_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                     double loc[2],
-                                                     double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad9_closest_of(footpoint_quad9_balanced_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad9_fine
- *   operations:     208 mul, 4 div, 246 add, 0 sqrt, 0 compare; 169 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  d591a57a09a59498ec3562466aadcce64364948de10bf67dffe446811a4e36e5
- *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
- *   poles:          t87 * t88 - t86 * t86: proved free of zeros, |...| >= 1.1 (rounding error <= 0.00023)
- *   poles:          t149 * t150 - t148 * t148: proved free of zeros, |...| >= 0.81; status if computed as 0 or not
- *     finite
- *   poles:          t159 * t163 - t162 * t162: proved free of zeros, |...| >= 0.29; status if computed as 0 or not
- *     finite
- *   rounding:       xi 4.1e-14 sampled; eta 1.8e-14 sampled (1000000 points)
- *   found_both:     seed 1 generations 60 islands 2
- *   training_both:  genes 62 mean 8.922e-07
- *   heldout:        xi 1.170e-06 2.868e-06 1.936e-02, eta 1.568e-06 3.614e-06 3.111e-02, samples 50000
- *   heldout_random: xi 2.845e-06 2.977e-06 5.673e-02, eta 3.656e-06 3.768e-06 1.050e-01, samples 50000
- *   heldout_even:   xi 2.265e-06 4.768e-06 4.131e-02, eta 1.693e-06 5.085e-06 2.467e-02, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_fine_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xD[3],
                                                               const double xE[3], const double xF[3],
@@ -1933,112 +1512,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_fine_detail(const double xA[3]
         footpoint_detail_outside(t149 * t150 - t148 * t148) | footpoint_detail_outside(t159 * t163 - t162 * t162);
 }
 
-FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xI[3],
-                                          const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_quad9_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad9_fine_detail_checked(const double *const *x, int full, double zero,
-                                                                      double *xi,
-                                                                      double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad9_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
-    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                      const double xI[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double xi, eta, g;
-    if (footpoint_quad9_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_fine_detail_checked, x, 9, 10, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fine_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
-                                           double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad9_n(footpoint_quad9_fine_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fine_checked_n(size_t n, const double *const x[30],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_checked_n(footpoint_quad9_fine_detail_checked, n, x, 9, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fine_over_n(const double *const nodes[9], size_t n,
-                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_over_n(footpoint_quad9_fine_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad9_fine_detail_closest(const double *const *x, double zero, double at[3],
-                                                       int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad9_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
-    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad9_fine_closest(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xI[3],
-                                              const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_quad9_fine_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_fine_closest_n(size_t n, const double *const x[30],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                   int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_closest_n(footpoint_quad9_fine_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad9_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
-                                                 double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad9_closest_of(footpoint_quad9_fine_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad9_accurate
- *   operations:     237 mul, 4 div, 263 add, 0 sqrt, 0 compare; 184 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  6328928b0fc7e9e7425723b63b5b9dff03c98294401fdd4def273dbbe3a366c7
- *   poles:          2.0 * (t17 * t18 - t16 * t16): proved free of zeros, |...| >= 32 (rounding error <= 2e-12)
- *   poles:          t99 * t100 - t98 * t98: proved free of zeros, |...| >= 0.74 (rounding error <= 0.00045)
- *   poles:          t161 * t162 - t160 * t160: no zero where the region's requires hold, by no proved margin
- *   poles:          t175 * t171 - t174 * t174: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi 2.9e-10 sampled; eta 6.5e-12 sampled (1000000 points)
- *   found_both:     seed 1 generations 60 islands 2
- *   training_both:  genes 146 mean 2.860e-07
- *   heldout:        xi 4.524e-07 3.276e-07 5.925e-03, eta 5.905e-07 3.171e-07 7.683e-03, samples 50000
- *   heldout_random: xi 5.486e-06 2.982e-07 1.855e-01, eta 7.254e-06 3.031e-07 2.318e-01, samples 50000
- *   heldout_even:   xi 1.810e-06 4.392e-07 3.804e-02, eta 1.920e-06 4.298e-07 2.269e-02, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_accurate_detail(const double xA[3], const double xB[3],
                                                                   const double xC[3], const double xD[3],
                                                                   const double xE[3], const double xF[3],
@@ -2117,122 +1590,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_accurate_detail(const double x
         | footpoint_detail_outside(t161 * t162 - t160 * t160) | footpoint_detail_outside(t175 * t171 - t174 * t174);
 }
 
-FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xE[3], const double xF[3],
-                                              const double xG[3], const double xH[3], const double xI[3],
-                                              const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_quad9_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad9_accurate_detail_checked(const double *const *x, int full,
-                                                                          double zero, double *xi,
-                                                                          double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad9_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
-    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad9_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xE[3], const double xF[3],
-                                          const double xG[3], const double xH[3], const double xI[3],
-                                          const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double xi, eta, g;
-    if (footpoint_quad9_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_accurate_detail_checked, x, 9, 10, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_accurate_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
-                                               double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad9_n(footpoint_quad9_accurate_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_accurate_checked_n(size_t n, const double *const x[30],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT gap,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_checked_n(footpoint_quad9_accurate_detail_checked, n, x, 9, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_accurate_over_n(const double *const nodes[9], size_t n,
-                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_over_n(footpoint_quad9_accurate_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad9_accurate_detail_closest(const double *const *x, double zero, double at[3],
-                                                           int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad9_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
-    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad9_accurate_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xE[3], const double xF[3],
-                                                  const double xG[3], const double xH[3], const double xI[3],
-                                                  const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_quad9_accurate_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_accurate_closest_n(size_t n, const double *const x[30],
-                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                       double *FOOTPOINT_RESTRICT dist,
-                                                       int *FOOTPOINT_RESTRICT region,
-                                                       int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_closest_n(footpoint_quad9_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad9_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                     double loc[2],
-                                                     double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad9_closest_of(footpoint_quad9_accurate_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad9_sharp
- *   operations:     324 mul, 6 div, 355 add, 0 sqrt, 0 compare; 244 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  7de3b79074becda7515120770cd68c8733153e1dd8b545e01fb41397e1c761ab
- *   poles:          0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 8 (rounding error <= 4.9e-13)
- *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 0.00059)
- *   poles:          t147 * t148 - t146 * t146: proved free of zeros, |...| >= 1.1; status if computed as 0 or not
- *     finite
- *   poles:          t161 * t157 - t160 * t160: proved free of zeros, |...| >= 0.5; status if computed as 0 or not
- *     finite
- *   poles:          t222 * t223 - t221 * t221: proved free of zeros, |...| >= 0.4; status if computed as 0 or not
- *     finite
- *   poles:          t236 * t232 - t235 * t235: proved free of zeros, |...| >= 0.29; status if computed as 0 or not
- *     finite
- *   rounding:       xi 2.7e-14 sampled; eta 3.4e-14 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 1.539e-09; eta genes 1 mean 1.258e-09
- *   heldout:        xi 4.870e-10 6.661e-16 1.758e-05, eta 8.168e-10 6.661e-16 3.106e-05, samples 50000
- *   heldout_random: xi 1.421e-08 6.661e-16 3.434e-04, eta 1.974e-08 6.800e-16 5.054e-04, samples 50000
- *   heldout_even:   xi 3.829e-08 1.110e-15 1.899e-03, eta 2.289e-08 1.332e-15 1.127e-03, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_sharp_detail(const double xA[3], const double xB[3],
                                                                const double xC[3], const double xD[3],
                                                                const double xE[3], const double xF[3],
@@ -2336,121 +1693,6 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_sharp_detail(const double xA[3
         footpoint_detail_outside(t222 * t223 - t221 * t221) | footpoint_detail_outside(t236 * t232 - t235 * t235);
 }
 
-FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double xE[3], const double xF[3],
-                                           const double xG[3], const double xH[3], const double xI[3],
-                                           const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_quad9_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_quad9_sharp_detail_checked(const double *const *x, int full, double zero,
-                                                                       double *xi,
-                                                                       double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_quad9_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
-    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_quad9_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                       const double xI[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double xi, eta, g;
-    if (footpoint_quad9_sharp_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_sharp_detail_checked, x, 9, 10, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_sharp_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
-                                            double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad9_n(footpoint_quad9_sharp_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_sharp_checked_n(size_t n, const double *const x[30],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_checked_n(footpoint_quad9_sharp_detail_checked, n, x, 9, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_sharp_over_n(const double *const nodes[9], size_t n,
-                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                 int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_over_n(footpoint_quad9_sharp_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
-}
-
-FOOTPOINT_PART int footpoint_quad9_sharp_detail_closest(const double *const *x, double zero, double at[3],
-                                                        int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_quad9_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
-    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_quad9_sharp_closest(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xE[3], const double xF[3],
-                                               const double xG[3], const double xH[3], const double xI[3],
-                                               const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_quad9_closest(footpoint_quad9_sharp_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_quad9_sharp_closest_n(size_t n, const double *const x[30],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad9_closest_n(footpoint_quad9_sharp_detail_closest, n, x, 1, xi, eta, dist, region,
-                                     status);
-}
-
-FOOTPOINT_FN int footpoint_quad9_sharp_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                  double loc[2],
-                                                  double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_quad9_closest_of(footpoint_quad9_sharp_detail_closest, n, x, xS, 1, loc, dist,
-                                             region, which);
-}
-
-/* footpoint_quad9_full
- *   operations:     441 mul, 7 div, 465 add, 0 sqrt, 0 compare; 315 temporaries
- *   proof:          equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-130
- *   genome_sha256:  b0828b502d5a34d075d1142614b192aad25a32a408b48856154c62d7fed86642
- *   poles:          0.5 * (t8 * t8 - t7 * t9): proved free of zeros, |...| >= 8 (rounding error <= 4.9e-13)
- *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 0.00059)
- *   poles:          t147 * t148 - t146 * t146: proved free of zeros, |...| >= 1.1; status if computed as 0 or not
- *     finite
- *   poles:          t157 * t161 - t160 * t160: proved free of zeros, |...| >= 0.5; status if computed as 0 or not
- *     finite
- *   poles:          t222 * t223 - t221 * t221: proved free of zeros, |...| >= 0.4; status if computed as 0 or not
- *     finite
- *   poles:          t235 * t235 + t236 * t232: proved free of zeros, |...| >= 0.29; status if computed as 0 or not
- *     finite
- *   poles:          2.0 * (t307 * t303 - t305 * t305): proved free of zeros, |...| >= 0.14; status if computed as 0
- *     or not finite
- *   rounding:       xi 8e-14 sampled; eta 1.1e-14 sampled (1000000 points)
- *   exact:          nothing evolved, the frame's value is right to rounding
- *   training:       xi genes 1 mean 7.800e-17; eta genes 1 mean 7.450e-17
- *   heldout:        xi 7.195e-17 4.441e-16 3.442e-14, eta 7.095e-17 4.441e-16 5.751e-14, samples 50000
- *   heldout_random: xi 1.515e-14 4.441e-16 5.197e-10, eta 2.706e-14 4.441e-16 1.013e-09, samples 50000
- *   heldout_even:   xi 1.017e-10 4.441e-16 5.087e-06, eta 6.007e-11 5.551e-16 3.003e-06, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_quad9_full_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xD[3],
                                                               const double xE[3], const double xF[3],
@@ -2587,6 +1829,796 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_full_detail(const double xA[3]
         footpoint_detail_outside(2.0 * (t307 * t303 - t305 * t305));
 }
 
+/* footpoint_quad9_fast
+ *   operations:     23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  77f6632918693e65ced6313c5a6e7b23abbbf0612c6f3c8c650e5db944dbebbc
+ *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   rounding:       xi <= 1.1e-13 proved, 7.8e-15 sampled; eta <= 7e-14 proved, 3.7e-15 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 5.838e-02; eta genes 1 mean 5.862e-02
+ *   heldout:        xi 5.947e-02 2.968e-01 5.583e-01, eta 5.961e-02 2.956e-01 5.505e-01, samples 50000
+ *   heldout_random: xi 5.971e-02 2.992e-01 6.153e-01, eta 5.957e-02 2.990e-01 6.287e-01, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xI[3],
+                                          const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_quad9_fast_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad9_fast_detail_checked(const double *const *x, int way, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad9_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xI[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double xi, eta, g;
+    if (footpoint_quad9_fast_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_fast_detail_checked, x, 9, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fast_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad9_n(footpoint_quad9_fast_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fast_checked_n(size_t n, const double *const x[30],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_checked_n(footpoint_quad9_fast_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fast_over_n(const double *const nodes[9], size_t n,
+                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_over_n(footpoint_quad9_fast_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad9_fast_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad9_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad9_fast_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xI[3],
+                                              const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_fast_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fast_closest_n(size_t n, const double *const x[30],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_closest_n(footpoint_quad9_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad9_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                 double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad9_coarse
+ *   operations:     101 mul, 2 div, 141 add, 0 sqrt, 0 compare; 89 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  211590e9a4a72c935a345f282891a4a0a54c7664a7c5d82a004bc0a28739d312
+ *   poles:          t9 * t8 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t82: proved free of zeros, |t82| >= 0.99 (rounding error <= 0.00075)
+ *   rounding:       xi 3.4e-14 sampled; eta 3.8e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 74 mean 8.551e-04
+ *   heldout:        xi 8.731e-04 1.087e-02 1.203e-01, eta 8.695e-04 1.054e-02 2.329e-01, samples 50000
+ *   heldout_random: xi 8.610e-04 1.019e-02 1.884e-01, eta 8.712e-04 1.050e-02 3.263e-01, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xE[3], const double xF[3],
+                                            const double xG[3], const double xH[3], const double xI[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_quad9_coarse_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad9_coarse_detail_checked(const double *const *x, int way, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad9_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double xi, eta, g;
+    if (footpoint_quad9_coarse_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_coarse_detail_checked, x, 9, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_coarse_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad9_n(footpoint_quad9_coarse_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_coarse_checked_n(size_t n, const double *const x[30],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_checked_n(footpoint_quad9_coarse_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_coarse_over_n(const double *const nodes[9], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_over_n(footpoint_quad9_coarse_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad9_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad9_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad9_coarse_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xE[3], const double xF[3],
+                                                const double xG[3], const double xH[3], const double xI[3],
+                                                const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_coarse_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_coarse_closest_n(size_t n, const double *const x[30],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_closest_n(footpoint_quad9_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad9_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad9_medium
+ *   operations:     139 mul, 3 div, 190 add, 0 sqrt, 0 compare; 136 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  f4475f41f47669d7c2df53288a437705b79fbba525e0f27554222dd3aa52ab67
+ *   poles:          0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 8 (rounding error <= 4.9e-13)
+ *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 0.00059)
+ *   poles:          t126 * t127 - t125 * t125: proved free of zeros, |...| >= 0.93; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 6.7e-14 sampled; eta 4.4e-14 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 1.326e-04; eta genes 1 mean 1.274e-04
+ *   heldout:        xi 1.258e-04 1.857e-03 1.707e-01, eta 1.290e-04 1.798e-03 2.467e-01, samples 50000
+ *   heldout_random: xi 1.299e-04 1.913e-03 1.393e-01, eta 1.334e-04 1.839e-03 2.410e-01, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xE[3], const double xF[3],
+                                            const double xG[3], const double xH[3], const double xI[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_quad9_medium_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad9_medium_detail_checked(const double *const *x, int way, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad9_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double xi, eta, g;
+    if (footpoint_quad9_medium_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_medium_detail_checked, x, 9, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_medium_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad9_n(footpoint_quad9_medium_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_medium_checked_n(size_t n, const double *const x[30],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_checked_n(footpoint_quad9_medium_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_medium_over_n(const double *const nodes[9], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_over_n(footpoint_quad9_medium_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad9_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad9_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad9_medium_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xE[3], const double xF[3],
+                                                const double xG[3], const double xH[3], const double xI[3],
+                                                const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_medium_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_medium_closest_n(size_t n, const double *const x[30],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_closest_n(footpoint_quad9_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad9_medium_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad9_balanced
+ *   operations:     177 mul, 3 div, 218 add, 0 sqrt, 0 compare; 151 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  cb1518daab4266906ce83d7c9b435211a399ff985793cd0ab2fd2969de923d9b
+ *   poles:          t18 * t19 - t17 * t17: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t92 * t93 - t91 * t91: proved free of zeros, |...| >= 0.93 (rounding error <= 0.00074)
+ *   poles:          t143 * t142 - t141 * t146: proved free of zeros, |...| >= 0.37; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 4.8e-14 sampled; eta 6.2e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 92 mean 9.092e-06
+ *   heldout:        xi 9.042e-06 7.068e-05 2.680e-02, eta 9.910e-06 6.726e-05 3.897e-02, samples 50000
+ *   heldout_random: xi 1.137e-05 5.915e-05 8.993e-02, eta 1.316e-05 6.229e-05 1.477e-01, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xI[3],
+                                              const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_quad9_balanced_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad9_balanced_detail_checked(const double *const *x, int way, double zero,
+                                                                          double *xi,
+                                                                          double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad9_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad9_balanced(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xI[3],
+                                          const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double xi, eta, g;
+    if (footpoint_quad9_balanced_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_balanced_detail_checked, x, 9, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_balanced_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad9_n(footpoint_quad9_balanced_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_balanced_checked_n(size_t n, const double *const x[30],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_checked_n(footpoint_quad9_balanced_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_balanced_over_n(const double *const nodes[9], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_over_n(footpoint_quad9_balanced_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad9_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad9_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad9_balanced_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xE[3], const double xF[3],
+                                                  const double xG[3], const double xH[3], const double xI[3],
+                                                  const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_balanced_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_balanced_closest_n(size_t n, const double *const x[30],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_closest_n(footpoint_quad9_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad9_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad9_fine
+ *   operations:     208 mul, 4 div, 246 add, 0 sqrt, 0 compare; 169 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  d591a57a09a59498ec3562466aadcce64364948de10bf67dffe446811a4e36e5
+ *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.7e-13)
+ *   poles:          t87 * t88 - t86 * t86: proved free of zeros, |...| >= 1.1 (rounding error <= 0.00023)
+ *   poles:          t149 * t150 - t148 * t148: proved free of zeros, |...| >= 0.81; status if computed as 0 or not
+ *     finite
+ *   poles:          t159 * t163 - t162 * t162: proved free of zeros, |...| >= 0.29; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 4.1e-14 sampled; eta 1.8e-14 sampled (1000000 points)
+ *   found_both:     seed 1 generations 60 islands 2
+ *   training_both:  genes 62 mean 8.922e-07
+ *   heldout:        xi 1.170e-06 2.868e-06 1.936e-02, eta 1.568e-06 3.614e-06 3.111e-02, samples 50000
+ *   heldout_random: xi 2.845e-06 2.977e-06 5.673e-02, eta 3.656e-06 3.768e-06 1.050e-01, samples 50000
+ *   heldout_even:   xi 2.265e-06 4.768e-06 4.131e-02, eta 1.693e-06 5.085e-06 2.467e-02, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xI[3],
+                                          const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_quad9_fine_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad9_fine_detail_checked(const double *const *x, int way, double zero,
+                                                                      double *xi,
+                                                                      double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad9_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xI[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double xi, eta, g;
+    if (footpoint_quad9_fine_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_fine_detail_checked, x, 9, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fine_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad9_n(footpoint_quad9_fine_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fine_checked_n(size_t n, const double *const x[30],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_checked_n(footpoint_quad9_fine_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fine_over_n(const double *const nodes[9], size_t n,
+                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_over_n(footpoint_quad9_fine_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad9_fine_detail_closest(const double *const *x, double zero, double at[3],
+                                                       int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad9_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad9_fine_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xI[3],
+                                              const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_fine_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_fine_closest_n(size_t n, const double *const x[30],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_closest_n(footpoint_quad9_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad9_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                 double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad9_accurate
+ *   operations:     237 mul, 4 div, 263 add, 0 sqrt, 0 compare; 184 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  6328928b0fc7e9e7425723b63b5b9dff03c98294401fdd4def273dbbe3a366c7
+ *   poles:          2.0 * (t17 * t18 - t16 * t16): proved free of zeros, |...| >= 32 (rounding error <= 2e-12)
+ *   poles:          t99 * t100 - t98 * t98: proved free of zeros, |...| >= 0.74 (rounding error <= 0.00045)
+ *   poles:          t161 * t162 - t160 * t160: no zero where the region's requires hold, by no proved margin
+ *   poles:          t175 * t171 - t174 * t174: no zero where the region's requires hold, by no proved margin
+ *   rounding:       xi 2.9e-10 sampled; eta 6.5e-12 sampled (1000000 points)
+ *   found_both:     seed 1 generations 60 islands 2
+ *   training_both:  genes 146 mean 2.860e-07
+ *   heldout:        xi 4.524e-07 3.276e-07 5.925e-03, eta 5.905e-07 3.171e-07 7.683e-03, samples 50000
+ *   heldout_random: xi 5.486e-06 2.982e-07 1.855e-01, eta 7.254e-06 3.031e-07 2.318e-01, samples 50000
+ *   heldout_even:   xi 1.810e-06 4.392e-07 3.804e-02, eta 1.920e-06 4.298e-07 2.269e-02, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xI[3],
+                                              const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_quad9_accurate_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad9_accurate_detail_checked(const double *const *x, int way, double zero,
+                                                                          double *xi,
+                                                                          double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad9_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad9_accurate(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xD[3], const double xE[3], const double xF[3],
+                                          const double xG[3], const double xH[3], const double xI[3],
+                                          const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double xi, eta, g;
+    if (footpoint_quad9_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_accurate_detail_checked, x, 9, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_accurate_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad9_n(footpoint_quad9_accurate_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_accurate_checked_n(size_t n, const double *const x[30],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_checked_n(footpoint_quad9_accurate_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_accurate_over_n(const double *const nodes[9], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_over_n(footpoint_quad9_accurate_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad9_accurate_detail_closest(const double *const *x, double zero, double at[3],
+                                                           int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad9_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad9_accurate_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xE[3], const double xF[3],
+                                                  const double xG[3], const double xH[3], const double xI[3],
+                                                  const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_accurate_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_accurate_closest_n(size_t n, const double *const x[30],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_closest_n(footpoint_quad9_accurate_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad9_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_accurate_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad9_sharp
+ *   operations:     324 mul, 6 div, 355 add, 0 sqrt, 0 compare; 244 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  7de3b79074becda7515120770cd68c8733153e1dd8b545e01fb41397e1c761ab
+ *   poles:          0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 8 (rounding error <= 4.9e-13)
+ *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 0.00059)
+ *   poles:          t147 * t148 - t146 * t146: proved free of zeros, |...| >= 1.1; status if computed as 0 or not
+ *     finite
+ *   poles:          t161 * t157 - t160 * t160: proved free of zeros, |...| >= 0.5; status if computed as 0 or not
+ *     finite
+ *   poles:          t222 * t223 - t221 * t221: proved free of zeros, |...| >= 0.4; status if computed as 0 or not
+ *     finite
+ *   poles:          t236 * t232 - t235 * t235: proved free of zeros, |...| >= 0.29; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 2.7e-14 sampled; eta 3.4e-14 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 1.539e-09; eta genes 1 mean 1.258e-09
+ *   heldout:        xi 4.870e-10 6.661e-16 1.758e-05, eta 8.168e-10 6.661e-16 3.106e-05, samples 50000
+ *   heldout_random: xi 1.421e-08 6.661e-16 3.434e-04, eta 1.974e-08 6.800e-16 5.054e-04, samples 50000
+ *   heldout_even:   xi 3.829e-08 1.110e-15 1.899e-03, eta 2.289e-08 1.332e-15 1.127e-03, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xE[3], const double xF[3],
+                                           const double xG[3], const double xH[3], const double xI[3],
+                                           const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_quad9_sharp_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_quad9_sharp_detail_checked(const double *const *x, int way, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_quad9_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
+    flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_quad9_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                       const double xI[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double xi, eta, g;
+    if (footpoint_quad9_sharp_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_sharp_detail_checked, x, 9, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_sharp_n(size_t n, const double *const x[30], double *FOOTPOINT_RESTRICT xi,
+                                            double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad9_n(footpoint_quad9_sharp_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_sharp_checked_n(size_t n, const double *const x[30],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_checked_n(footpoint_quad9_sharp_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_sharp_over_n(const double *const nodes[9], size_t n,
+                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                 int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_over_n(footpoint_quad9_sharp_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
+}
+
+FOOTPOINT_PART int footpoint_quad9_sharp_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_quad9_sharp_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, &xi, &eta);
+    return footpoint_detail_quad9_nearest(x, flaw, FOOTPOINT_QUAD9_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad9_sharp_closest(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xE[3], const double xF[3],
+                                               const double xG[3], const double xH[3], const double xI[3],
+                                               const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_quad9_closest(footpoint_quad9_sharp_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad9_sharp_closest_n(size_t n, const double *const x[30],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad9_closest_n(footpoint_quad9_sharp_detail_closest, n, x, 1, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad9_sharp_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                  double loc[2],
+                                                  double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad9_closest_of(footpoint_quad9_sharp_detail_closest, n, x, xS, 1, loc, dist,
+                                             region, which);
+}
+
+/* footpoint_quad9_full
+ *   operations:     441 mul, 7 div, 465 add, 0 sqrt, 0 compare; 315 temporaries
+ *   proof:          equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-130
+ *   genome_sha256:  b0828b502d5a34d075d1142614b192aad25a32a408b48856154c62d7fed86642
+ *   poles:          0.5 * (t8 * t8 - t7 * t9): proved free of zeros, |...| >= 8 (rounding error <= 4.9e-13)
+ *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 0.00059)
+ *   poles:          t147 * t148 - t146 * t146: proved free of zeros, |...| >= 1.1; status if computed as 0 or not
+ *     finite
+ *   poles:          t157 * t161 - t160 * t160: proved free of zeros, |...| >= 0.5; status if computed as 0 or not
+ *     finite
+ *   poles:          t222 * t223 - t221 * t221: proved free of zeros, |...| >= 0.4; status if computed as 0 or not
+ *     finite
+ *   poles:          t235 * t235 + t236 * t232: proved free of zeros, |...| >= 0.29; status if computed as 0 or not
+ *     finite
+ *   poles:          2.0 * (t307 * t303 - t305 * t305): proved free of zeros, |...| >= 0.14; status if computed as 0
+ *     or not finite
+ *   rounding:       xi 8e-14 sampled; eta 1.1e-14 sampled (1000000 points)
+ *   exact:          nothing evolved, the frame's value is right to rounding
+ *   training:       xi genes 1 mean 7.800e-17; eta genes 1 mean 7.450e-17
+ *   heldout:        xi 7.195e-17 4.441e-16 3.442e-14, eta 7.095e-17 4.441e-16 5.751e-14, samples 50000
+ *   heldout_random: xi 1.515e-14 4.441e-16 5.197e-10, eta 2.706e-14 4.441e-16 1.013e-09, samples 50000
+ *   heldout_even:   xi 1.017e-10 4.441e-16 5.087e-06, eta 6.007e-11 5.551e-16 3.003e-06, samples 50000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3], const double xC[3],
                                           const double xD[3], const double xE[3], const double xF[3],
                                           const double xG[3], const double xH[3], const double xI[3],
@@ -2595,13 +2627,13 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
     (void)footpoint_quad9_full_detail(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long footpoint_quad9_full_detail_checked(const double *const *x, int full, double zero,
+FOOTPOINT_PART unsigned long long footpoint_quad9_full_detail_checked(const double *const *x, int way, double zero,
                                                                       double *xi,
                                                                       double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_quad9_full_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], zero, xi, eta);
     flaw |= footpoint_detail_quad9_gap(x, *xi, *eta, FOOTPOINT_QUAD9_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2611,8 +2643,9 @@ FOOTPOINT_FN int footpoint_quad9_full(const double xA[3], const double xB[3], co
 {
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     double xi, eta, g;
-    if (footpoint_quad9_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_quad9_full_detail_checked, x, 9, 10, loc, gap);
+    if (footpoint_quad9_full_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad9_answer(footpoint_quad9_full_detail_checked, x, 9, 0.0, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2629,7 +2662,8 @@ FOOTPOINT_LOOP void footpoint_quad9_full_checked_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_checked_n(footpoint_quad9_full_detail_checked, n, x, 9, xi, eta, gap, status);
+    footpoint_detail_quad9_checked_n(footpoint_quad9_full_detail_checked, n, x, 9, 0.0, xi, eta, gap,
+                                     status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_full_over_n(const double *const nodes[9], size_t n,
@@ -2637,8 +2671,8 @@ FOOTPOINT_LOOP void footpoint_quad9_full_over_n(const double *const nodes[9], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_over_n(footpoint_quad9_full_detail_checked, nodes, n, x, 9, xi, eta, gap,
-                                  status);
+    footpoint_detail_quad9_over_n(footpoint_quad9_full_detail_checked, nodes, n, x, 9, 0.0, xi, eta,
+                                  gap, status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_full_detail_closest(const double *const *x, double zero, double at[3],

@@ -86,6 +86,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -312,9 +315,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_gap(const double *const 
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -344,6 +348,18 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_TRI3_ANSWER
+#define FOOTPOINT_TRI3_ANSWER
+/* The answer where a search is not good beyond doubt; nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_tri3_answer(footpoint_detail_search *search,
+                                                const double *const *x, int nodes, double promise,
+                                                double loc[2], double *gap)
+{
+    (void)promise;
+    return footpoint_detail_again(search, x, nodes, 4, loc, gap);
+}
+#endif
+
 #ifndef FOOTPOINT_TRI3_ARRAYS
 #define FOOTPOINT_TRI3_ARRAYS
 /* The search of _at. */
@@ -367,19 +383,19 @@ FOOTPOINT_PART void footpoint_detail_tri3_n(footpoint_detail_tri3_search *search
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_tri3_full(footpoint_detail_search *search,
-                                               const double *const *row, int nodes, double *xi,
-                                               double *eta, double *gap, int *status)
+                                               const double *const *row, int nodes, double promise,
+                                               double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 4, loc, gap);
+    *status = footpoint_detail_tri3_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_tri3_checked_n(footpoint_detail_search *search, size_t n,
-                                                    const double *const *x, int nodes,
+                                                    const double *const *x, int nodes, double promise,
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap,
@@ -403,7 +419,8 @@ FOOTPOINT_PART void footpoint_detail_tri3_checked_n(footpoint_detail_search *sea
             const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}};
             const double *const row[4] = {p[0], p[1], p[2], p[3]};
-            footpoint_detail_tri3_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_tri3_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                       &status[i]);
         }
 }
 
@@ -411,9 +428,9 @@ FOOTPOINT_PART void footpoint_detail_tri3_checked_n(footpoint_detail_search *sea
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_tri3_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                             const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                             double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                             int *FOOTPOINT_RESTRICT status)
+                             const double *const *x, int nodes, double promise,
+                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[3][3];
@@ -436,7 +453,8 @@ footpoint_detail_tri3_over_n(footpoint_detail_search *search, const double *cons
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[4] = {c[0], c[1], c[2], s};
-            footpoint_detail_tri3_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_tri3_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                       &status[i]);
         }
 }
 #endif
@@ -1144,7 +1162,7 @@ FOOTPOINT_PART int footpoint_detail_tri3_closest_of(footpoint_detail_nearest *ne
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
@@ -1168,18 +1186,6 @@ FOOTPOINT_PART int footpoint_detail_tri3_closest_of(footpoint_detail_nearest *ne
  *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
-/* footpoint_tri3_exact
- *   operations:     23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  19480d1bacd03c6a8ed949c6bda9099cc2e3e8bc4d7c9d80a0d522cf790757b9
- *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 1 (rounding error <= 1.8e-14)
- *   rounding:       xi <= 1.2e-14 proved, 5.8e-15 sampled; eta <= 8.5e-15 proved, 2.7e-15 sampled (1000000 points)
- *   exact:          nothing evolved, the frame's value is right to rounding
- *   training:       xi genes 1 mean 7.782e-17; eta genes 1 mean 7.723e-17
- *   heldout:        xi 7.706e-17 4.580e-16 2.318e-15, eta 7.690e-17 4.441e-16 2.463e-15, samples 200000
- *   heldout_random: xi 7.719e-17 4.580e-16 2.245e-15, eta 7.682e-17 4.510e-16 3.053e-15, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xS[3], double zero,
                                                               double *xi, double *eta)
@@ -1195,6 +1201,18 @@ FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail(const double xA[3]
     return footpoint_detail_outside(t8 * t9 - t7 * t7);
 }
 
+/* footpoint_tri3_exact
+ *   operations:     23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  19480d1bacd03c6a8ed949c6bda9099cc2e3e8bc4d7c9d80a0d522cf790757b9
+ *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 1 (rounding error <= 1.8e-14)
+ *   rounding:       xi <= 1.2e-14 proved, 5.8e-15 sampled; eta <= 8.5e-15 proved, 2.7e-15 sampled (1000000 points)
+ *   exact:          nothing evolved, the frame's value is right to rounding
+ *   training:       xi genes 1 mean 7.782e-17; eta genes 1 mean 7.723e-17
+ *   heldout:        xi 7.706e-17 4.580e-16 2.318e-15, eta 7.690e-17 4.441e-16 2.463e-15, samples 200000
+ *   heldout_random: xi 7.719e-17 4.580e-16 2.245e-15, eta 7.682e-17 4.510e-16 3.053e-15, samples 200000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3],
                                           const double xS[3], double *xi, double *eta)
 {
@@ -1216,16 +1234,16 @@ footpoint_tri3_exact_detail_gap(const double xA[3], const double xB[3], const do
     return footpoint_detail_tri3_over(a, b, d, size, per, unit, xi, eta, FOOTPOINT_TRI3_LEAST, gap);
 }
 
-FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail_checked(const double *const *x, int full, double zero,
+FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail_checked(const double *const *x, int way, double zero,
                                                                       double *xi,
                                                                       double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_tri3_exact_detail(x[0], x[1], x[2], x[3], zero, xi, eta);
-    if (full)
+    if (way == 1)
         flaw |= footpoint_detail_tri3_gap(x, *xi, *eta, FOOTPOINT_TRI3_LEAST, gap);
     {
         const unsigned long long doubt = footpoint_tri3_exact_detail_gap(x[0], x[1], x[2], x[3], *xi, *eta, gap);
-        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+        return flaw | (way == 1 ? footpoint_detail_infinite(*gap) : doubt);
     }
 }
 
@@ -1234,8 +1252,9 @@ FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], co
 {
     const double *const x[4] = {xA, xB, xC, xS};
     double xi, eta, g;
-    if (footpoint_tri3_exact_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri3_exact_detail_checked, x, 3, 4, loc, gap);
+    if (footpoint_tri3_exact_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri3_answer(footpoint_tri3_exact_detail_checked, x, 3, 0.0, loc,
+                                            gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1252,7 +1271,8 @@ FOOTPOINT_LOOP void footpoint_tri3_exact_checked_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri3_checked_n(footpoint_tri3_exact_detail_checked, n, x, 3, xi, eta, gap, status);
+    footpoint_detail_tri3_checked_n(footpoint_tri3_exact_detail_checked, n, x, 3, 0.0, xi, eta, gap,
+                                    status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri3_exact_over_n(const double *const nodes[3], size_t n,
@@ -1260,8 +1280,8 @@ FOOTPOINT_LOOP void footpoint_tri3_exact_over_n(const double *const nodes[3], si
                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri3_over_n(footpoint_tri3_exact_detail_checked, nodes, n, x, 3, xi, eta, gap,
-                                 status);
+    footpoint_detail_tri3_over_n(footpoint_tri3_exact_detail_checked, nodes, n, x, 3, 0.0, xi, eta,
+                                 gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri3_exact_detail_closest(const double *const *x, double zero, double at[3],

@@ -88,6 +88,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -292,9 +295,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_gap(const double *const 
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -324,6 +328,18 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_TRI6_ANSWER
+#define FOOTPOINT_TRI6_ANSWER
+/* The answer where a search is not good beyond doubt; nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_tri6_answer(footpoint_detail_search *search,
+                                                const double *const *x, int nodes, double promise,
+                                                double loc[2], double *gap)
+{
+    (void)promise;
+    return footpoint_detail_again(search, x, nodes, 7, loc, gap);
+}
+#endif
+
 #ifndef FOOTPOINT_TRI6_ARRAYS
 #define FOOTPOINT_TRI6_ARRAYS
 /* The search of _at. */
@@ -349,19 +365,19 @@ FOOTPOINT_PART void footpoint_detail_tri6_n(footpoint_detail_tri6_search *search
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_tri6_full(footpoint_detail_search *search,
-                                               const double *const *row, int nodes, double *xi,
-                                               double *eta, double *gap, int *status)
+                                               const double *const *row, int nodes, double promise,
+                                               double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 7, loc, gap);
+    *status = footpoint_detail_tri6_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_tri6_checked_n(footpoint_detail_search *search, size_t n,
-                                                    const double *const *x, int nodes,
+                                                    const double *const *x, int nodes, double promise,
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap,
@@ -387,7 +403,8 @@ FOOTPOINT_PART void footpoint_detail_tri6_checked_n(footpoint_detail_search *sea
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
             const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
-            footpoint_detail_tri6_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_tri6_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                       &status[i]);
         }
 }
 
@@ -395,9 +412,9 @@ FOOTPOINT_PART void footpoint_detail_tri6_checked_n(footpoint_detail_search *sea
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_tri6_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                             const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                             double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                             int *FOOTPOINT_RESTRICT status)
+                             const double *const *x, int nodes, double promise,
+                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[6][3];
@@ -420,7 +437,8 @@ footpoint_detail_tri6_over_n(footpoint_detail_search *search, const double *cons
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[7] = {c[0], c[1], c[2], c[3], c[4], c[5], s};
-            footpoint_detail_tri6_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_tri6_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                       &status[i]);
         }
 }
 #endif
@@ -1201,7 +1219,7 @@ FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *ne
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
@@ -1225,18 +1243,6 @@ FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *ne
  *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
-/* footpoint_tri6_fast
- *   operations:     35 mul, 1 div, 51 add, 0 sqrt, 0 compare; 21 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  c65c8f389a9d70f079858174d827a0c174fe680e60fd2bdc086d806790906162
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 81 (rounding error <= 1.7e-11)
- *   rounding:       xi <= 9.2e-14 proved, 7.3e-15 sampled; eta <= 4.4e-14 proved, 3.2e-15 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 8.306e-03; eta genes 1 mean 8.267e-03
- *   heldout:        xi 8.179e-03 4.934e-02 1.341e-01, eta 8.281e-03 5.016e-02 1.532e-01, samples 50000
- *   heldout_random: xi 8.158e-03 4.993e-02 1.305e-01, eta 8.153e-03 4.879e-02 1.389e-01, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri6_fast_detail(const double xA[3], const double xB[3],
                                                              const double xC[3], const double xD[3],
                                                              const double xE[3], const double xF[3],
@@ -1260,106 +1266,6 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_fast_detail(const double xA[3],
     return footpoint_detail_outside(t16 * t16 - t17 * t18);
 }
 
-FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xE[3], const double xF[3],
-                                         const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_tri6_fast_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_tri6_fast_detail_checked(const double *const *x, int full, double zero,
-                                                                     double *xi,
-                                                                     double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_tri6_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
-    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xE[3], const double xF[3], const double xS[3], double loc[2],
-                                     double *gap)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double xi, eta, g;
-    if (footpoint_tri6_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri6_fast_detail_checked, x, 6, 7, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fast_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
-                                          double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_tri6_n(footpoint_tri6_fast_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fast_checked_n(size_t n, const double *const x[21],
-                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_checked_n(footpoint_tri6_fast_detail_checked, n, x, 6, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fast_over_n(const double *const nodes[6], size_t n,
-                                               const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                               double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                               int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_over_n(footpoint_tri6_fast_detail_checked, nodes, n, x, 6, xi, eta, gap,
-                                 status);
-}
-
-FOOTPOINT_PART int footpoint_tri6_fast_detail_closest(const double *const *x, double zero, double at[3], int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_tri6_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
-    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_tri6_fast_closest(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xE[3], const double xF[3],
-                                             const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_tri6_fast_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fast_closest_n(size_t n, const double *const x[21],
-                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                  double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                  int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_closest_n(footpoint_tri6_fast_detail_closest, n, x, 1, xi, eta, dist, region,
-                                    status);
-}
-
-FOOTPOINT_FN int footpoint_tri6_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
-                                                double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_tri6_closest_of(footpoint_tri6_fast_detail_closest, n, x, xS, 1, loc, dist,
-                                            region, which);
-}
-
-/* footpoint_tri6_coarse
- *   operations:     84 mul, 2 div, 108 add, 0 sqrt, 0 compare; 65 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  1cd4117891e15ddd8346ea6f64aee60fab8d76adbb10401b08dc02064c8cfd39
- *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 3.5e-11)
- *   poles:          t61 * t62 - t60 * t60: proved free of zeros, |...| >= 17 (rounding error <= 1.5e-05)
- *   rounding:       xi 4.4e-15 sampled; eta 1.5e-15 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 2.070e-04; eta genes 1 mean 2.092e-04
- *   heldout:        xi 2.075e-04 2.350e-03 2.393e-02, eta 2.075e-04 2.305e-03 3.304e-02, samples 50000
- *   heldout_random: xi 2.057e-04 2.281e-03 2.319e-02, eta 2.016e-04 2.179e-03 1.852e-02, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri6_coarse_detail(const double xA[3], const double xB[3],
                                                                const double xC[3], const double xD[3],
                                                                const double xE[3], const double xF[3],
@@ -1395,108 +1301,6 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_coarse_detail(const double xA[3
     return footpoint_detail_outside(t30 * t29 - t28 * t28) | footpoint_detail_outside(t61 * t62 - t60 * t60);
 }
 
-FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double xE[3], const double xF[3],
-                                           const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_tri6_coarse_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_tri6_coarse_detail_checked(const double *const *x, int full, double zero,
-                                                                       double *xi,
-                                                                       double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_tri6_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
-    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xS[3], double loc[2],
-                                       double *gap)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double xi, eta, g;
-    if (footpoint_tri6_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri6_coarse_detail_checked, x, 6, 7, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_coarse_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
-                                            double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_tri6_n(footpoint_tri6_coarse_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_coarse_checked_n(size_t n, const double *const x[21],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_checked_n(footpoint_tri6_coarse_detail_checked, n, x, 6, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_coarse_over_n(const double *const nodes[6], size_t n,
-                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                 int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_over_n(footpoint_tri6_coarse_detail_checked, nodes, n, x, 6, xi, eta, gap,
-                                 status);
-}
-
-FOOTPOINT_PART int footpoint_tri6_coarse_detail_closest(const double *const *x, double zero, double at[3],
-                                                        int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_tri6_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
-    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_tri6_coarse_closest(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xE[3], const double xF[3],
-                                               const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_tri6_coarse_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_coarse_closest_n(size_t n, const double *const x[21],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_closest_n(footpoint_tri6_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
-                                    status);
-}
-
-FOOTPOINT_FN int footpoint_tri6_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                  double loc[2],
-                                                  double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_tri6_closest_of(footpoint_tri6_coarse_detail_closest, n, x, xS, 1, loc, dist,
-                                            region, which);
-}
-
-/* footpoint_tri6_medium
- *   operations:     97 mul, 2 div, 114 add, 0 sqrt, 0 compare; 74 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  89c4b1c1c1b18f641a125c6297f24319a0b1b86dbf71e8a0e60afb91455b0368
- *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 1.7e-11)
- *   poles:          t67 * t67 + t66 * t68: proved free of zeros, |...| >= 17 (rounding error <= 7.6e-06)
- *   rounding:       xi 3.8e-15 sampled; eta 2.2e-15 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 6.473e-05; eta genes 1 mean 6.522e-05
- *   heldout:        xi 6.290e-05 9.235e-04 1.520e-02, eta 6.437e-05 9.683e-04 1.520e-02, samples 50000
- *   heldout_random: xi 6.331e-05 9.454e-04 1.487e-02, eta 6.161e-05 8.616e-04 1.406e-02, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri6_medium_detail(const double xA[3], const double xB[3],
                                                                const double xC[3], const double xD[3],
                                                                const double xE[3], const double xF[3],
@@ -1533,110 +1337,6 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_medium_detail(const double xA[3
     return footpoint_detail_outside(t30 * t29 - t28 * t28) | footpoint_detail_outside(t67 * t67 + t66 * t68);
 }
 
-FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3], const double xC[3],
-                                           const double xD[3], const double xE[3], const double xF[3],
-                                           const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_tri6_medium_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_tri6_medium_detail_checked(const double *const *x, int full, double zero,
-                                                                       double *xi,
-                                                                       double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_tri6_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
-    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                       const double xE[3], const double xF[3], const double xS[3], double loc[2],
-                                       double *gap)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double xi, eta, g;
-    if (footpoint_tri6_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri6_medium_detail_checked, x, 6, 7, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_medium_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
-                                            double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_tri6_n(footpoint_tri6_medium_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_medium_checked_n(size_t n, const double *const x[21],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_checked_n(footpoint_tri6_medium_detail_checked, n, x, 6, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_medium_over_n(const double *const nodes[6], size_t n,
-                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                 int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_over_n(footpoint_tri6_medium_detail_checked, nodes, n, x, 6, xi, eta, gap,
-                                 status);
-}
-
-FOOTPOINT_PART int footpoint_tri6_medium_detail_closest(const double *const *x, double zero, double at[3],
-                                                        int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_tri6_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
-    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_tri6_medium_closest(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xE[3], const double xF[3],
-                                               const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_tri6_medium_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_medium_closest_n(size_t n, const double *const x[21],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                    int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_closest_n(footpoint_tri6_medium_detail_closest, n, x, 1, xi, eta, dist, region,
-                                    status);
-}
-
-FOOTPOINT_FN int footpoint_tri6_medium_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                  double loc[2],
-                                                  double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_tri6_closest_of(footpoint_tri6_medium_detail_closest, n, x, xS, 1, loc, dist,
-                                            region, which);
-}
-
-/* footpoint_tri6_balanced
- *   operations:     143 mul, 3 div, 144 add, 0 sqrt, 0 compare; 85 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  b181a78e2c24b356495067ac2ab3c616e995497cef41e8681758401ac5390f18
- *   poles:          t36 * t35 - t34 * t34: proved free of zeros, |...| >= 81 (rounding error <= 1.7e-11)
- *   poles:          t67 * t67 - t69 * t68: proved free of zeros, |...| >= 16 (rounding error <= 2.8e-05)
- *   poles:          t81 * t81 - t82 * t78: proved free of zeros, |...| >= 14; status if computed as 0 or not finite
- *   rounding:       xi 9.1e-15 sampled; eta 4.1e-15 sampled (1000000 points)
- *   found_both:     seed 1 generations 120 islands 2
- *   training_both:  genes 53 mean 6.602e-07
- *   heldout:        xi 7.292e-07 1.092e-05 1.382e-03, eta 7.498e-07 1.144e-05 9.046e-04, samples 50000
- *   heldout_random: xi 6.585e-07 1.107e-05 8.182e-04, eta 6.364e-07 1.109e-05 7.046e-04, samples 50000
- *   heldout_even:   xi 4.776e-07 7.596e-06 1.987e-03, eta 4.867e-07 8.024e-06 1.710e-03, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri6_balanced_detail(const double xA[3], const double xB[3],
                                                                  const double xC[3], const double xD[3],
                                                                  const double xE[3], const double xF[3],
@@ -1682,111 +1382,6 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_balanced_detail(const double xA
         footpoint_detail_outside(t81 * t81 - t82 * t78);
 }
 
-FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xE[3], const double xF[3],
-                                             const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_tri6_balanced_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_tri6_balanced_detail_checked(const double *const *x, int full, double zero,
-                                                                         double *xi,
-                                                                         double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_tri6_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
-    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xE[3], const double xF[3],
-                                         const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double xi, eta, g;
-    if (footpoint_tri6_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri6_balanced_detail_checked, x, 6, 7, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_balanced_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
-                                              double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_tri6_n(footpoint_tri6_balanced_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_balanced_checked_n(size_t n, const double *const x[21],
-                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_checked_n(footpoint_tri6_balanced_detail_checked, n, x, 6, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_balanced_over_n(const double *const nodes[6], size_t n,
-                                                   const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                   int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_over_n(footpoint_tri6_balanced_detail_checked, nodes, n, x, 6, xi, eta, gap,
-                                 status);
-}
-
-FOOTPOINT_PART int footpoint_tri6_balanced_detail_closest(const double *const *x, double zero, double at[3],
-                                                          int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_tri6_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
-    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_tri6_balanced_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xE[3], const double xF[3],
-                                                 const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_tri6_balanced_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_balanced_closest_n(size_t n, const double *const x[21],
-                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                      double *FOOTPOINT_RESTRICT dist,
-                                                      int *FOOTPOINT_RESTRICT region,
-                                                      int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_closest_n(footpoint_tri6_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
-                                    status);
-}
-
-FOOTPOINT_FN int footpoint_tri6_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                    double loc[2],
-                                                    double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_tri6_closest_of(footpoint_tri6_balanced_detail_closest, n, x, xS, 1, loc, dist,
-                                            region, which);
-}
-
-/* footpoint_tri6_fine
- *   operations:     172 mul, 3 div, 174 add, 0 sqrt, 0 compare; 108 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  515635fb099d8d2d301e6d380a95d0bc1feb647f6d619e8d9519eec22964487f
- *   poles:          divisor of t35: proved free of zeros, |...| >= 79 (rounding error <= 1.7e-11)
- *   poles:          t69 * t69 + t68 * t70: proved free of zeros, |...| >= 16 (rounding error <= 2.7e-05)
- *   poles:          t83 * t83 + t82 * t79: proved free of zeros, |...| >= 14; status if computed as 0 or not finite
- *   rounding:       xi 8.7e-15 sampled; eta 1.3e-15 sampled (1000000 points)
- *   found_both:     seed 1 generations 120 islands 2
- *   training_both:  genes 56 mean 1.580e-09
- *   heldout:        xi 2.979e-09 8.205e-09 5.028e-05, eta 2.487e-09 8.563e-09 2.554e-05, samples 50000
- *   heldout_random: xi 2.072e-09 8.162e-09 1.919e-05, eta 1.811e-09 7.364e-09 1.543e-05, samples 50000
- *   heldout_even:   xi 1.923e-09 5.186e-09 4.717e-05, eta 1.551e-09 5.059e-09 3.939e-05, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri6_fine_detail(const double xA[3], const double xB[3],
                                                              const double xC[3], const double xD[3],
                                                              const double xE[3], const double xF[3],
@@ -1841,110 +1436,6 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_fine_detail(const double xA[3],
         t69 + t68 * t70) | footpoint_detail_outside(t83 * t83 + t82 * t79);
 }
 
-FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xE[3], const double xF[3],
-                                         const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_tri6_fine_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_tri6_fine_detail_checked(const double *const *x, int full, double zero,
-                                                                     double *xi,
-                                                                     double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_tri6_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
-    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                     const double xE[3], const double xF[3], const double xS[3], double loc[2],
-                                     double *gap)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double xi, eta, g;
-    if (footpoint_tri6_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri6_fine_detail_checked, x, 6, 7, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fine_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
-                                          double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_tri6_n(footpoint_tri6_fine_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fine_checked_n(size_t n, const double *const x[21],
-                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_checked_n(footpoint_tri6_fine_detail_checked, n, x, 6, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fine_over_n(const double *const nodes[6], size_t n,
-                                               const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                               double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                               int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_over_n(footpoint_tri6_fine_detail_checked, nodes, n, x, 6, xi, eta, gap,
-                                 status);
-}
-
-FOOTPOINT_PART int footpoint_tri6_fine_detail_closest(const double *const *x, double zero, double at[3], int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_tri6_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
-    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_tri6_fine_closest(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xE[3], const double xF[3],
-                                             const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_tri6_fine_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_fine_closest_n(size_t n, const double *const x[21],
-                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                  double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                  int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_closest_n(footpoint_tri6_fine_detail_closest, n, x, 1, xi, eta, dist, region,
-                                    status);
-}
-
-FOOTPOINT_FN int footpoint_tri6_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
-                                                double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_tri6_closest_of(footpoint_tri6_fine_detail_closest, n, x, xS, 1, loc, dist,
-                                            region, which);
-}
-
-/* footpoint_tri6_precise
- *   operations:     191 mul, 4 div, 201 add, 0 sqrt, 0 compare; 129 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  783a73e93a8822c1455f5ee0d1bd5ad75a521aafa395300a9caf4bb6d8fb460d
- *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 5 (rounding error <= 1.1e-12)
- *   poles:          t67 * t68 - t66 * t66: proved free of zeros, |...| >= 1.1 (rounding error <= 4.7e-07)
- *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93 (rounding error <= 0.0015)
- *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
- *     finite
- *   rounding:       xi 8e-15 sampled; eta 1.2e-15 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 2.017e-09; eta genes 1 mean 2.301e-09
- *   heldout:        xi 4.317e-11 2.577e-12 6.948e-07, eta 4.709e-11 2.299e-12 8.576e-07, samples 50000
- *   heldout_random: xi 3.427e-11 2.008e-12 8.836e-07, eta 2.413e-11 1.856e-12 6.263e-07, samples 50000
- *   heldout_even:   xi 1.427e-10 8.299e-13 6.866e-06, eta 1.216e-10 7.773e-13 5.832e-06, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri6_precise_detail(const double xA[3], const double xB[3],
                                                                 const double xC[3], const double xD[3],
                                                                 const double xE[3], const double xF[3],
@@ -2004,114 +1495,6 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_precise_detail(const double xA[
         footpoint_detail_outside(t96 * t96 + t95 * t97) | footpoint_detail_outside(t125 * t125 + t124 * t126);
 }
 
-FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xE[3], const double xF[3],
-                                            const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_tri6_precise_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_tri6_precise_detail_checked(const double *const *x, int full, double zero,
-                                                                        double *xi,
-                                                                        double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_tri6_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
-    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                        const double xE[3], const double xF[3], const double xS[3], double loc[2],
-                                        double *gap)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double xi, eta, g;
-    if (footpoint_tri6_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri6_precise_detail_checked, x, 6, 7, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_precise_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
-                                             double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_tri6_n(footpoint_tri6_precise_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_precise_checked_n(size_t n, const double *const x[21],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_checked_n(footpoint_tri6_precise_detail_checked, n, x, 6, xi, eta, gap, status);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_precise_over_n(const double *const nodes[6], size_t n,
-                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                                                  int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_over_n(footpoint_tri6_precise_detail_checked, nodes, n, x, 6, xi, eta, gap,
-                                 status);
-}
-
-FOOTPOINT_PART int footpoint_tri6_precise_detail_closest(const double *const *x, double zero, double at[3],
-                                                         int *region)
-{
-    double xi, eta;
-    unsigned long long flaw = footpoint_tri6_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
-    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
-}
-
-FOOTPOINT_FN int footpoint_tri6_precise_closest(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xE[3], const double xF[3],
-                                                const double xS[3], double loc[2], double *dist, int *region)
-{
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    double at[3];
-    int where;
-    const int status = footpoint_detail_tri6_closest(footpoint_tri6_precise_detail_closest, x, 1, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
-}
-
-FOOTPOINT_LOOP void footpoint_tri6_precise_closest_n(size_t n, const double *const x[21],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_tri6_closest_n(footpoint_tri6_precise_detail_closest, n, x, 1, xi, eta, dist, region,
-                                    status);
-}
-
-FOOTPOINT_FN int footpoint_tri6_precise_closest_of(size_t n, const double *const *x, const double xS[3],
-                                                   double loc[2],
-                                                   double *dist, int *region, size_t *which)
-{
-    return footpoint_detail_tri6_closest_of(footpoint_tri6_precise_detail_closest, n, x, xS, 1, loc, dist,
-                                            region, which);
-}
-
-/* footpoint_tri6_accurate
- *   operations:     243 mul, 5 div, 249 add, 0 sqrt, 0 compare; 158 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  6d07671a7e531bc3f98156906ff682a68fa87c9868d0bfce9a9d1e3e3ac151f5
- *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 5 (rounding error <= 1.1e-12)
- *   poles:          t67 * t68 - t66 * t66: proved free of zeros, |...| >= 1.1 (rounding error <= 4.7e-07)
- *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93 (rounding error <= 0.0024)
- *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
- *     finite
- *   poles:          t154 * t154 + t153 * t155: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
- *     finite
- *   rounding:       xi 4.2e-15 sampled; eta 9.2e-16 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 2.098e-13; eta genes 1 mean 2.456e-13
- *   heldout:        xi 8.914e-17 2.220e-16 1.602e-12, eta 1.006e-16 2.220e-16 1.977e-12, samples 50000
- *   heldout_random: xi 7.165e-17 2.220e-16 1.442e-12, eta 6.163e-17 2.220e-16 1.016e-12, samples 50000
- *   heldout_even:   xi 1.576e-15 2.220e-16 7.663e-11, eta 1.346e-15 2.498e-16 6.507e-11, samples 50000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_tri6_accurate_detail(const double xA[3], const double xB[3],
                                                                  const double xC[3], const double xD[3],
                                                                  const double xE[3], const double xF[3],
@@ -2184,6 +1567,653 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_accurate_detail(const double xA
         footpoint_detail_outside(t154 * t154 + t153 * t155);
 }
 
+/* footpoint_tri6_fast
+ *   operations:     35 mul, 1 div, 51 add, 0 sqrt, 0 compare; 21 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  c65c8f389a9d70f079858174d827a0c174fe680e60fd2bdc086d806790906162
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 81 (rounding error <= 1.7e-11)
+ *   rounding:       xi <= 9.2e-14 proved, 7.3e-15 sampled; eta <= 4.4e-14 proved, 3.2e-15 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 8.306e-03; eta genes 1 mean 8.267e-03
+ *   heldout:        xi 8.179e-03 4.934e-02 1.341e-01, eta 8.281e-03 5.016e-02 1.532e-01, samples 50000
+ *   heldout_random: xi 8.158e-03 4.993e-02 1.305e-01, eta 8.153e-03 4.879e-02 1.389e-01, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double xE[3], const double xF[3],
+                                         const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_tri6_fast_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_tri6_fast_detail_checked(const double *const *x, int way, double zero,
+                                                                     double *xi,
+                                                                     double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_tri6_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xE[3], const double xF[3], const double xS[3], double loc[2],
+                                     double *gap)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_tri6_fast_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri6_answer(footpoint_tri6_fast_detail_checked, x, 6, 0.0, loc,
+                                            gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fast_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
+                                          double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_tri6_n(footpoint_tri6_fast_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fast_checked_n(size_t n, const double *const x[21],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_checked_n(footpoint_tri6_fast_detail_checked, n, x, 6, 0.0, xi, eta, gap,
+                                    status);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fast_over_n(const double *const nodes[6], size_t n,
+                                               const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                               int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_over_n(footpoint_tri6_fast_detail_checked, nodes, n, x, 6, 0.0, xi, eta,
+                                 gap, status);
+}
+
+FOOTPOINT_PART int footpoint_tri6_fast_detail_closest(const double *const *x, double zero, double at[3], int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_tri6_fast_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_tri6_fast_closest(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xE[3], const double xF[3],
+                                             const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_fast_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fast_closest_n(size_t n, const double *const x[21],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_closest_n(footpoint_tri6_fast_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
+}
+
+FOOTPOINT_FN int footpoint_tri6_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_fast_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
+}
+
+/* footpoint_tri6_coarse
+ *   operations:     84 mul, 2 div, 108 add, 0 sqrt, 0 compare; 65 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  1cd4117891e15ddd8346ea6f64aee60fab8d76adbb10401b08dc02064c8cfd39
+ *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 3.5e-11)
+ *   poles:          t61 * t62 - t60 * t60: proved free of zeros, |...| >= 17 (rounding error <= 1.5e-05)
+ *   rounding:       xi 4.4e-15 sampled; eta 1.5e-15 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 2.070e-04; eta genes 1 mean 2.092e-04
+ *   heldout:        xi 2.075e-04 2.350e-03 2.393e-02, eta 2.075e-04 2.305e-03 3.304e-02, samples 50000
+ *   heldout_random: xi 2.057e-04 2.281e-03 2.319e-02, eta 2.016e-04 2.179e-03 1.852e-02, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xE[3], const double xF[3],
+                                           const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_tri6_coarse_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_tri6_coarse_detail_checked(const double *const *x, int way, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_tri6_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xS[3], double loc[2],
+                                       double *gap)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_tri6_coarse_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri6_answer(footpoint_tri6_coarse_detail_checked, x, 6, 0.0, loc,
+                                            gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_coarse_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
+                                            double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_tri6_n(footpoint_tri6_coarse_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_coarse_checked_n(size_t n, const double *const x[21],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_checked_n(footpoint_tri6_coarse_detail_checked, n, x, 6, 0.0, xi, eta, gap,
+                                    status);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_coarse_over_n(const double *const nodes[6], size_t n,
+                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                 int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_over_n(footpoint_tri6_coarse_detail_checked, nodes, n, x, 6, 0.0, xi, eta,
+                                 gap, status);
+}
+
+FOOTPOINT_PART int footpoint_tri6_coarse_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_tri6_coarse_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_tri6_coarse_closest(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xE[3], const double xF[3],
+                                               const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_coarse_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_coarse_closest_n(size_t n, const double *const x[21],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_closest_n(footpoint_tri6_coarse_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
+}
+
+FOOTPOINT_FN int footpoint_tri6_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                  double loc[2],
+                                                  double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_coarse_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
+}
+
+/* footpoint_tri6_medium
+ *   operations:     97 mul, 2 div, 114 add, 0 sqrt, 0 compare; 74 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  89c4b1c1c1b18f641a125c6297f24319a0b1b86dbf71e8a0e60afb91455b0368
+ *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 1.7e-11)
+ *   poles:          t67 * t67 + t66 * t68: proved free of zeros, |...| >= 17 (rounding error <= 7.6e-06)
+ *   rounding:       xi 3.8e-15 sampled; eta 2.2e-15 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 6.473e-05; eta genes 1 mean 6.522e-05
+ *   heldout:        xi 6.290e-05 9.235e-04 1.520e-02, eta 6.437e-05 9.683e-04 1.520e-02, samples 50000
+ *   heldout_random: xi 6.331e-05 9.454e-04 1.487e-02, eta 6.161e-05 8.616e-04 1.406e-02, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3], const double xC[3],
+                                           const double xD[3], const double xE[3], const double xF[3],
+                                           const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_tri6_medium_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_tri6_medium_detail_checked(const double *const *x, int way, double zero,
+                                                                       double *xi,
+                                                                       double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_tri6_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xS[3], double loc[2],
+                                       double *gap)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_tri6_medium_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri6_answer(footpoint_tri6_medium_detail_checked, x, 6, 0.0, loc,
+                                            gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_medium_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
+                                            double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_tri6_n(footpoint_tri6_medium_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_medium_checked_n(size_t n, const double *const x[21],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_checked_n(footpoint_tri6_medium_detail_checked, n, x, 6, 0.0, xi, eta, gap,
+                                    status);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_medium_over_n(const double *const nodes[6], size_t n,
+                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                 int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_over_n(footpoint_tri6_medium_detail_checked, nodes, n, x, 6, 0.0, xi, eta,
+                                 gap, status);
+}
+
+FOOTPOINT_PART int footpoint_tri6_medium_detail_closest(const double *const *x, double zero, double at[3],
+                                                        int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_tri6_medium_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_tri6_medium_closest(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xE[3], const double xF[3],
+                                               const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_medium_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_medium_closest_n(size_t n, const double *const x[21],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_closest_n(footpoint_tri6_medium_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
+}
+
+FOOTPOINT_FN int footpoint_tri6_medium_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                  double loc[2],
+                                                  double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_medium_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
+}
+
+/* footpoint_tri6_balanced
+ *   operations:     143 mul, 3 div, 144 add, 0 sqrt, 0 compare; 85 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  b181a78e2c24b356495067ac2ab3c616e995497cef41e8681758401ac5390f18
+ *   poles:          t36 * t35 - t34 * t34: proved free of zeros, |...| >= 81 (rounding error <= 1.7e-11)
+ *   poles:          t67 * t67 - t69 * t68: proved free of zeros, |...| >= 16 (rounding error <= 2.8e-05)
+ *   poles:          t81 * t81 - t82 * t78: proved free of zeros, |...| >= 14; status if computed as 0 or not finite
+ *   rounding:       xi 9.1e-15 sampled; eta 4.1e-15 sampled (1000000 points)
+ *   found_both:     seed 1 generations 120 islands 2
+ *   training_both:  genes 53 mean 6.602e-07
+ *   heldout:        xi 7.292e-07 1.092e-05 1.382e-03, eta 7.498e-07 1.144e-05 9.046e-04, samples 50000
+ *   heldout_random: xi 6.585e-07 1.107e-05 8.182e-04, eta 6.364e-07 1.109e-05 7.046e-04, samples 50000
+ *   heldout_even:   xi 4.776e-07 7.596e-06 1.987e-03, eta 4.867e-07 8.024e-06 1.710e-03, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xE[3], const double xF[3],
+                                             const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_tri6_balanced_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_tri6_balanced_detail_checked(const double *const *x, int way, double zero,
+                                                                         double *xi,
+                                                                         double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_tri6_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double xE[3], const double xF[3],
+                                         const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_tri6_balanced_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri6_answer(footpoint_tri6_balanced_detail_checked, x, 6, 0.0, loc,
+                                            gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_balanced_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
+                                              double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_tri6_n(footpoint_tri6_balanced_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_balanced_checked_n(size_t n, const double *const x[21],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_checked_n(footpoint_tri6_balanced_detail_checked, n, x, 6, 0.0, xi, eta, gap,
+                                    status);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_balanced_over_n(const double *const nodes[6], size_t n,
+                                                   const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_over_n(footpoint_tri6_balanced_detail_checked, nodes, n, x, 6, 0.0, xi, eta,
+                                 gap, status);
+}
+
+FOOTPOINT_PART int footpoint_tri6_balanced_detail_closest(const double *const *x, double zero, double at[3],
+                                                          int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_tri6_balanced_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_tri6_balanced_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xE[3], const double xF[3],
+                                                 const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_balanced_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_balanced_closest_n(size_t n, const double *const x[21],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT dist,
+                                                      int *FOOTPOINT_RESTRICT region,
+                                                      int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_closest_n(footpoint_tri6_balanced_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
+}
+
+FOOTPOINT_FN int footpoint_tri6_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                    double loc[2],
+                                                    double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_balanced_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
+}
+
+/* footpoint_tri6_fine
+ *   operations:     172 mul, 3 div, 174 add, 0 sqrt, 0 compare; 108 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  515635fb099d8d2d301e6d380a95d0bc1feb647f6d619e8d9519eec22964487f
+ *   poles:          divisor of t35: proved free of zeros, |...| >= 79 (rounding error <= 1.7e-11)
+ *   poles:          t69 * t69 + t68 * t70: proved free of zeros, |...| >= 16 (rounding error <= 2.7e-05)
+ *   poles:          t83 * t83 + t82 * t79: proved free of zeros, |...| >= 14; status if computed as 0 or not finite
+ *   rounding:       xi 8.7e-15 sampled; eta 1.3e-15 sampled (1000000 points)
+ *   found_both:     seed 1 generations 120 islands 2
+ *   training_both:  genes 56 mean 1.580e-09
+ *   heldout:        xi 2.979e-09 8.205e-09 5.028e-05, eta 2.487e-09 8.563e-09 2.554e-05, samples 50000
+ *   heldout_random: xi 2.072e-09 8.162e-09 1.919e-05, eta 1.811e-09 7.364e-09 1.543e-05, samples 50000
+ *   heldout_even:   xi 1.923e-09 5.186e-09 4.717e-05, eta 1.551e-09 5.059e-09 3.939e-05, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3], const double xC[3],
+                                         const double xD[3], const double xE[3], const double xF[3],
+                                         const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_tri6_fine_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_tri6_fine_detail_checked(const double *const *x, int way, double zero,
+                                                                     double *xi,
+                                                                     double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_tri6_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xE[3], const double xF[3], const double xS[3], double loc[2],
+                                     double *gap)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_tri6_fine_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri6_answer(footpoint_tri6_fine_detail_checked, x, 6, 0.0, loc,
+                                            gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fine_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
+                                          double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_tri6_n(footpoint_tri6_fine_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fine_checked_n(size_t n, const double *const x[21],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_checked_n(footpoint_tri6_fine_detail_checked, n, x, 6, 0.0, xi, eta, gap,
+                                    status);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fine_over_n(const double *const nodes[6], size_t n,
+                                               const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                               int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_over_n(footpoint_tri6_fine_detail_checked, nodes, n, x, 6, 0.0, xi, eta,
+                                 gap, status);
+}
+
+FOOTPOINT_PART int footpoint_tri6_fine_detail_closest(const double *const *x, double zero, double at[3], int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_tri6_fine_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_tri6_fine_closest(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xE[3], const double xF[3],
+                                             const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_fine_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fine_closest_n(size_t n, const double *const x[21],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_closest_n(footpoint_tri6_fine_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
+}
+
+FOOTPOINT_FN int footpoint_tri6_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_fine_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
+}
+
+/* footpoint_tri6_precise
+ *   operations:     191 mul, 4 div, 201 add, 0 sqrt, 0 compare; 129 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  783a73e93a8822c1455f5ee0d1bd5ad75a521aafa395300a9caf4bb6d8fb460d
+ *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 5 (rounding error <= 1.1e-12)
+ *   poles:          t67 * t68 - t66 * t66: proved free of zeros, |...| >= 1.1 (rounding error <= 4.7e-07)
+ *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93 (rounding error <= 0.0015)
+ *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 8e-15 sampled; eta 1.2e-15 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 2.017e-09; eta genes 1 mean 2.301e-09
+ *   heldout:        xi 4.317e-11 2.577e-12 6.948e-07, eta 4.709e-11 2.299e-12 8.576e-07, samples 50000
+ *   heldout_random: xi 3.427e-11 2.008e-12 8.836e-07, eta 2.413e-11 1.856e-12 6.263e-07, samples 50000
+ *   heldout_even:   xi 1.427e-10 8.299e-13 6.866e-06, eta 1.216e-10 7.773e-13 5.832e-06, samples 50000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xE[3], const double xF[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_tri6_precise_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_tri6_precise_detail_checked(const double *const *x, int way, double zero,
+                                                                        double *xi,
+                                                                        double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_tri6_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
+    flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xS[3], double loc[2],
+                                        double *gap)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_tri6_precise_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri6_answer(footpoint_tri6_precise_detail_checked, x, 6, 0.0, loc,
+                                            gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_precise_n(size_t n, const double *const x[21], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_tri6_n(footpoint_tri6_precise_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_precise_checked_n(size_t n, const double *const x[21],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_checked_n(footpoint_tri6_precise_detail_checked, n, x, 6, 0.0, xi, eta, gap,
+                                    status);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_precise_over_n(const double *const nodes[6], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_over_n(footpoint_tri6_precise_detail_checked, nodes, n, x, 6, 0.0, xi, eta,
+                                 gap, status);
+}
+
+FOOTPOINT_PART int footpoint_tri6_precise_detail_closest(const double *const *x, double zero, double at[3],
+                                                         int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_tri6_precise_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, &xi, &eta);
+    return footpoint_detail_tri6_nearest(x, flaw, FOOTPOINT_TRI6_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_tri6_precise_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xE[3], const double xF[3],
+                                                const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double at[3];
+    int where;
+    const int status = footpoint_detail_tri6_closest(footpoint_tri6_precise_detail_closest, x, 1, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_precise_closest_n(size_t n, const double *const x[21],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_tri6_closest_n(footpoint_tri6_precise_detail_closest, n, x, 1, xi, eta, dist, region,
+                                    status);
+}
+
+FOOTPOINT_FN int footpoint_tri6_precise_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_tri6_closest_of(footpoint_tri6_precise_detail_closest, n, x, xS, 1, loc, dist,
+                                            region, which);
+}
+
+/* footpoint_tri6_accurate
+ *   operations:     243 mul, 5 div, 249 add, 0 sqrt, 0 compare; 158 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  6d07671a7e531bc3f98156906ff682a68fa87c9868d0bfce9a9d1e3e3ac151f5
+ *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 5 (rounding error <= 1.1e-12)
+ *   poles:          t67 * t68 - t66 * t66: proved free of zeros, |...| >= 1.1 (rounding error <= 4.7e-07)
+ *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93 (rounding error <= 0.0024)
+ *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
+ *     finite
+ *   poles:          t154 * t154 + t153 * t155: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 4.2e-15 sampled; eta 9.2e-16 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 2.098e-13; eta genes 1 mean 2.456e-13
+ *   heldout:        xi 8.914e-17 2.220e-16 1.602e-12, eta 1.006e-16 2.220e-16 1.977e-12, samples 50000
+ *   heldout_random: xi 7.165e-17 2.220e-16 1.442e-12, eta 6.163e-17 2.220e-16 1.016e-12, samples 50000
+ *   heldout_even:   xi 1.576e-15 2.220e-16 7.663e-11, eta 1.346e-15 2.498e-16 6.507e-11, samples 50000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB[3], const double xC[3],
                                              const double xD[3], const double xE[3], const double xF[3],
                                              const double xS[3], double *xi, double *eta)
@@ -2191,13 +2221,13 @@ FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB
     (void)footpoint_tri6_accurate_detail(xA, xB, xC, xD, xE, xF, xS, 0.0, xi, eta);
 }
 
-FOOTPOINT_PART unsigned long long footpoint_tri6_accurate_detail_checked(const double *const *x, int full, double zero,
+FOOTPOINT_PART unsigned long long footpoint_tri6_accurate_detail_checked(const double *const *x, int way, double zero,
                                                                          double *xi,
                                                                          double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_tri6_accurate_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], zero, xi, eta);
     flaw |= footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2207,8 +2237,9 @@ FOOTPOINT_FN int footpoint_tri6_accurate(const double xA[3], const double xB[3],
 {
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     double xi, eta, g;
-    if (footpoint_tri6_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_tri6_accurate_detail_checked, x, 6, 7, loc, gap);
+    if (footpoint_tri6_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_tri6_answer(footpoint_tri6_accurate_detail_checked, x, 6, 0.0, loc,
+                                            gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2225,7 +2256,8 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_checked_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_checked_n(footpoint_tri6_accurate_detail_checked, n, x, 6, xi, eta, gap, status);
+    footpoint_detail_tri6_checked_n(footpoint_tri6_accurate_detail_checked, n, x, 6, 0.0, xi, eta, gap,
+                                    status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_accurate_over_n(const double *const nodes[6], size_t n,
@@ -2233,8 +2265,8 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_over_n(const double *const nodes[6],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_over_n(footpoint_tri6_accurate_detail_checked, nodes, n, x, 6, xi, eta, gap,
-                                 status);
+    footpoint_detail_tri6_over_n(footpoint_tri6_accurate_detail_checked, nodes, n, x, 6, 0.0, xi, eta,
+                                 gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_accurate_detail_closest(const double *const *x, double zero, double at[3],

@@ -87,6 +87,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -293,9 +296,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3],
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -325,6 +329,332 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD4_ANSWER
+#define FOOTPOINT_QUAD4_ANSWER
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (unsigned long long)1 << 63;
+#else
+    return 0;
+#endif
+}
+
+/* The greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* The sum of the absolute values, and the largest. */
+FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+FOOTPOINT_PART double footpoint_detail_most(const double a[3])
+{
+    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
+}
+
+/* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
+ * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
+ * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
+ * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two. */
+typedef struct {
+    const double *a, *b, *c, *d;
+    double over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q. */
+FOOTPOINT_PART double footpoint_detail_quad4_off(const footpoint_detail_quad4_vectors *r, double p,
+                                                 double q, double uu, double mixed, double vv)
+{
+    const double a1 = footpoint_detail_sum(r->a), am = footpoint_detail_most(r->a);
+    const double b1 = footpoint_detail_sum(r->b), bm = footpoint_detail_most(r->b);
+    const double c1 = footpoint_detail_sum(r->c), cm = footpoint_detail_most(r->c);
+    const double first = a1 + c1 + 0.08 * b1, wide = am + cm + 0.08 * bm;
+    const double second = b1 + c1 + 0.08 * a1, high = bm + cm + 0.08 * am;
+    const double turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
+    const double bend = r->twist == 1 ? wide : r->twist == 2 ? high : wide + high;
+    const double u = first + q * turn, v = second + p * turn;
+    const double far = fabs(r->over) * footpoint_detail_most(r->d) + wide + high + p * wide +
+                     q * (high + p * bend);
+    return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
+}
+
+/* A step of third order to the foot point, by xi and eta, from products[] = a a, a b, b b, a c, b c, c c, a d, b d, c d.  The
+ * highest bit of what it returns is not set if a minimum of the distance is proved to lie within `promise` of the answer.
+ *
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  From Newton's step s = H^-1 F what is left
+ * of F is known, N(s), as it is a polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a
+ * ball of 1/6 about the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + c . c.  Let h = beta L (|s| + 2 |x| +
+ * 2 R), where R bounds rounding; in the ball of that radius 1 - H^-1 H(y) is at most h, so that Newton's iteration with
+ * H kept contracts: what it would do next, at most h |x| + R, bounds the distance of the answer from a root within a factor of
+ * 1 / (1 - h), and H is positive definite all the way there.
+ *
+ * rounding: (k + 20) units of rounding, if products are off by k units of what `reach` allows: polynomials take 8 more, Cramer's
+ * rule 9.  In row xi, F is off by rounding P T, P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., of reach, and H s and N by
+ * 24 |s| P T each: so do the bounds grow in the ball.  The weak inequality of det keeps rounding errors of beta and
+ * h below what 0.2, 1.4 and 1.3 leave of 0.25, 1.25 and 1.25. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
+                                                              const footpoint_detail_quad4_vectors *r,
+                                                              double promise, double *xi, double *eta)
+{
+    const double e11 = products[0], e12 = products[1] - products[8], e22 = products[2],
+               c1 = products[3];
+    const double c2 = products[4], cc = products[5], p = *xi, q = *eta;
+    const double tu = c1 + q * cc, tv = c2 + p * cc, y = p * c1 + q * tv, z = e12 + y;
+    const double uu = e11 + q * (c1 + tu), vv = e22 + p * (c2 + tv), r12 = z + y, mixed = fabs(r12);
+    const double f = products[6] - q * z - p * (e11 + q * c1);
+    const double g = products[7] - p * z - q * (e22 + p * c2);
+    const double per = 1.0 / (uu * vv - r12 * r12);
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    double off, left = step * (1.0 / 3.0), h, room, other;
+    if (promise < 1e-9)
+        off = per * footpoint_detail_quad4_off(r, fabs(p) + 2.0 * step, fabs(q) + 2.0 * step, uu,
+                                               mixed, vv);
+    else
+        off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
+                      (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
+    off *= r->rounding + 50.0 * r->rounding * step;
+    *xi = p + s;
+    *eta = q + t;
+    if (promise < 1e-3) {
+        const double along = tu * s, across = tv * t, both = cc * (s * t);
+        const double m = t * (along + along + across + both),
+                   n = s * (across + across + along + both);
+        const double v = (r12 * n - vv * m) * per, w = (r12 * m - uu * n) * per;
+        left = footpoint_detail_greater(fabs(v), fabs(w));
+        *xi += v;
+        *eta += w;
+    }
+    h = beta * (4.0 * (fabs(tu) + fabs(tv)) + 2.0 * cc) * (step + 2.0 * (left + off));
+    room = 0.999 * promise - (1.4 * h * left + 1.3 * off);
+    other = 0.2 - (h + 1.2 * step + 200.0 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(other) | footpoint_detail_bits(per) |
+           footpoint_detail_infinite(room) | footpoint_detail_fast();
+}
+
+/* Steps until one is proved, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+ * these are enough. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
+                                                               const footpoint_detail_quad4_vectors *r,
+                                                               double promise, int fixed, double *xi, double *eta)
+{
+    unsigned long long doubt = footpoint_detail_infinite(*xi + *eta);
+    int k = 0;
+    if (fixed) {
+        double u, v;
+        unsigned long long still;
+        doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        if (fixed < 2)
+            return doubt;
+        u = *xi;
+        v = *eta;
+        still = footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        *xi = doubt >> 63 ? u : *xi;
+        *eta = doubt >> 63 ? v : *eta;
+        return doubt & still;
+    }
+    if (!(doubt >> 63))
+        do {
+            doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        } while (doubt >> 63 && ++k < 4);
+    return doubt;
+}
+
+/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
+ * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+ *
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
+ * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
+ * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
+ * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
+ * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
+ * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
+ * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_prove(const double a[3], const double b[3],
+                                                               const double c[3], const double d[3], double over,
+                                                               double rounding, double promise, double *xi,
+                                                               double *eta)
+{
+    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
+    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const double w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
+                       over * d[2] - p * a[2] - q * v[2]};
+    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
+    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
+    const double det = uu * vv - r12 * r12, per = 1.0 / det;
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
+    const double second = footpoint_detail_sum(b);
+    const double far =
+        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
+    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
+    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const double off =
+        rounding * far * per *
+        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
+    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
+                   (4.0 * turns + cc + 1e-13 * (far * far));
+    double room, other;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999 * promise *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.2 * off);
+    other = 0.249 - h;
+    room = other < room ? other : room;
+    other = 0.083 - step;
+    room = other < room ? other : room;
+    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
+    room = other < room ? other : room;
+    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
+           footpoint_detail_fast();
+}
+
+/* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
+ * NULL, the step of Gauss and Newton from there, which leads downhill. */
+FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const double b[3], const double c[3],
+                                                   const double d[3], double xi, double eta, double *gauss)
+{
+    double u[3], v[3], w[3], uu, uv, vv, f, g, det;
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] - xi * a[i] - eta * v[i];
+    }
+    if (gauss) {
+        uu = footpoint_detail_dot(u, u);
+        uv = footpoint_detail_dot(u, v);
+        vv = footpoint_detail_dot(v, v);
+        f = footpoint_detail_dot(u, w);
+        g = footpoint_detail_dot(v, w);
+        det = 1.001 * uu * vv - uv * uv + 2.2250738585072014e-308;
+        gauss[0] = (vv * f - uv * g) / det;
+        gauss[1] = (uu * g - uv * f) / det;
+    }
+    return footpoint_detail_dot(w, w);
+}
+
+/* Vectors as sums of edges, four times r's. */
+FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], double b[3],
+                                                 double c[3], double d[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double ab = y[1][i] - y[0][i], dc = y[2][i] - y[3][i];
+        a[i] = ab + dc;
+        b[i] = (y[3][i] - y[0][i]) + (y[2][i] - y[1][i]);
+        c[i] = dc - ab;
+        d[i] = ((y[4][i] - y[0][i]) + (y[4][i] - y[2][i])) +
+               ((y[4][i] - y[1][i]) + (y[4][i] - y[3][i]));
+    }
+}
+
+/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
+ * lead downhill.  0 if nothing is nearer. */
+FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double b[3], const double c[3],
+                                                 const double d[3], double to[2], double at[2],
+                                                 double *apart)
+{
+    double gauss[2], damp = 1.0, less;
+    less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+    if (!(less <= *apart * (1.0 + 4e-16))) {
+        (void)footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], gauss);
+        do {
+            to[0] = at[0] + damp * gauss[0];
+            to[1] = at[1] + damp * gauss[1];
+            less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+            damp *= 0.25;
+        } while (!(less < *apart) && damp > 1e-4);
+    }
+    if (!(less <= *apart * (1.0 + 4e-16)))
+        return 0;
+    at[0] = to[0];
+    at[1] = to[1];
+    *apart = less;
+    return 1;
+}
+
+/* From loc by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  In a unit of length in which the segment is
+ * about 1 long, with vectors whose coordinates are off by 3 units of rounding: see footpoint_detail_quad4_prove(). */
+FOOTPOINT_COLD int footpoint_detail_quad4_repair(const double *const *x, double promise, double loc[2],
+                                                 double *gap)
+{
+    const double rounding = 11.0 * 1.12e-16;
+    double y[5][3], a[3], b[3], c[3], d[3], at[2], to[2], g, apart;
+    const double *z[5];
+    int exponent = 0, i, steps, status = FOOTPOINT_UNPROVED;
+    if (footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
+        return FOOTPOINT_UNPROVED;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    footpoint_detail_quad4_edges(y, a, b, c, d);
+    at[0] = fabs(loc[0]) < 1e3 ? loc[0] : 0.0;
+    at[1] = fabs(loc[1]) < 1e3 ? loc[1] : 0.0;
+    apart = footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], NULL);
+    for (steps = 0; steps < 20; steps++) {
+        to[0] = at[0];
+        to[1] = at[1];
+        if (!(footpoint_detail_quad4_prove(a, b, c, d, 1.0, rounding, promise, &to[0], &to[1]) >>
+              63)) {
+            at[0] = to[0];
+            at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        /* where steps have become shorter than that, rounding forbids the proof */
+        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 0.01 * promise ||
+            !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
+            break;
+    }
+    if (footpoint_detail_quad4_gap(z, at[0], at[1], 1e-6, &g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    g = ldexp(g, exponent);
+    if (footpoint_detail_infinite(g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *gap = g;
+    return status;
+}
+
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
+                                                 const double *const *x, int nodes, double promise,
+                                                 double loc[2], double *gap)
+{
+    int status;
+    double xi, eta, g;
+    if (promise > 0.0 &&
+        !(search(x, 2, 0.0, &xi, &eta, &g) >> 63)) { /* a loop takes fewer steps */
+        loc[0] = xi;
+        loc[1] = eta;
+        *gap = g;
+        return FOOTPOINT_OK;
+    }
+    status = footpoint_detail_again(search, x, nodes, 5, loc, gap);
+    return status == FOOTPOINT_OK && promise > 0.0
+               ? footpoint_detail_quad4_repair(x, promise, loc, gap)
+               : status;
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_ARRAYS
 #define FOOTPOINT_QUAD4_ARRAYS
 /* The search of _at. */
@@ -349,19 +679,19 @@ FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *sear
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
-                                                const double *const *row, int nodes, double *xi,
-                                                double *eta, double *gap, int *status)
+                                                const double *const *row, int nodes, double promise,
+                                                double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 5, loc, gap);
+    *status = footpoint_detail_quad4_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes,
+                                                     const double *const *x, int nodes, double promise,
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap,
@@ -385,7 +715,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 
@@ -393,9 +724,9 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                              int *FOOTPOINT_RESTRICT status)
+                              const double *const *x, int nodes, double promise,
+                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[4][3];
@@ -418,7 +749,8 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 #endif
@@ -469,22 +801,10 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* footpoint_whole_quad4_gauss
- *   operations:     29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  57a024cda9a031671811021022ce98d417d95d4ff44d6cfa6a1af494c43ab2b6
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   rounding:       xi 9.3e-11 sampled; eta 9.7e-11 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 3.805e-02; eta genes 1 mean 5.470e-02
- *   heldout:        xi 3.295e-02 1.891e-01 5.819e+00, eta 4.529e-02 2.790e-01 3.494e+00, samples 857751
- *   heldout_random: xi 4.075e-02 2.331e-01 7.418e+01, eta 5.863e-02 3.310e-01 8.786e+01, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail(const double xA[3], const double xB[3],
                                                                      const double xC[3], const double xD[3],
                                                                      const double xS[3], double zero, double *xi,
@@ -504,75 +824,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail(const doubl
     return footpoint_detail_outside(t17 * t18 - t16 * t16);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail_nearest_shorter(const double *const *x,
-                                                                                     double zero, double *xi,
-                                                                                     double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_gauss_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail_checked(const double *const *x, int full,
-                                                                             double zero, double *xi,
-                                                                             double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_gauss_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_gauss_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_gauss_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_gauss_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap,
-                                                          int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_gauss_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_fast
- *   operations:     32 mul, 1 div, 40 add, 0 sqrt, 4 compare; 32 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  d9230b0e288158353ea014137d1ef8e3fa8250578531576c38b829db4ac086ce
- *   poles:          t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.0013 (rounding error <= 8.2e-13)
- *   rounding:       xi 3.4e-12 sampled; eta 1.6e-11 sampled (1000000 points)
- *   found_both:     seed 1 generations 60 islands 2
- *   training_both:  genes 20 mean 3.930e-02
- *   heldout:        xi 2.987e-02 2.192e-01 1.063e+00, eta 4.006e-02 3.519e-01 1.656e+00, samples 857751
- *   heldout_random: xi 3.384e-02 2.431e-01 1.247e+00, eta 4.810e-02 4.207e-01 2.271e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail(const double xA[3], const double xB[3],
                                                                     const double xC[3], const double xD[3],
                                                                     const double xS[3], double zero, double *xi,
@@ -594,75 +845,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail(const double
     return footpoint_detail_outside(t16 * t17 - t15 * t15);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail_nearest_shorter(const double *const *x,
-                                                                                    double zero, double *xi,
-                                                                                    double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_fast_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail_checked(const double *const *x, int full,
-                                                                            double zero, double *xi,
-                                                                            double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_fast_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_fast_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_fast_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_fast_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_fast_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_fast_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_taper
- *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  bc7c0db3884d1fb7be88d5bf40c1efa785389209321b244e80b54d952af3d7e7
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.5e-14)
- *   rounding:       xi 4.7e-12 sampled; eta 1.3e-11 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 1.171e-02; eta genes 1 mean 1.584e-02
- *   heldout:        xi 1.248e-02 1.428e-01 1.189e+00, eta 1.627e-02 2.002e-01 1.447e+00, samples 857751
- *   heldout_random: xi 1.154e-02 1.381e-01 1.342e+00, eta 1.594e-02 1.962e-01 1.918e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail(const double xA[3], const double xB[3],
                                                                      const double xC[3], const double xD[3],
                                                                      const double xS[3], double zero, double *xi,
@@ -688,77 +870,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail(const doubl
     return footpoint_detail_outside(t16 * t16 - t17 * t18);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
-                                                 const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail_nearest_shorter(const double *const *x,
-                                                                                     double zero, double *xi,
-                                                                                     double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_taper_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail_checked(const double *const *x, int full,
-                                                                             double zero, double *xi,
-                                                                             double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_taper_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
-                                             const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_taper_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_taper_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_taper_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_taper_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_taper_checked_n(size_t n, const double *const x[15],
-                                                          double *FOOTPOINT_RESTRICT xi,
-                                                          double *FOOTPOINT_RESTRICT eta,
-                                                          double *FOOTPOINT_RESTRICT gap,
-                                                          int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_taper_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_gauss2
- *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  688e9885bfb2ce4dde964bafee57b83e098997941dc48a40e811aeab34ee2022
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08; status if computed as 0 or not
- *     finite
- *   rounding:       xi 9.6e-09 sampled; eta 1.3e-08 sampled (1000000 points)
- *   found:          seed 1 generations 0 islands 2
- *   training:       xi genes 1 mean 1.186e-02; eta genes 1 mean 1.587e-02
- *   heldout:        xi 5.925e-03 8.599e-02 5.221e+00, eta 6.386e-03 1.039e-01 3.872e+00, samples 857751
- *   heldout_random: xi 1.364e-02 8.186e-02 1.411e+02, eta 1.964e-02 1.071e-01 2.133e+02, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -784,77 +895,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail(const doub
     return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t31 * t33 - t32 * t32);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_gauss2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_gauss2_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_gauss2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_gauss2_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_gauss2_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_gauss2_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_coarse
- *   operations:     60 mul, 2 div, 66 add, 0 sqrt, 4 compare; 47 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  4d74f9d5d4bfe5f4481c9104f725035a95f7d687d63e05ad26fb6bef2bd10cca
- *   poles:          t15 * t16 - 0.7875 * t18 * t18: proved free of zeros, |...| >= 0.0027 (rounding error <= 6e-14)
- *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.3e-06 (rounding error <= 3.1e-07)
- *   rounding:       xi 4.3e-11 sampled; eta 7.3e-11 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 155 mean 4.496e-03
- *   heldout:        xi 3.639e-03 5.332e-02 1.959e+00, eta 4.183e-03 6.552e-02 1.409e+00, samples 857751
- *   heldout_random: xi 4.209e-03 5.813e-02 1.985e+00, eta 5.268e-03 7.659e-02 1.933e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -883,78 +923,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail(const doub
         t32);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_coarse_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_coarse_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_coarse_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_coarse_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_coarse_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_coarse_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_newton
- *   operations:     67 mul, 2 div, 70 add, 0 sqrt, 6 compare; 55 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  01d136801ad3cbfdeec49394a2f8039ee6c7d212bc903c3a0586b2682e9f86b1
- *   poles:          t23: proved free of zeros, |t23| >= 0.0027 (rounding error <= 6.1e-14)
- *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05; status if computed as 0 or not
- *     finite
- *   rounding:       xi 1.6e-10 sampled; eta 1.6e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 197 mean 3.659e-03
- *   heldout:        xi 2.898e-03 5.283e-02 1.639e+00, eta 3.609e-03 6.414e-02 1.968e+00, samples 857751
- *   heldout_random: xi 3.284e-03 4.936e-02 1.985e+00, eta 4.313e-03 6.544e-02 1.990e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -984,77 +952,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail(const doub
     return footpoint_detail_outside(t23) | footpoint_detail_outside(t39 * t32 - t38 * t38);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_newton_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_newton_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_newton_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_newton_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_newton_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_newton_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_newton_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_newton_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_medium
- *   operations:     76 mul, 2 div, 74 add, 0 sqrt, 5 compare; 56 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  803a668d7623a80ebcdc77e3a84737ddb6965a82ac9b5544d87c89ddbe7cd51c
- *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 6.6e-14)
- *   poles:          t42: proved free of zeros, |t42| >= 0.00011; status if computed as 0 or not finite
- *   rounding:       xi 1.3e-11 sampled; eta 3.6e-11 sampled (1000000 points)
- *   found_both:     seed 1 generations 60 islands 4
- *   training_both:  genes 224 mean 1.717e-03
- *   heldout:        xi 1.148e-03 1.863e-02 1.629e+00, eta 1.527e-03 2.331e-02 1.345e+00, samples 857751
- *   heldout_random: xi 1.640e-03 3.217e-02 1.947e+00, eta 2.216e-03 4.232e-02 1.892e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
                                                                       const double xS[3], double zero, double *xi,
@@ -1085,78 +982,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail(const doub
     return footpoint_detail_outside(0.95205976596025 * t14 * t14 - t18 * t17) | footpoint_detail_outside(t42);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
-                                                  const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail_nearest_shorter(const double *const *x,
-                                                                                      double zero, double *xi,
-                                                                                      double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_medium_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail_checked(const double *const *x, int full,
-                                                                              double zero, double *xi,
-                                                                              double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_medium_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
-                                              const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_medium_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_medium_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_medium_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi,
-                                                   double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_medium_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_medium_checked_n(size_t n, const double *const x[15],
-                                                           double *FOOTPOINT_RESTRICT xi,
-                                                           double *FOOTPOINT_RESTRICT eta,
-                                                           double *FOOTPOINT_RESTRICT gap,
-                                                           int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_medium_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_balanced
- *   operations:     82 mul, 3 div, 78 add, 0 sqrt, 10 compare; 77 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  315bbd22a3cc90ce8ee70852c06d4ad84facc138db076981d0c3eef8da85b348
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   poles:          t42: proved free of zeros, |t42| >= 0.001; status if computed as 0 or not finite
- *   poles:          t56: proved free of zeros, |t56| >= 0.00033; status if computed as 0 or not finite
- *   rounding:       xi 1.7e-10 sampled; eta 1.6e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 275 mean 5.015e-04
- *   heldout:        xi 3.209e-04 3.566e-03 6.303e-01, eta 4.492e-04 4.519e-03 7.845e-01, samples 857751
- *   heldout_random: xi 4.407e-04 6.493e-03 9.136e-01, eta 5.805e-04 8.980e-03 1.259e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1194,79 +1019,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail(const do
         footpoint_detail_outside(t56);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_balanced_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_balanced_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_balanced_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_balanced_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_balanced_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_balanced_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_fine
- *   operations:     87 mul, 4 div, 88 add, 0 sqrt, 7 compare; 73 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  58617263a84014ec7640642d4ff416d1ed3d14df5e1202917c81cc3290202f89
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   poles:          t30: proved free of zeros, |t30| >= 0.0014; status if computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00035; status if computed as 0 or not finite
- *   poles:          t58: proved free of zeros, |t58| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 5.1e-10 sampled; eta 3.1e-11 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 323 mean 3.509e-04
- *   heldout:        xi 1.504e-04 3.972e-04 1.920e+00, eta 2.148e-04 4.331e-04 1.272e+00, samples 857751
- *   heldout_random: xi 3.153e-04 1.173e-03 1.330e+00, eta 3.304e-04 1.494e-03 1.358e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail(const double xA[3], const double xB[3],
                                                                     const double xC[3], const double xD[3],
                                                                     const double xS[3], double zero, double *xi,
@@ -1303,79 +1055,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail(const double
         footpoint_detail_outside(t43) | footpoint_detail_outside(t58);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail_nearest_shorter(const double *const *x,
-                                                                                    double zero, double *xi,
-                                                                                    double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_fine_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail_checked(const double *const *x, int full,
-                                                                            double zero, double *xi,
-                                                                            double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_fine_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_fine_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_fine_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_fine_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_fine_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_fine_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_precise
- *   operations:     110 mul, 5 div, 109 add, 0 sqrt, 9 compare; 93 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  1196ac9fb3cc0f2c5cf1fc1b91aacbc6e95b3c375d82e1f5bc10e0b8c3f4699c
- *   poles:          t19 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   poles:          t32: proved free of zeros, |t32| >= 0.0014; status if computed as 0 or not finite
- *   poles:          t44: proved free of zeros, |t44| >= 0.00035; status if computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 1.6e-10 sampled; eta 1.5e-09 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 476 mean 1.390e-04
- *   heldout:        xi 3.928e-05 3.472e-07 1.629e+00, eta 5.536e-05 4.023e-07 1.527e+00, samples 857751
- *   heldout_random: xi 9.861e-05 4.409e-06 1.758e+00, eta 9.965e-05 6.278e-06 1.997e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail(const double xA[3], const double xB[3],
                                                                        const double xC[3], const double xD[3],
                                                                        const double xS[3], double zero, double *xi,
@@ -1418,81 +1097,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail(const dou
         | footpoint_detail_outside(t59) | footpoint_detail_outside(t75);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail_nearest_shorter(const double *const *x,
-                                                                                       double zero, double *xi,
-                                                                                       double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_precise_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail_checked(const double *const *x, int full,
-                                                                               double zero, double *xi,
-                                                                               double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_precise_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_precise_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_precise_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_precise_n(size_t n, const double *const x[15],
-                                                    double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_precise_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_precise_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi,
-                                                            double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap,
-                                                            int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_precise_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_accurate
- *   operations:     110 mul, 6 div, 112 add, 0 sqrt, 12 compare; 98 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  15fa7e7a3baf7ac07f2cf754d58266aa9923bc6e151128ad14b37ab3eb35a84e
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   poles:          t35: proved free of zeros, |t35| >= 0.00098; status if computed as 0 or not finite
- *   poles:          t45: proved free of zeros, |t45| >= 6e-05; status if computed as 0 or not finite
- *   poles:          t51: proved free of zeros, |t51| >= 0.0036; status if computed as 0 or not finite
- *   poles:          t62: proved free of zeros, |t62| >= 0.00031; status if computed as 0 or not finite
- *   poles:          t78: proved free of zeros, |t78| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 1.7e-09 sampled; eta 4.1e-09 sampled (1000000 points)
- *   found_both:     seed 1 generations 80 islands 2
- *   training_both:  genes 503 mean 1.127e-05
- *   heldout:        xi 2.299e-05 9.075e-09 1.629e+00, eta 2.854e-05 1.456e-08 1.297e+00, samples 857751
- *   heldout_random: xi 2.707e-05 1.899e-07 1.758e+00, eta 2.559e-05 3.154e-07 1.245e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1538,81 +1142,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail(const do
         footpoint_detail_outside(t78);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_accurate_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_accurate_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_accurate_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_accurate_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_accurate_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_accurate_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_full
- *   operations:     134 mul, 6 div, 124 add, 0 sqrt, 10 compare; 113 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  d8a6857ebd5b0a6a72adba55b3786834b5e5afa6b74a4b272123c2c480fe0c0d
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   poles:          t33: proved free of zeros, |t33| >= 0.0014; status if computed as 0 or not finite
- *   poles:          t46: proved free of zeros, |t46| >= 0.00035; status if computed as 0 or not finite
- *   poles:          t61: proved free of zeros, |t61| >= 0.00031; status if computed as 0 or not finite
- *   poles:          t77: proved free of zeros, |t77| >= 0.00031; status if computed as 0 or not finite
- *   poles:          t93: proved free of zeros, |t93| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 1.3e-09 sampled; eta 1.9e-09 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 593 mean 1.981e-04
- *   heldout:        xi 1.439e-05 3.176e-13 1.200e+00, eta 2.614e-05 3.481e-13 1.527e+00, samples 857751
- *   heldout_random: xi 1.335e-04 7.987e-11 1.991e+00, eta 1.109e-04 1.071e-10 1.997e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail(const double xA[3], const double xB[3],
                                                                     const double xC[3], const double xD[3],
                                                                     const double xS[3], double zero, double *xi,
@@ -1662,79 +1191,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail(const double
         footpoint_detail_outside(t93);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail_nearest_shorter(const double *const *x,
-                                                                                    double zero, double *xi,
-                                                                                    double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_full_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail_checked(const double *const *x, int full,
-                                                                            double zero, double *xi,
-                                                                            double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_full_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_full(const double xA[3], const double xB[3], const double xC[3],
-                                            const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_full_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_full_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_full_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_full_checked_n(size_t n, const double *const x[15],
-                                                         double *FOOTPOINT_RESTRICT xi,
-                                                         double *FOOTPOINT_RESTRICT eta,
-                                                         double *FOOTPOINT_RESTRICT gap,
-                                                         int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_full_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_program1
- *   operations:     90 mul, 5 div, 92 add, 0 sqrt, 9 compare; 77 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  41538ccd60f5c5730a6cdc30b0f0f19f6fd9d35d4aa5670cbaa821c6bdff18d0
- *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 6.5e-14)
- *   poles:          t34: proved free of zeros, |t34| >= 0.0012; status if computed as 0 or not finite
- *   poles:          t43: proved free of zeros, |t43| >= 0.00034; status if computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.00086; status if computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.0003; status if computed as 0 or not finite
- *   rounding:       xi 2.1e-10 sampled; eta 1.5e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 2 islands 2
- *   training_both:  genes 371 mean 1.877e-04
- *   heldout:        xi 1.309e-04 3.236e-04 1.497e+00, eta 1.633e-04 3.460e-04 1.215e+00, samples 857751
- *   heldout_random: xi 1.672e-04 7.617e-04 1.758e+00, eta 1.987e-04 9.330e-04 1.581e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1772,81 +1228,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail(const do
         footpoint_detail_outside(t43) | footpoint_detail_outside(t47) | footpoint_detail_outside(t59);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_program1_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_program1_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_program1_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_program1_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_program1_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_program1_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_program1_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program1_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_program2
- *   operations:     110 mul, 6 div, 111 add, 0 sqrt, 11 compare; 93 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  3da0e1ddb2002f68f65a872412b56d448cc19c5fdd98b5f25ecb73147ea16622
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.7e-14)
- *   poles:          t31: proved free of zeros, |t31| >= 0.0015; status if computed as 0 or not finite
- *   poles:          t41: proved free of zeros, |t41| >= 0.0003; status if computed as 0 or not finite
- *   poles:          t47: proved free of zeros, |t47| >= 0.0036; status if computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.00033; status if computed as 0 or not finite
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 2.3e-10 sampled; eta 1.4e-10 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 494 mean 1.558e-05
- *   heldout:        xi 2.569e-05 1.260e-08 1.629e+00, eta 3.385e-05 2.230e-08 1.215e+00, samples 857751
- *   heldout_random: xi 2.646e-05 5.837e-07 1.723e+00, eta 2.628e-05 1.050e-06 1.245e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -1892,82 +1273,6 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail(const do
         footpoint_detail_outside(t75);
 }
 
-FOOTPOINT_FN void footpoint_whole_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_whole_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_whole_quad4_program2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_whole_quad4_program2_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_whole_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_whole_quad4_program2_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_program2_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_program2_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_whole_quad4_program2_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_whole_quad4_program2_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program2_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_whole_quad4_program3
- *   operations:     128 mul, 7 div, 127 add, 0 sqrt, 12 compare; 109 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  330aa943140973d1844e110fccba0cf4181bb95fa7834a3efb5e7389619f0f26
- *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   poles:          t32: proved free of zeros, |t32| >= 0.0014; status if computed as 0 or not finite
- *   poles:          t42: proved free of zeros, |t42| >= 0.00035; status if computed as 0 or not finite
- *   poles:          t48: proved free of zeros, |t48| >= 0.0036; status if computed as 0 or not finite
- *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
- *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
- *   poles:          t90: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi 2.4e-09 sampled; eta 4.3e-09 sampled (1000000 points)
- *   found_both:     seed 1 generations 40 islands 2
- *   training_both:  genes 614 mean 8.127e-06
- *   heldout:        xi 8.832e-06 2.071e-14 3.714e-01, eta 1.251e-05 2.398e-14 7.845e-01, samples 857751
- *   heldout_random: xi 1.249e-05 3.276e-12 1.758e+00, eta 1.177e-05 4.706e-12 1.245e+00, samples 200000
- *   vectorises:     -O3
- */
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -2016,6 +1321,1061 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail(const do
         footpoint_detail_outside(t90);
 }
 
+/* footpoint_whole_quad4_gauss
+ *   operations:     29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  57a024cda9a031671811021022ce98d417d95d4ff44d6cfa6a1af494c43ab2b6
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   rounding:       xi 9.3e-11 sampled; eta 9.7e-11 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 3.805e-02; eta genes 1 mean 5.470e-02
+ *   heldout:        xi 3.295e-02 1.891e-01 5.819e+00, eta 4.529e-02 2.790e-01 3.494e+00, samples 857751
+ *   heldout_random: xi 4.075e-02 2.331e-01 7.418e+01, eta 5.863e-02 3.310e-01 8.786e+01, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_gauss_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_gauss_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail_checked(const double *const *x, int way,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_gauss_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_gauss(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_gauss_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_gauss_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_gauss_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_checked_n(size_t n, const double *const x[15],
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_gauss_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_fast
+ *   operations:     32 mul, 1 div, 40 add, 0 sqrt, 4 compare; 32 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  d9230b0e288158353ea014137d1ef8e3fa8250578531576c38b829db4ac086ce
+ *   poles:          t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.0013 (rounding error <= 8.2e-13)
+ *   rounding:       xi 3.4e-12 sampled; eta 1.6e-11 sampled (1000000 points)
+ *   found_both:     seed 1 generations 60 islands 2
+ *   training_both:  genes 20 mean 3.930e-02
+ *   heldout:        xi 2.987e-02 2.192e-01 1.063e+00, eta 4.006e-02 3.519e-01 1.656e+00, samples 857751
+ *   heldout_random: xi 3.384e-02 2.431e-01 1.247e+00, eta 4.810e-02 4.207e-01 2.271e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_fast_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_fast_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fast_detail_checked(const double *const *x, int way,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_fast_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_fast_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_fast_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_fast_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_fast_checked_n(size_t n, const double *const x[15],
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_fast_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_taper
+ *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  bc7c0db3884d1fb7be88d5bf40c1efa785389209321b244e80b54d952af3d7e7
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.5e-14)
+ *   rounding:       xi 4.7e-12 sampled; eta 1.3e-11 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 1.171e-02; eta genes 1 mean 1.584e-02
+ *   heldout:        xi 1.248e-02 1.428e-01 1.189e+00, eta 1.627e-02 2.002e-01 1.447e+00, samples 857751
+ *   heldout_random: xi 1.154e-02 1.381e-01 1.342e+00, eta 1.594e-02 1.962e-01 1.918e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_taper_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail_nearest_shorter(const double *const *x,
+                                                                                     double zero, double *xi,
+                                                                                     double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_taper_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_taper_detail_checked(const double *const *x, int way,
+                                                                             double zero, double *xi,
+                                                                             double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_taper_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_taper_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_taper_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_taper_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_taper_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_taper_checked_n(size_t n, const double *const x[15],
+                                                          double *FOOTPOINT_RESTRICT xi,
+                                                          double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_taper_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_gauss2
+ *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  688e9885bfb2ce4dde964bafee57b83e098997941dc48a40e811aeab34ee2022
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 9.6e-09 sampled; eta 1.3e-08 sampled (1000000 points)
+ *   found:          seed 1 generations 0 islands 2
+ *   training:       xi genes 1 mean 1.186e-02; eta genes 1 mean 1.587e-02
+ *   heldout:        xi 5.925e-03 8.599e-02 5.221e+00, eta 6.386e-03 1.039e-01 3.872e+00, samples 857751
+ *   heldout_random: xi 1.364e-02 8.186e-02 1.411e+02, eta 1.964e-02 1.071e-01 2.133e+02, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_gauss2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_gauss2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss2_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_gauss2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_gauss2_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_gauss2_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_gauss2_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_gauss2_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_coarse
+ *   operations:     60 mul, 2 div, 66 add, 0 sqrt, 4 compare; 47 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  4d74f9d5d4bfe5f4481c9104f725035a95f7d687d63e05ad26fb6bef2bd10cca
+ *   poles:          t15 * t16 - 0.7875 * t18 * t18: proved free of zeros, |...| >= 0.0027 (rounding error <= 6e-14)
+ *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.3e-06 (rounding error <= 3.1e-07)
+ *   rounding:       xi 4.3e-11 sampled; eta 7.3e-11 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 155 mean 4.496e-03
+ *   heldout:        xi 3.639e-03 5.332e-02 1.959e+00, eta 4.183e-03 6.552e-02 1.409e+00, samples 857751
+ *   heldout_random: xi 4.209e-03 5.813e-02 1.985e+00, eta 5.268e-03 7.659e-02 1.933e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_coarse_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_coarse_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_coarse_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_coarse_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_coarse_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_coarse_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_coarse_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_coarse_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_newton
+ *   operations:     67 mul, 2 div, 70 add, 0 sqrt, 6 compare; 55 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  01d136801ad3cbfdeec49394a2f8039ee6c7d212bc903c3a0586b2682e9f86b1
+ *   poles:          t23: proved free of zeros, |t23| >= 0.0027 (rounding error <= 6.1e-14)
+ *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05; status if computed as 0 or not
+ *     finite
+ *   rounding:       xi 1.6e-10 sampled; eta 1.6e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 197 mean 3.659e-03
+ *   heldout:        xi 2.898e-03 5.283e-02 1.639e+00, eta 3.609e-03 6.414e-02 1.968e+00, samples 857751
+ *   heldout_random: xi 3.284e-03 4.936e-02 1.985e+00, eta 4.313e-03 6.544e-02 1.990e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_newton_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_newton_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_newton_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_newton_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_newton(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_newton_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_newton_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_newton_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_newton_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_newton_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_newton_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_medium
+ *   operations:     76 mul, 2 div, 74 add, 0 sqrt, 5 compare; 56 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  803a668d7623a80ebcdc77e3a84737ddb6965a82ac9b5544d87c89ddbe7cd51c
+ *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 6.6e-14)
+ *   poles:          t42: proved free of zeros, |t42| >= 0.00011; status if computed as 0 or not finite
+ *   rounding:       xi 1.3e-11 sampled; eta 3.6e-11 sampled (1000000 points)
+ *   found_both:     seed 1 generations 60 islands 4
+ *   training_both:  genes 224 mean 1.717e-03
+ *   heldout:        xi 1.148e-03 1.863e-02 1.629e+00, eta 1.527e-03 2.331e-02 1.345e+00, samples 857751
+ *   heldout_random: xi 1.640e-03 3.217e-02 1.947e+00, eta 2.216e-03 4.232e-02 1.892e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_medium_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail_nearest_shorter(const double *const *x,
+                                                                                      double zero, double *xi,
+                                                                                      double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_medium_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_medium_detail_checked(const double *const *x, int way,
+                                                                              double zero, double *xi,
+                                                                              double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_medium_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_medium_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_medium_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_medium_n(size_t n, const double *const x[15],
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_medium_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_medium_checked_n(size_t n, const double *const x[15],
+                                                           double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta,
+                                                           double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_medium_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_balanced
+ *   operations:     82 mul, 3 div, 78 add, 0 sqrt, 10 compare; 77 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  315bbd22a3cc90ce8ee70852c06d4ad84facc138db076981d0c3eef8da85b348
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t42: proved free of zeros, |t42| >= 0.001; status if computed as 0 or not finite
+ *   poles:          t56: proved free of zeros, |t56| >= 0.00033; status if computed as 0 or not finite
+ *   rounding:       xi 1.7e-10 sampled; eta 1.6e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 275 mean 5.015e-04
+ *   heldout:        xi 3.209e-04 3.566e-03 6.303e-01, eta 4.492e-04 4.519e-03 7.845e-01, samples 857751
+ *   heldout_random: xi 4.407e-04 6.493e-03 9.136e-01, eta 5.805e-04 8.980e-03 1.259e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_balanced_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_balanced_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_balanced_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_balanced_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_balanced_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_balanced_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_balanced_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_balanced_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_fine
+ *   operations:     87 mul, 4 div, 88 add, 0 sqrt, 7 compare; 73 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  58617263a84014ec7640642d4ff416d1ed3d14df5e1202917c81cc3290202f89
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t30: proved free of zeros, |t30| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t58: proved free of zeros, |t58| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 5.1e-10 sampled; eta 3.1e-11 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 323 mean 3.509e-04
+ *   heldout:        xi 1.504e-04 3.972e-04 1.920e+00, eta 2.148e-04 4.331e-04 1.272e+00, samples 857751
+ *   heldout_random: xi 3.153e-04 1.173e-03 1.330e+00, eta 3.304e-04 1.494e-03 1.358e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_fine_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_fine_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_fine_detail_checked(const double *const *x, int way,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_fine_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_fine_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_fine_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_fine_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_fine_checked_n(size_t n, const double *const x[15],
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_fine_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_precise
+ *   operations:     110 mul, 5 div, 109 add, 0 sqrt, 9 compare; 93 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  1196ac9fb3cc0f2c5cf1fc1b91aacbc6e95b3c375d82e1f5bc10e0b8c3f4699c
+ *   poles:          t19 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t32: proved free of zeros, |t32| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t44: proved free of zeros, |t44| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 1.6e-10 sampled; eta 1.5e-09 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 476 mean 1.390e-04
+ *   heldout:        xi 3.928e-05 3.472e-07 1.629e+00, eta 5.536e-05 4.023e-07 1.527e+00, samples 857751
+ *   heldout_random: xi 9.861e-05 4.409e-06 1.758e+00, eta 9.965e-05 6.278e-06 1.997e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_precise_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail_nearest_shorter(const double *const *x,
+                                                                                       double zero, double *xi,
+                                                                                       double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_precise_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_precise_detail_checked(const double *const *x, int way,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_precise_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_precise(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_precise_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_precise_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_precise_n(size_t n, const double *const x[15],
+                                                    double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_precise_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_precise_checked_n(size_t n, const double *const x[15],
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_precise_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_accurate
+ *   operations:     110 mul, 6 div, 112 add, 0 sqrt, 12 compare; 98 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  15fa7e7a3baf7ac07f2cf754d58266aa9923bc6e151128ad14b37ab3eb35a84e
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t35: proved free of zeros, |t35| >= 0.00098; status if computed as 0 or not finite
+ *   poles:          t45: proved free of zeros, |t45| >= 6e-05; status if computed as 0 or not finite
+ *   poles:          t51: proved free of zeros, |t51| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t62: proved free of zeros, |t62| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t78: proved free of zeros, |t78| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 1.7e-09 sampled; eta 4.1e-09 sampled (1000000 points)
+ *   found_both:     seed 1 generations 80 islands 2
+ *   training_both:  genes 503 mean 1.127e-05
+ *   heldout:        xi 2.299e-05 9.075e-09 1.629e+00, eta 2.854e-05 1.456e-08 1.297e+00, samples 857751
+ *   heldout_random: xi 2.707e-05 1.899e-07 1.758e+00, eta 2.559e-05 3.154e-07 1.245e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_accurate_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_accurate_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_accurate_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_accurate_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_accurate_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_accurate_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_accurate_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_full
+ *   operations:     134 mul, 6 div, 124 add, 0 sqrt, 10 compare; 113 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  d8a6857ebd5b0a6a72adba55b3786834b5e5afa6b74a4b272123c2c480fe0c0d
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t33: proved free of zeros, |t33| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t46: proved free of zeros, |t46| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t61: proved free of zeros, |t61| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t77: proved free of zeros, |t77| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t93: proved free of zeros, |t93| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 1.3e-09 sampled; eta 1.9e-09 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 593 mean 1.981e-04
+ *   heldout:        xi 1.439e-05 3.176e-13 1.200e+00, eta 2.614e-05 3.481e-13 1.527e+00, samples 857751
+ *   heldout_random: xi 1.335e-04 7.987e-11 1.991e+00, eta 1.109e-04 1.071e-10 1.997e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_full_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail_nearest_shorter(const double *const *x,
+                                                                                    double zero, double *xi,
+                                                                                    double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_full_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_full_detail_checked(const double *const *x, int way,
+                                                                            double zero, double *xi,
+                                                                            double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_full_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_full(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_full_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_full_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_full_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_full_checked_n(size_t n, const double *const x[15],
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_full_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_program1
+ *   operations:     90 mul, 5 div, 92 add, 0 sqrt, 9 compare; 77 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  41538ccd60f5c5730a6cdc30b0f0f19f6fd9d35d4aa5670cbaa821c6bdff18d0
+ *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 6.5e-14)
+ *   poles:          t34: proved free of zeros, |t34| >= 0.0012; status if computed as 0 or not finite
+ *   poles:          t43: proved free of zeros, |t43| >= 0.00034; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.00086; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.0003; status if computed as 0 or not finite
+ *   rounding:       xi 2.1e-10 sampled; eta 1.5e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 2 islands 2
+ *   training_both:  genes 371 mean 1.877e-04
+ *   heldout:        xi 1.309e-04 3.236e-04 1.497e+00, eta 1.633e-04 3.460e-04 1.215e+00, samples 857751
+ *   heldout_random: xi 1.672e-04 7.617e-04 1.758e+00, eta 1.987e-04 9.330e-04 1.581e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_program1_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_program1_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program1_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_program1_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_program1(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_program1_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_program1_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_program1_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_program1_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_program1_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program1_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_program2
+ *   operations:     110 mul, 6 div, 111 add, 0 sqrt, 11 compare; 93 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  3da0e1ddb2002f68f65a872412b56d448cc19c5fdd98b5f25ecb73147ea16622
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.7e-14)
+ *   poles:          t31: proved free of zeros, |t31| >= 0.0015; status if computed as 0 or not finite
+ *   poles:          t41: proved free of zeros, |t41| >= 0.0003; status if computed as 0 or not finite
+ *   poles:          t47: proved free of zeros, |t47| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00033; status if computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
+ *   rounding:       xi 2.3e-10 sampled; eta 1.4e-10 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 494 mean 1.558e-05
+ *   heldout:        xi 2.569e-05 1.260e-08 1.629e+00, eta 3.385e-05 2.230e-08 1.215e+00, samples 857751
+ *   heldout_random: xi 2.646e-05 5.837e-07 1.723e+00, eta 2.628e-05 1.050e-06 1.245e+00, samples 200000
+ *   vectorises:     -O3
+ */
+FOOTPOINT_FN void footpoint_whole_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_whole_quad4_program2_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_whole_quad4_program2_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program2_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_whole_quad4_program2_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_whole_quad4_program2(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_whole_quad4_program2_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_program2_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_program2_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_whole_quad4_program2_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_whole_quad4_program2_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program2_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_whole_quad4_program3
+ *   operations:     128 mul, 7 div, 127 add, 0 sqrt, 12 compare; 109 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  330aa943140973d1844e110fccba0cf4181bb95fa7834a3efb5e7389619f0f26
+ *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
+ *   poles:          t32: proved free of zeros, |t32| >= 0.0014; status if computed as 0 or not finite
+ *   poles:          t42: proved free of zeros, |t42| >= 0.00035; status if computed as 0 or not finite
+ *   poles:          t48: proved free of zeros, |t48| >= 0.0036; status if computed as 0 or not finite
+ *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
+ *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
+ *   poles:          t90: no zero where the region's requires hold, by no proved margin
+ *   rounding:       xi 2.4e-09 sampled; eta 4.3e-09 sampled (1000000 points)
+ *   found_both:     seed 1 generations 40 islands 2
+ *   training_both:  genes 614 mean 8.127e-06
+ *   heldout:        xi 8.832e-06 2.071e-14 3.714e-01, eta 1.251e-05 2.398e-14 7.845e-01, samples 857751
+ *   heldout_random: xi 1.249e-05 3.276e-12 1.758e+00, eta 1.177e-05 4.706e-12 1.245e+00, samples 200000
+ *   vectorises:     -O3
+ */
 FOOTPOINT_FN void footpoint_whole_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
@@ -2035,13 +2395,13 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail_nearest_
     return flaw;
 }
 
-FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail_checked(const double *const *x, int way,
                                                                                 double zero, double *xi,
                                                                                 double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_whole_quad4_program3_detail_nearest_shorter(x, zero, xi, eta);
     flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_WHOLE_QUAD4_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -2050,8 +2410,9 @@ FOOTPOINT_FN int footpoint_whole_quad4_program3(const double xA[3], const double
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_whole_quad4_program3_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_whole_quad4_program3_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_whole_quad4_program3_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_whole_quad4_program3_detail_checked, x, 4, 0.0, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -2071,7 +2432,8 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program3_checked_n(size_t n, const dou
                                                              double *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program3_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_whole_quad4_program3_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
 }
 
 #ifndef FOOTPOINT_DETAIL_ALONG

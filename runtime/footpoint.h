@@ -47,7 +47,7 @@ extern "C" {
 #define FOOTPOINT_NO_AREA 3 /* the closest point of a segment that has no area */
 #endif
 #ifndef FOOTPOINT_UNPROVED
-#define FOOTPOINT_UNPROVED 4 /* an answer that may be right; rounding hides whether it is */
+#define FOOTPOINT_UNPROVED 4 /* an answer that is not proved */
 #endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1) /* a coordinate is an infinity or not a number */

@@ -48,10 +48,10 @@ struct footpoint_pairs {
 };
 
 /** Search of n pairs.
- *  @param[out] loc     n x 2: xi, eta as in footpoint_locate; untouched where the status is not FOOTPOINT_OK
+ *  @param[out] loc     n x 2: xi, eta as in footpoint_locate; untouched where the status is < 0
  *  @param[out] gap     n, or NULL: as in footpoint_locate; likewise
- *  @param[out] status  n, or NULL: FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE,
- *                      FOOTPOINT_ERR_DOMAIN (if p->sure), or FOOTPOINT_ERR_ARGUMENT where an index is out of range, and
+ *  @param[out] status  n, or NULL: FOOTPOINT_OK, FOOTPOINT_UNPROVED (not if p->sure),
+ *                      FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_DOMAIN (if p->sure), or FOOTPOINT_ERR_ARGUMENT where an index is out of range, and
  *                      everywhere if the tier is, or if coordinates, stride or indices are missing
  *  @return how many pairs have a status other than FOOTPOINT_OK */
 size_t footpoint_locate_batch(const struct footpoint_pairs *p, enum footpoint_tier tier, double *loc, double *gap,

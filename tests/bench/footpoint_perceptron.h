@@ -81,6 +81,9 @@
 #ifndef FOOTPOINT_OK
 #define FOOTPOINT_OK 0
 #endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 4
+#endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
 #define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
@@ -301,9 +304,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3],
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
-typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double zero, double *xi,
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
+ * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
+ * zero: see footpoint_detail_zero. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
@@ -333,6 +337,332 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD4_ANSWER
+#define FOOTPOINT_QUAD4_ANSWER
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (unsigned long long)1 << 63;
+#else
+    return 0;
+#endif
+}
+
+/* The greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* The sum of the absolute values, and the largest. */
+FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+FOOTPOINT_PART double footpoint_detail_most(const double a[3])
+{
+    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
+}
+
+/* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
+ * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
+ * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
+ * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two. */
+typedef struct {
+    const double *a, *b, *c, *d;
+    double over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q. */
+FOOTPOINT_PART double footpoint_detail_quad4_off(const footpoint_detail_quad4_vectors *r, double p,
+                                                 double q, double uu, double mixed, double vv)
+{
+    const double a1 = footpoint_detail_sum(r->a), am = footpoint_detail_most(r->a);
+    const double b1 = footpoint_detail_sum(r->b), bm = footpoint_detail_most(r->b);
+    const double c1 = footpoint_detail_sum(r->c), cm = footpoint_detail_most(r->c);
+    const double first = a1 + c1 + 0.08 * b1, wide = am + cm + 0.08 * bm;
+    const double second = b1 + c1 + 0.08 * a1, high = bm + cm + 0.08 * am;
+    const double turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
+    const double bend = r->twist == 1 ? wide : r->twist == 2 ? high : wide + high;
+    const double u = first + q * turn, v = second + p * turn;
+    const double far = fabs(r->over) * footpoint_detail_most(r->d) + wide + high + p * wide +
+                     q * (high + p * bend);
+    return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
+}
+
+/* A step of third order to the foot point, by xi and eta, from products[] = a a, a b, b b, a c, b c, c c, a d, b d, c d.  The
+ * highest bit of what it returns is not set if a minimum of the distance is proved to lie within `promise` of the answer.
+ *
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  From Newton's step s = H^-1 F what is left
+ * of F is known, N(s), as it is a polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a
+ * ball of 1/6 about the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + c . c.  Let h = beta L (|s| + 2 |x| +
+ * 2 R), where R bounds rounding; in the ball of that radius 1 - H^-1 H(y) is at most h, so that Newton's iteration with
+ * H kept contracts: what it would do next, at most h |x| + R, bounds the distance of the answer from a root within a factor of
+ * 1 / (1 - h), and H is positive definite all the way there.
+ *
+ * rounding: (k + 20) units of rounding, if products are off by k units of what `reach` allows: polynomials take 8 more, Cramer's
+ * rule 9.  In row xi, F is off by rounding P T, P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., of reach, and H s and N by
+ * 24 |s| P T each: so do the bounds grow in the ball.  The weak inequality of det keeps rounding errors of beta and
+ * h below what 0.2, 1.4 and 1.3 leave of 0.25, 1.25 and 1.25. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
+                                                              const footpoint_detail_quad4_vectors *r,
+                                                              double promise, double *xi, double *eta)
+{
+    const double e11 = products[0], e12 = products[1] - products[8], e22 = products[2],
+               c1 = products[3];
+    const double c2 = products[4], cc = products[5], p = *xi, q = *eta;
+    const double tu = c1 + q * cc, tv = c2 + p * cc, y = p * c1 + q * tv, z = e12 + y;
+    const double uu = e11 + q * (c1 + tu), vv = e22 + p * (c2 + tv), r12 = z + y, mixed = fabs(r12);
+    const double f = products[6] - q * z - p * (e11 + q * c1);
+    const double g = products[7] - p * z - q * (e22 + p * c2);
+    const double per = 1.0 / (uu * vv - r12 * r12);
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    double off, left = step * (1.0 / 3.0), h, room, other;
+    if (promise < 1e-9)
+        off = per * footpoint_detail_quad4_off(r, fabs(p) + 2.0 * step, fabs(q) + 2.0 * step, uu,
+                                               mixed, vv);
+    else
+        off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
+                      (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
+    off *= r->rounding + 50.0 * r->rounding * step;
+    *xi = p + s;
+    *eta = q + t;
+    if (promise < 1e-3) {
+        const double along = tu * s, across = tv * t, both = cc * (s * t);
+        const double m = t * (along + along + across + both),
+                   n = s * (across + across + along + both);
+        const double v = (r12 * n - vv * m) * per, w = (r12 * m - uu * n) * per;
+        left = footpoint_detail_greater(fabs(v), fabs(w));
+        *xi += v;
+        *eta += w;
+    }
+    h = beta * (4.0 * (fabs(tu) + fabs(tv)) + 2.0 * cc) * (step + 2.0 * (left + off));
+    room = 0.999 * promise - (1.4 * h * left + 1.3 * off);
+    other = 0.2 - (h + 1.2 * step + 200.0 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(other) | footpoint_detail_bits(per) |
+           footpoint_detail_infinite(room) | footpoint_detail_fast();
+}
+
+/* Steps until one is proved, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+ * these are enough. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
+                                                               const footpoint_detail_quad4_vectors *r,
+                                                               double promise, int fixed, double *xi, double *eta)
+{
+    unsigned long long doubt = footpoint_detail_infinite(*xi + *eta);
+    int k = 0;
+    if (fixed) {
+        double u, v;
+        unsigned long long still;
+        doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        if (fixed < 2)
+            return doubt;
+        u = *xi;
+        v = *eta;
+        still = footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        *xi = doubt >> 63 ? u : *xi;
+        *eta = doubt >> 63 ? v : *eta;
+        return doubt & still;
+    }
+    if (!(doubt >> 63))
+        do {
+            doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        } while (doubt >> 63 && ++k < 4);
+    return doubt;
+}
+
+/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
+ * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+ *
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
+ * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
+ * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
+ * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
+ * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
+ * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
+ * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_prove(const double a[3], const double b[3],
+                                                               const double c[3], const double d[3], double over,
+                                                               double rounding, double promise, double *xi,
+                                                               double *eta)
+{
+    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
+    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const double w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
+                       over * d[2] - p * a[2] - q * v[2]};
+    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
+    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
+    const double det = uu * vv - r12 * r12, per = 1.0 / det;
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
+    const double second = footpoint_detail_sum(b);
+    const double far =
+        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
+    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
+    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const double off =
+        rounding * far * per *
+        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
+    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
+                   (4.0 * turns + cc + 1e-13 * (far * far));
+    double room, other;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999 * promise *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.2 * off);
+    other = 0.249 - h;
+    room = other < room ? other : room;
+    other = 0.083 - step;
+    room = other < room ? other : room;
+    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
+    room = other < room ? other : room;
+    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
+           footpoint_detail_fast();
+}
+
+/* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
+ * NULL, the step of Gauss and Newton from there, which leads downhill. */
+FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const double b[3], const double c[3],
+                                                   const double d[3], double xi, double eta, double *gauss)
+{
+    double u[3], v[3], w[3], uu, uv, vv, f, g, det;
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] - xi * a[i] - eta * v[i];
+    }
+    if (gauss) {
+        uu = footpoint_detail_dot(u, u);
+        uv = footpoint_detail_dot(u, v);
+        vv = footpoint_detail_dot(v, v);
+        f = footpoint_detail_dot(u, w);
+        g = footpoint_detail_dot(v, w);
+        det = 1.001 * uu * vv - uv * uv + 2.2250738585072014e-308;
+        gauss[0] = (vv * f - uv * g) / det;
+        gauss[1] = (uu * g - uv * f) / det;
+    }
+    return footpoint_detail_dot(w, w);
+}
+
+/* Vectors as sums of edges, four times r's. */
+FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], double b[3],
+                                                 double c[3], double d[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double ab = y[1][i] - y[0][i], dc = y[2][i] - y[3][i];
+        a[i] = ab + dc;
+        b[i] = (y[3][i] - y[0][i]) + (y[2][i] - y[1][i]);
+        c[i] = dc - ab;
+        d[i] = ((y[4][i] - y[0][i]) + (y[4][i] - y[2][i])) +
+               ((y[4][i] - y[1][i]) + (y[4][i] - y[3][i]));
+    }
+}
+
+/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
+ * lead downhill.  0 if nothing is nearer. */
+FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double b[3], const double c[3],
+                                                 const double d[3], double to[2], double at[2],
+                                                 double *apart)
+{
+    double gauss[2], damp = 1.0, less;
+    less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+    if (!(less <= *apart * (1.0 + 4e-16))) {
+        (void)footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], gauss);
+        do {
+            to[0] = at[0] + damp * gauss[0];
+            to[1] = at[1] + damp * gauss[1];
+            less = footpoint_detail_quad4_apart(a, b, c, d, to[0], to[1], NULL);
+            damp *= 0.25;
+        } while (!(less < *apart) && damp > 1e-4);
+    }
+    if (!(less <= *apart * (1.0 + 4e-16)))
+        return 0;
+    at[0] = to[0];
+    at[1] = to[1];
+    *apart = less;
+    return 1;
+}
+
+/* From loc by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  In a unit of length in which the segment is
+ * about 1 long, with vectors whose coordinates are off by 3 units of rounding: see footpoint_detail_quad4_prove(). */
+FOOTPOINT_COLD int footpoint_detail_quad4_repair(const double *const *x, double promise, double loc[2],
+                                                 double *gap)
+{
+    const double rounding = 11.0 * 1.12e-16;
+    double y[5][3], a[3], b[3], c[3], d[3], at[2], to[2], g, apart;
+    const double *z[5];
+    int exponent = 0, i, steps, status = FOOTPOINT_UNPROVED;
+    if (footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
+        return FOOTPOINT_UNPROVED;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    footpoint_detail_quad4_edges(y, a, b, c, d);
+    at[0] = fabs(loc[0]) < 1e3 ? loc[0] : 0.0;
+    at[1] = fabs(loc[1]) < 1e3 ? loc[1] : 0.0;
+    apart = footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], NULL);
+    for (steps = 0; steps < 20; steps++) {
+        to[0] = at[0];
+        to[1] = at[1];
+        if (!(footpoint_detail_quad4_prove(a, b, c, d, 1.0, rounding, promise, &to[0], &to[1]) >>
+              63)) {
+            at[0] = to[0];
+            at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        /* where steps have become shorter than that, rounding forbids the proof */
+        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 0.01 * promise ||
+            !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
+            break;
+    }
+    if (footpoint_detail_quad4_gap(z, at[0], at[1], 1e-6, &g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    g = ldexp(g, exponent);
+    if (footpoint_detail_infinite(g) >> 63)
+        return FOOTPOINT_UNPROVED;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *gap = g;
+    return status;
+}
+
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
+FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
+                                                 const double *const *x, int nodes, double promise,
+                                                 double loc[2], double *gap)
+{
+    int status;
+    double xi, eta, g;
+    if (promise > 0.0 &&
+        !(search(x, 2, 0.0, &xi, &eta, &g) >> 63)) { /* a loop takes fewer steps */
+        loc[0] = xi;
+        loc[1] = eta;
+        *gap = g;
+        return FOOTPOINT_OK;
+    }
+    status = footpoint_detail_again(search, x, nodes, 5, loc, gap);
+    return status == FOOTPOINT_OK && promise > 0.0
+               ? footpoint_detail_quad4_repair(x, promise, loc, gap)
+               : status;
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_ARRAYS
 #define FOOTPOINT_QUAD4_ARRAYS
 /* The search of _at. */
@@ -357,19 +687,19 @@ FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *sear
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
 FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
-                                                const double *const *row, int nodes, double *xi,
-                                                double *eta, double *gap, int *status)
+                                                const double *const *row, int nodes, double promise,
+                                                double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_again(search, row, nodes, 5, loc, gap);
+    *status = footpoint_detail_quad4_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes,
+                                                     const double *const *x, int nodes, double promise,
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap,
@@ -393,7 +723,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 
@@ -401,9 +732,9 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
  * is computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
-                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
-                              int *FOOTPOINT_RESTRICT status)
+                              const double *const *x, int nodes, double promise,
+                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[4][3];
@@ -426,7 +757,8 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
         }
 }
 #endif
@@ -477,33 +809,10 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  *           there, or no number.
  * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
  * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* footpoint_perceptron_hidden_8
- *   operations:     138 mul, 9 div, 124 add, 10 sqrt, 0 compare; 75 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  7c0daa40e2f9d281d10b49bf9e33f1a8b9e0b697ff75ec94480cfe3d9bf0316d
- *   poles:          t15: no zero where the region's requires hold, by no proved margin
- *   poles:          t41: proved free of zeros, |t41| >= 0.99 (as computed, too)
- *   poles:          t42: proved free of zeros, |t42| >= 0.99 (as computed, too)
- *   poles:          t45: proved free of zeros, |t45| >= 0.99 (as computed, too)
- *   poles:          t48: proved free of zeros, |t48| >= 0.99 (as computed, too)
- *   poles:          t52: proved free of zeros, |t52| >= 0.99 (as computed, too)
- *   poles:          t56: proved free of zeros, |t56| >= 0.99 (as computed, too)
- *   poles:          t59: proved free of zeros, |t59| >= 0.99 (as computed, too)
- *   poles:          t61: proved free of zeros, |t61| >= 0.99 (as computed, too)
- *   rounding:       xi 8.3e-15 sampled; eta 1.3e-14 sampled (500 points)
- *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
- *   terms:          90 weights of the network
- *   training:       xi mean 3.4985e-02; eta mean 3.6121e-02
- *   heldout:        xi n 439697 mean 3.4898e-02 p99 1.731e-01 max 1.129e+00; eta n 439697 mean 3.6225e-02 p99
- *     1.924e-01 max 7.165e-01
- *   heldout_random: xi n 200000 mean 4.0821e-02 p99 2.275e-01 max 3.254e+00; eta n 200000 mean 4.3721e-02 p99
- *     2.774e-01 max 3.417e+00
- *   vectorises:     -O3 -fno-math-errno
- */
 FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail(const double xA[3], const double xB[3],
                                                                        const double xC[3], const double xD[3],
                                                                        const double xS[3], double zero, double *xi,
@@ -579,91 +888,6 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail(const dou
         footpoint_detail_outside(t56) | footpoint_detail_outside(t59) | footpoint_detail_outside(t61);
 }
 
-FOOTPOINT_FN void footpoint_perceptron_hidden_8_at(const double xA[3], const double xB[3], const double xC[3],
-                                                   const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_perceptron_hidden_8_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail_nearest_shorter(const double *const *x,
-                                                                                       double zero, double *xi,
-                                                                                       double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_perceptron_hidden_8_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail_checked(const double *const *x, int full,
-                                                                               double zero, double *xi,
-                                                                               double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_perceptron_hidden_8_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_perceptron_hidden_8(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_perceptron_hidden_8_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_perceptron_hidden_8_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_n(size_t n, const double *const x[15],
-                                                    double *FOOTPOINT_RESTRICT xi,
-                                                    double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_perceptron_hidden_8_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const double *const x[15],
-                                                            double *FOOTPOINT_RESTRICT xi,
-                                                            double *FOOTPOINT_RESTRICT eta,
-                                                            double *FOOTPOINT_RESTRICT gap,
-                                                            int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_8_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_perceptron_hidden_16
- *   operations:     226 mul, 17 div, 212 add, 18 sqrt, 0 compare; 115 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  6c7fe4265edce8018421b8a3b310a4f6b9cbb842a1c9c799155fe6bd8ea9b168
- *   poles:          t15: no zero where the region's requires hold, by no proved margin
- *   poles:          t41: proved free of zeros, |t41| >= 0.99 (as computed, too)
- *   poles:          t42: proved free of zeros, |t42| >= 0.99 (as computed, too)
- *   poles:          t45: proved free of zeros, |t45| >= 0.99 (as computed, too)
- *   poles:          t48: proved free of zeros, |t48| >= 0.99 (as computed, too)
- *   poles:          t51: proved free of zeros, |t51| >= 0.99 (as computed, too)
- *   poles:          t56: proved free of zeros, |t56| >= 0.99 (as computed, too)
- *   poles:          t60: proved free of zeros, |t60| >= 0.99 (as computed, too)
- *   poles:          t64: proved free of zeros, |t64| >= 0.99 (as computed, too)
- *   poles:          t68: proved free of zeros, |t68| >= 0.99 (as computed, too)
- *   poles:          t72: proved free of zeros, |t72| >= 0.99 (as computed, too)
- *   poles:          t76: proved free of zeros, |t76| >= 0.99 (as computed, too)
- *   poles:          of 5 more denominators, 5 are proved free of zeros, 5 of these as computed, too
- *   rounding:       xi 7.7e-15 sampled; eta 9.8e-15 sampled (500 points)
- *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
- *   terms:          178 weights of the network
- *   training:       xi mean 2.0534e-02; eta mean 1.9627e-02
- *   heldout:        xi n 439697 mean 2.0805e-02 p99 1.183e-01 max 5.170e-01; eta n 439697 mean 1.9767e-02 p99
- *     1.135e-01 max 7.318e-01
- *   heldout_random: xi n 200000 mean 2.4079e-01 p99 1.175e+00 max 5.952e+00; eta n 200000 mean 3.0690e-01 p99
- *     1.437e+00 max 8.449e+00
- *   vectorises:     -O3 -fno-math-errno
- */
 FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail(const double xA[3], const double xB[3],
                                                                         const double xC[3], const double xD[3],
                                                                         const double xS[3], double zero, double *xi,
@@ -782,91 +1006,6 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail(const do
         footpoint_detail_outside(t91) | footpoint_detail_outside(t93);
 }
 
-FOOTPOINT_FN void footpoint_perceptron_hidden_16_at(const double xA[3], const double xB[3], const double xC[3],
-                                                    const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    (void)footpoint_perceptron_hidden_16_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
-}
-
-FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail_nearest_shorter(const double *const *x,
-                                                                                        double zero, double *xi,
-                                                                                        double *eta)
-{
-    const double *const xS = x[4];
-    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
-    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
-    double u, v;
-    const unsigned long long flaw = footpoint_perceptron_hidden_16_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
-    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
-    return flaw;
-}
-
-FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail_checked(const double *const *x, int full,
-                                                                                double zero, double *xi,
-                                                                                double *eta, double *gap)
-{
-    unsigned long long flaw = footpoint_perceptron_hidden_16_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
-    (void)full;
-    return flaw;
-}
-
-FOOTPOINT_FN int footpoint_perceptron_hidden_16(const double xA[3], const double xB[3], const double xC[3],
-                                                const double xD[3], const double xS[3], double loc[2], double *gap)
-{
-    const double *const x[5] = {xA, xB, xC, xD, xS};
-    double xi, eta, g;
-    if (footpoint_perceptron_hidden_16_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_perceptron_hidden_16_detail_checked, x, 4, 5, loc, gap);
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
-    return FOOTPOINT_OK;
-}
-
-FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta)
-{
-    footpoint_detail_quad4_n(footpoint_perceptron_hidden_16_detail, n, x, xi, eta);
-}
-
-FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const double *const x[15],
-                                                             double *FOOTPOINT_RESTRICT xi,
-                                                             double *FOOTPOINT_RESTRICT eta,
-                                                             double *FOOTPOINT_RESTRICT gap,
-                                                             int *FOOTPOINT_RESTRICT status)
-{
-    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_detail_checked, n, x, 4, xi, eta, gap, status);
-}
-
-/* footpoint_perceptron_hidden_16_16
- *   operations:     498 mul, 33 div, 484 add, 34 sqrt, 0 compare; 195 temporaries
- *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  28e9de38b029150bffcc937c128c9b6b707be8f40e905faa8eea530128ea5274
- *   poles:          t15: no zero where the region's requires hold, by no proved margin
- *   poles:          t41: proved free of zeros, |t41| >= 0.99 (as computed, too)
- *   poles:          t42: proved free of zeros, |t42| >= 0.99 (as computed, too)
- *   poles:          t45: proved free of zeros, |t45| >= 0.99 (as computed, too)
- *   poles:          t48: proved free of zeros, |t48| >= 0.99 (as computed, too)
- *   poles:          t51: proved free of zeros, |t51| >= 0.99 (as computed, too)
- *   poles:          t56: proved free of zeros, |t56| >= 0.99 (as computed, too)
- *   poles:          t60: proved free of zeros, |t60| >= 0.99 (as computed, too)
- *   poles:          t64: proved free of zeros, |t64| >= 0.99 (as computed, too)
- *   poles:          t68: proved free of zeros, |t68| >= 0.99 (as computed, too)
- *   poles:          t72: proved free of zeros, |t72| >= 0.99 (as computed, too)
- *   poles:          t76: proved free of zeros, |t76| >= 0.99 (as computed, too)
- *   poles:          of 21 more denominators, 21 are proved free of zeros, 21 of these as computed, too
- *   rounding:       xi 1.5e-14 sampled; eta 2e-14 sampled (500 points)
- *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
- *   terms:          450 weights of the network
- *   training:       xi mean 6.5141e-03; eta mean 6.5176e-03
- *   heldout:        xi n 439697 mean 6.6149e-03 p99 3.694e-02 max 6.984e-01; eta n 439697 mean 6.6525e-03 p99
- *     4.321e-02 max 5.347e-01
- *   heldout_random: xi n 200000 mean 2.0168e-02 p99 2.096e-01 max 2.561e+00; eta n 200000 mean 2.1919e-02 p99
- *     3.229e-01 max 4.303e+00
- *   vectorises:     -O3 -fno-math-errno
- */
 FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail(const double xA[3], const double xB[3],
                                                                            const double xC[3], const double xD[3],
                                                                            const double xS[3], double zero, double *xi,
@@ -1137,6 +1276,203 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail(const
         footpoint_detail_outside(t152) | footpoint_detail_outside(t155) | footpoint_detail_outside(t157);
 }
 
+/* footpoint_perceptron_hidden_8
+ *   operations:     138 mul, 9 div, 124 add, 10 sqrt, 0 compare; 75 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  7c0daa40e2f9d281d10b49bf9e33f1a8b9e0b697ff75ec94480cfe3d9bf0316d
+ *   poles:          t15: no zero where the region's requires hold, by no proved margin
+ *   poles:          t41: proved free of zeros, |t41| >= 0.99 (as computed, too)
+ *   poles:          t42: proved free of zeros, |t42| >= 0.99 (as computed, too)
+ *   poles:          t45: proved free of zeros, |t45| >= 0.99 (as computed, too)
+ *   poles:          t48: proved free of zeros, |t48| >= 0.99 (as computed, too)
+ *   poles:          t52: proved free of zeros, |t52| >= 0.99 (as computed, too)
+ *   poles:          t56: proved free of zeros, |t56| >= 0.99 (as computed, too)
+ *   poles:          t59: proved free of zeros, |t59| >= 0.99 (as computed, too)
+ *   poles:          t61: proved free of zeros, |t61| >= 0.99 (as computed, too)
+ *   rounding:       xi 8.3e-15 sampled; eta 1.3e-14 sampled (500 points)
+ *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
+ *   terms:          90 weights of the network
+ *   training:       xi mean 3.4985e-02; eta mean 3.6121e-02
+ *   heldout:        xi n 439697 mean 3.4898e-02 p99 1.731e-01 max 1.129e+00; eta n 439697 mean 3.6225e-02 p99
+ *     1.924e-01 max 7.165e-01
+ *   heldout_random: xi n 200000 mean 4.0821e-02 p99 2.275e-01 max 3.254e+00; eta n 200000 mean 4.3721e-02 p99
+ *     2.774e-01 max 3.417e+00
+ *   vectorises:     -O3 -fno-math-errno
+ */
+FOOTPOINT_FN void footpoint_perceptron_hidden_8_at(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_perceptron_hidden_8_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail_nearest_shorter(const double *const *x,
+                                                                                       double zero, double *xi,
+                                                                                       double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_perceptron_hidden_8_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail_checked(const double *const *x, int way,
+                                                                               double zero, double *xi,
+                                                                               double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_perceptron_hidden_8_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_perceptron_hidden_8(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_perceptron_hidden_8_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_perceptron_hidden_8_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_n(size_t n, const double *const x[15],
+                                                    double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_perceptron_hidden_8_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const double *const x[15],
+                                                            double *FOOTPOINT_RESTRICT xi,
+                                                            double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap,
+                                                            int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_8_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_perceptron_hidden_16
+ *   operations:     226 mul, 17 div, 212 add, 18 sqrt, 0 compare; 115 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  6c7fe4265edce8018421b8a3b310a4f6b9cbb842a1c9c799155fe6bd8ea9b168
+ *   poles:          t15: no zero where the region's requires hold, by no proved margin
+ *   poles:          t41: proved free of zeros, |t41| >= 0.99 (as computed, too)
+ *   poles:          t42: proved free of zeros, |t42| >= 0.99 (as computed, too)
+ *   poles:          t45: proved free of zeros, |t45| >= 0.99 (as computed, too)
+ *   poles:          t48: proved free of zeros, |t48| >= 0.99 (as computed, too)
+ *   poles:          t51: proved free of zeros, |t51| >= 0.99 (as computed, too)
+ *   poles:          t56: proved free of zeros, |t56| >= 0.99 (as computed, too)
+ *   poles:          t60: proved free of zeros, |t60| >= 0.99 (as computed, too)
+ *   poles:          t64: proved free of zeros, |t64| >= 0.99 (as computed, too)
+ *   poles:          t68: proved free of zeros, |t68| >= 0.99 (as computed, too)
+ *   poles:          t72: proved free of zeros, |t72| >= 0.99 (as computed, too)
+ *   poles:          t76: proved free of zeros, |t76| >= 0.99 (as computed, too)
+ *   poles:          of 5 more denominators, 5 are proved free of zeros, 5 of these as computed, too
+ *   rounding:       xi 7.7e-15 sampled; eta 9.8e-15 sampled (500 points)
+ *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
+ *   terms:          178 weights of the network
+ *   training:       xi mean 2.0534e-02; eta mean 1.9627e-02
+ *   heldout:        xi n 439697 mean 2.0805e-02 p99 1.183e-01 max 5.170e-01; eta n 439697 mean 1.9767e-02 p99
+ *     1.135e-01 max 7.318e-01
+ *   heldout_random: xi n 200000 mean 2.4079e-01 p99 1.175e+00 max 5.952e+00; eta n 200000 mean 3.0690e-01 p99
+ *     1.437e+00 max 8.449e+00
+ *   vectorises:     -O3 -fno-math-errno
+ */
+FOOTPOINT_FN void footpoint_perceptron_hidden_16_at(const double xA[3], const double xB[3], const double xC[3],
+                                                    const double xD[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_perceptron_hidden_16_detail(xA, xB, xC, xD, xS, 0.0, xi, eta);
+}
+
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail_nearest_shorter(const double *const *x,
+                                                                                        double zero, double *xi,
+                                                                                        double *eta)
+{
+    const double *const xS = x[4];
+    const int k = footpoint_detail_nearest_corner(x, xS), mirror = footpoint_detail_mirrored(x, k);
+    const int b = (k + (mirror ? 3 : 1)) & 3, d = (k + (mirror ? 1 : 3)) & 3;
+    double u, v;
+    const unsigned long long flaw = footpoint_perceptron_hidden_16_detail(x[k], x[b], x[(k + 2) & 3], x[d], xS, zero, &u, &v);
+    footpoint_detail_turn_back(k, mirror ? v : u, mirror ? u : v, xi, eta);
+    return flaw;
+}
+
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail_checked(const double *const *x, int way,
+                                                                                double zero, double *xi,
+                                                                                double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_perceptron_hidden_16_detail_nearest_shorter(x, zero, xi, eta);
+    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    (void)way;
+    return flaw;
+}
+
+FOOTPOINT_FN int footpoint_perceptron_hidden_16(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xS[3], double loc[2], double *gap)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_perceptron_hidden_16_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_perceptron_hidden_16_detail_checked, x, 4, 0.0, loc,
+                                             gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_n(size_t n, const double *const x[15],
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
+{
+    footpoint_detail_quad4_n(footpoint_perceptron_hidden_16_detail, n, x, xi, eta);
+}
+
+FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const double *const x[15],
+                                                             double *FOOTPOINT_RESTRICT xi,
+                                                             double *FOOTPOINT_RESTRICT eta,
+                                                             double *FOOTPOINT_RESTRICT gap,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
+}
+
+/* footpoint_perceptron_hidden_16_16
+ *   operations:     498 mul, 33 div, 484 add, 34 sqrt, 0 compare; 195 temporaries
+ *   proof:          proved equal to the genome as rational functions over Q
+ *   genome_sha256:  28e9de38b029150bffcc937c128c9b6b707be8f40e905faa8eea530128ea5274
+ *   poles:          t15: no zero where the region's requires hold, by no proved margin
+ *   poles:          t41: proved free of zeros, |t41| >= 0.99 (as computed, too)
+ *   poles:          t42: proved free of zeros, |t42| >= 0.99 (as computed, too)
+ *   poles:          t45: proved free of zeros, |t45| >= 0.99 (as computed, too)
+ *   poles:          t48: proved free of zeros, |t48| >= 0.99 (as computed, too)
+ *   poles:          t51: proved free of zeros, |t51| >= 0.99 (as computed, too)
+ *   poles:          t56: proved free of zeros, |t56| >= 0.99 (as computed, too)
+ *   poles:          t60: proved free of zeros, |t60| >= 0.99 (as computed, too)
+ *   poles:          t64: proved free of zeros, |t64| >= 0.99 (as computed, too)
+ *   poles:          t68: proved free of zeros, |t68| >= 0.99 (as computed, too)
+ *   poles:          t72: proved free of zeros, |t72| >= 0.99 (as computed, too)
+ *   poles:          t76: proved free of zeros, |t76| >= 0.99 (as computed, too)
+ *   poles:          of 21 more denominators, 21 are proved free of zeros, 21 of these as computed, too
+ *   rounding:       xi 1.5e-14 sampled; eta 2e-14 sampled (500 points)
+ *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
+ *   terms:          450 weights of the network
+ *   training:       xi mean 6.5141e-03; eta mean 6.5176e-03
+ *   heldout:        xi n 439697 mean 6.6149e-03 p99 3.694e-02 max 6.984e-01; eta n 439697 mean 6.6525e-03 p99
+ *     4.321e-02 max 5.347e-01
+ *   heldout_random: xi n 200000 mean 2.0168e-02 p99 2.096e-01 max 2.561e+00; eta n 200000 mean 2.1919e-02 p99
+ *     3.229e-01 max 4.303e+00
+ *   vectorises:     -O3 -fno-math-errno
+ */
 FOOTPOINT_FN void footpoint_perceptron_hidden_16_16_at(const double xA[3], const double xB[3], const double xC[3],
                                                        const double xD[3], const double xS[3], double *xi,
                                                        double *eta)
@@ -1157,13 +1493,13 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail_neare
     return flaw;
 }
 
-FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail_checked(const double *const *x, int full,
+FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail_checked(const double *const *x, int way,
                                                                                    double zero, double *xi,
                                                                                    double *eta, double *gap)
 {
     unsigned long long flaw = footpoint_perceptron_hidden_16_16_detail_nearest_shorter(x, zero, xi, eta);
     flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
-    (void)full;
+    (void)way;
     return flaw;
 }
 
@@ -1173,8 +1509,9 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_16_16(const double xA[3], const dou
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    if (footpoint_perceptron_hidden_16_16_detail_checked(x, 0, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_again(footpoint_perceptron_hidden_16_16_detail_checked, x, 4, 5, loc, gap);
+    if (footpoint_perceptron_hidden_16_16_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_quad4_answer(footpoint_perceptron_hidden_16_16_detail_checked, x, 4, 0.0, loc,
+                                             gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -1194,7 +1531,8 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_checked_n(size_t n, const 
                                                                 double *FOOTPOINT_RESTRICT gap,
                                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_16_detail_checked, n, x, 4, xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_16_detail_checked, n, x, 4, 0.0, xi, eta, gap,
+                                     status);
 }
 
 #ifndef FOOTPOINT_DETAIL_ALONG

@@ -2,6 +2,8 @@
 #ifndef FOOTPOINT_TESTS_HEADER_FUNCTIONS_H
 #define FOOTPOINT_TESTS_HEADER_FUNCTIONS_H
 
+#include <stddef.h>
+
 enum {
     HEADER_FUNCTIONS = 0
 #define METHOD(scene, kind, name, mul, div, add, sqrt, promise) +1
@@ -9,12 +11,13 @@ enum {
 #undef METHOD
 };
 
-/** The i-th METHOD of methods.inc: NAME_at and NAME; x: a pointer for each vector of the segment. */
+/** The i-th METHOD of methods.inc: NAME_at, NAME and NAME_checked_n; x: a pointer for each vector of the segment. */
 extern const struct header_function {
     const char *scene, *name;
     double promise; /* NAME_PROMISE; 0: there is none */
     void (*at)(const double *const *x, const double *xs, double *xi, double *eta);
     int (*locate)(const double *const *x, const double *xs, double loc[2], double *gap);
+    void (*checked_n)(size_t n, const double *const *x, double *xi, double *eta, double *gap, int *status);
 } header_functions[HEADER_FUNCTIONS];
 
 #endif

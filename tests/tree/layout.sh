@@ -54,7 +54,7 @@ tests/libraries:    tests/hard tests/rivals tests/support generated runtime runt
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
-tests/generated:    tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/generated:    tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated
 tests/replace:      runtime/replace runtime generated

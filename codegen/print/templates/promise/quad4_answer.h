@@ -108,7 +108,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(const REAL *const *x, REAL prom
     return status;
 }
 
-/* NAME where its search is not good beyond doubt; promise = 0: nothing is promised. */
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const REAL *const *x, int nodes, REAL promise,
                                                  REAL loc[2], REAL *gap)

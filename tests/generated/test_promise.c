@@ -1,0 +1,188 @@
+/* What functions promise: where they say FOOTPOINT_OK a minimum of the distance lies within NAME_PROMISE of xi and eta, on the families
+ * of hard cases and on faces that moving edges sweep, alone and in arrays; some of each, many with FOOTPOINT_LONG.  The judge
+ * takes Newton's steps in quadruple precision and shares no code with what it judges. */
+#include "../../runtime/footpoint.h"
+#include "../hard/draw.h"
+#include "../hard/hard.h"
+#include "header_functions.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+__extension__ typedef __float128 wide;
+
+enum { CASES = 100, CASES_LONG = 20000, STEPS = 60, SWEPT_LEAST = 80 };
+
+static long cases(void)
+{
+    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+}
+
+static double size_of(wide x)
+{
+    return fabs((double)x);
+}
+
+/* Two edges that a step moves, of other lengths than the step, span the face; the slave node is beside the first. */
+static void draw_swept(uint64_t *stream, struct hard_case *h)
+{
+    const double step = draw_power(stream, -2, 0);
+    for (int i = 0; i < 3; i++) {
+        h->x[0][i] = draw_flat(stream, -1, 1);
+        h->x[1][i] = draw_flat(stream, -1, 1);
+        h->x[3][i] = h->x[0][i] + step * draw_flat(stream, -1, 1);
+        h->x[2][i] = h->x[1][i] + step * draw_flat(stream, -1, 1);
+    }
+    const double along = draw_flat(stream, 0, 1);
+    for (int i = 0; i < 3; i++)
+        h->x[4][i] = h->x[0][i] + along * (h->x[1][i] - h->x[0][i]) + step * draw_flat(stream, -1, 1);
+}
+
+/* ---- the judge ---- */
+
+/* Slopes and Hessian of half the squared distance at z. */
+static void slopes(const struct hard_case *h, const wide z[2], wide g[2], wide H[3])
+{
+    g[0] = g[1] = H[0] = H[1] = H[2] = 0;
+    for (int i = 0; i < 3; i++) {
+        const wide A = h->x[0][i], B = h->x[1][i], C = h->x[2][i], D = h->x[3][i], S = h->x[4][i];
+        const wide c = (A - B + C - D) / 4, u = (B - A + C - D) / 4 + z[1] * c, v = (D - A + C - B) / 4 + z[0] * c;
+        const wide d = S - (A + B + C + D) / 4 - z[0] * (u - z[1] * c) - z[1] * v;
+        g[0] += u * d;
+        g[1] += v * d;
+        H[0] += u * u;
+        H[1] += u * v - c * d;
+        H[2] += v * v;
+    }
+}
+
+/* Newton's steps from z until they stand; whether that is a minimum. */
+static bool minimum_near(const struct hard_case *h, wide z[2])
+{
+    for (int k = 0; k < STEPS; k++) {
+        wide g[2], H[3];
+        slopes(h, z, g, H);
+        const wide det = H[0] * H[2] - H[1] * H[1];
+        const wide s = (H[2] * g[0] - H[1] * g[1]) / det, t = (H[0] * g[1] - H[1] * g[0]) / det;
+        if (!(size_of(s) + size_of(t) < 1e3)) /* nan, too */
+            return false;
+        z[0] += s;
+        z[1] += t;
+        if (k > 2 && size_of(s) + size_of(t) < 1e-22 * (1 + size_of(z[0]) + size_of(z[1])))
+            return det > 0 && H[0] > 0;
+    }
+    return false;
+}
+
+/* Whether an answer that is OK is as near to a minimum as promised. */
+static bool holds(const struct hard_case *h, const double loc[2], double promise)
+{
+    wide z[2] = {loc[0], loc[1]};
+    const double unit = fmax(1, fmax(fabs(loc[0]), fabs(loc[1])));
+    return minimum_near(h, z) && size_of(z[0] - loc[0]) <= promise * unit && size_of(z[1] - loc[1]) <= promise * unit;
+}
+
+/* ---- tests ---- */
+
+/* One function on one case; 1 if it is OK. */
+static int judge(const struct header_function *f, const char *family, const struct hard_case *h)
+{
+    const double *const x[4] = {h->x[0], h->x[1], h->x[2], h->x[3]};
+    double loc[2], gap;
+    if (f->locate(x, h->x[4], loc, &gap) != FOOTPOINT_OK)
+        return 0;
+    if (!holds(h, loc, f->promise)) {
+        for (int k = 0; k < 5; k++)
+            print_error("{%a, %a, %a}\n", h->x[k][0], h->x[k][1], h->x[k][2]);
+        fail_msg("%s, %s: OK at (%.17g, %.17g)", f->name, family, loc[0], loc[1]);
+    }
+    return 1;
+}
+
+static void test_hard(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
+        for (int family = 0; family < hard_family_count && header_functions[i].promise > 0; family++)
+            for (long k = 0; k < cases(); k++) {
+                struct hard_case h;
+                hard_draw(family, 1, (uint64_t)k, &h);
+                (void)judge(&header_functions[i], hard_families[family].name, &h);
+            }
+}
+
+static void test_swept(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < HEADER_FUNCTIONS; i++) {
+        uint64_t stream = 61;
+        long proved = 0;
+        for (long k = 0; k < 10 * cases() && header_functions[i].promise > 0; k++) {
+            struct hard_case h;
+            draw_swept(&stream, &h);
+            proved += judge(&header_functions[i], "swept", &h);
+        }
+        if (header_functions[i].promise > 1e-11 && 100 * proved < SWEPT_LEAST * 10 * cases())
+            fail_msg("%s: %ld proved", header_functions[i].name, proved);
+    }
+}
+
+/* In arrays the same answers as alone, but for rounding where compilers fuse operations. */
+static void test_arrays(void **state)
+{
+    enum { PAIRS = 500 };
+    static double column[15][PAIRS], xi[PAIRS], eta[PAIRS], gap[PAIRS];
+    static struct hard_case h[PAIRS];
+    static int status[PAIRS];
+    const double *x[15];
+    uint64_t stream = 62;
+    (void)state;
+    for (int i = 0; i < PAIRS; i++) {
+        if (i % 2)
+            draw_swept(&stream, &h[i]);
+        else
+            hard_draw(i / 2 % hard_family_count, 2, (uint64_t)i, &h[i]);
+        for (int k = 0; k < 15; k++)
+            column[k][i] = h[i].x[k / 3][k % 3];
+    }
+    for (int k = 0; k < 15; k++)
+        x[k] = column[k];
+    for (size_t f = 0; f < HEADER_FUNCTIONS; f++) {
+        if (!(header_functions[f].promise > 0))
+            continue;
+        header_functions[f].checked_n(PAIRS, x, xi, eta, gap, status);
+        for (int i = 0; i < PAIRS; i++) {
+            const double *const y[4] = {h[i].x[0], h[i].x[1], h[i].x[2], h[i].x[3]};
+            double loc[2] = {0, 0}, g = 0;
+            const double found[2] = {xi[i], eta[i]};
+            if (status[i] == FOOTPOINT_OK)
+                assert_true(holds(&h[i], found, header_functions[f].promise));
+#ifndef __FMA__
+            assert_int_equal(status[i], header_functions[f].locate(y, h[i].x[4], loc, &g));
+            if (status[i] >= FOOTPOINT_OK)
+                assert_true(loc[0] == xi[i] && loc[1] == eta[i] && g == gap[i]);
+#else
+            (void)y, (void)loc, (void)g;
+#endif
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_hard),
+        cmocka_unit_test(test_swept),
+        cmocka_unit_test(test_arrays),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
