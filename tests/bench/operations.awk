@@ -1,9 +1,9 @@
 # Operations of the functions of scalars, or of a segment, in a generated header, counted from its text alone: a line
-# mul,div,add,sqrt,compare for each, of the first body behind its banner.  A minus that begins an expression is a sign, a quotient of two numbers a number.
+# mul,div,add,sqrt,compare for each, of NAME_detail of a segment, of others of the first body behind the banner.  A minus that begins an expression is a sign, a quotient of two numbers a number.
 /^ \*   operations:/ { told = 1 }
-/^FOOTPOINT_(FN|PART)/ { body = ""; reading = 0 }
+/^FOOTPOINT_(FN|PART)/ { body = ""; reading = 0; bare = / [a-z0-9_]+_detail\(/; searches = searches || bare }
 /^FOOTPOINT_PART void/ { helper = 1 } # gives xi and eta back in the order of the corners
-/^}/ { if (body != "" && !helper && told) { count(body); told = 0 } body = ""; reading = 0; helper = 0 }
+/^}/ { if (body != "" && !helper && (searches ? bare : told)) { count(body); told = 0; bare = 0 } body = ""; reading = 0; helper = 0 }
 /^    (const (double|float) [tu][0-9]+ = |\*(out_[A-Za-z0-9_]+|xi|eta) = )/ { reading = 1; sub(/^[^=]*= /, "= ") }
 reading { body = body $0 " "; if (/;$/) reading = 0 }
 
