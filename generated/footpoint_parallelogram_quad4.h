@@ -633,19 +633,33 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(const double *const *x, double 
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised.  The search once more, as a loop takes fewer
+ * steps, then in a unit of length in which the segment is about 1 long, then repair. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const double *const *x, int nodes, double promise,
                                                  double loc[2], double *gap)
 {
-    int status;
-    double xi, eta, g;
-    if (promise > 0.0 &&
-        !(search(x, 2, 0.0, &xi, &eta, &g) >> 63)) { /* a loop takes fewer steps */
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
-        return FOOTPOINT_OK;
+    int status, exponent = 0, i;
+    double y[5][3], xi, eta, g;
+    const double *z[5];
+    if (promise > 0.0) {
+        unsigned long long doubt = search(x, 2, 0.0, &xi, &eta, &g);
+        if (doubt >> 63 && nodes > 0) {
+            status = footpoint_detail_scale(x, nodes, 5, y, &exponent);
+            if (status != FOOTPOINT_OK)
+                return status;
+            for (i = 0; i < 5; i++)
+                z[i] = y[i];
+            doubt = search(z, 2, 0.0, &xi, &eta, &g);
+            g = ldexp(g, exponent);
+            doubt |= footpoint_detail_infinite(g);
+        }
+        if (!(doubt >> 63)) {
+            loc[0] = xi;
+            loc[1] = eta;
+            *gap = g;
+            return FOOTPOINT_OK;
+        }
     }
     status = footpoint_detail_again(search, x, nodes, 5, loc, gap);
     return status == FOOTPOINT_OK && promise > 0.0

@@ -29,12 +29,12 @@ int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const
     const int status = search[tier](x[0], x[1], x[2], x[3], x[4], found, &g);
     if (status < FOOTPOINT_OK)
         return status;
-    if (sure && (status != FOOTPOINT_OK || !is_sure(x, found)))
+    if (sure && !is_sure(x, found))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
     *gap = g;
-    return status;
+    return sure ? FOOTPOINT_OK : status; /* the check is a proof, too */
 }
 
 /* What footpoint_locate_one does, straight on where nothing is out of the ordinary. */

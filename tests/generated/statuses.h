@@ -72,6 +72,16 @@ static const double place[12][3] = {{0, 0, 0},
 static const int order[VECTORS] = {ORDER};
 static int failures;
 
+/* Whether a status is that of a good pair: where compilers may order sums as they like, nothing is proved. */
+static int is_good(int status)
+{
+#ifdef __FAST_MATH__
+    return status == FOOTPOINT_OK || status == FOOTPOINT_UNPROVED;
+#else
+    return status == FOOTPOINT_OK;
+#endif
+}
+
 static void complain(int f, const char *what, int a, int b, int status)
 {
     if (failures++ < 20)
@@ -110,7 +120,7 @@ static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc
             column[i][k] = k == 1 ? x[i / 3][i % 3] : good[i / 3][i % 3];
     }
     checked_n(3, at, xi, eta, g, found);
-    if (found[1] != status || found[0] != FOOTPOINT_OK || found[2] != FOOTPOINT_OK)
+    if (found[1] != status || !is_good(found[0]) || !is_good(found[2]))
         return 98;
     return status < 0 || (is_same(xi[1], loc[0]) && is_same(eta[1], loc[1]) && is_same(g[1], gap)) ? status : 98;
 }
@@ -203,7 +213,7 @@ static void test_sizes(int f)
     R x[VECTORS][3], loc[2], gap;
     int power;
     take_places(x);
-    if (function[f].call(x, loc, &gap) != FOOTPOINT_OK) {
+    if (!is_good(function[f].call(x, loc, &gap))) {
         complain(f, "ordinary", 0, 0, 0);
         return;
     }
@@ -214,7 +224,7 @@ static void test_sizes(int f)
         resize(x, power);
         status = function[f].call(x, l, &g);
         g = (R)ldexp((double)g, -power);
-        if (status != FOOTPOINT_OK || !is_same(l[0], loc[0]) || !is_same(l[1], loc[1]) || !is_same(g, gap))
+        if (!is_good(status) || !is_same(l[0], loc[0]) || !is_same(l[1], loc[1]) || !is_same(g, gap))
             complain(f, "size", power, 0, status);
     }
 }

@@ -108,19 +108,33 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(const REAL *const *x, REAL prom
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised.  The search once more, as a loop takes fewer
+ * steps, then in a unit of length in which the segment is about 1 long, then repair. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const REAL *const *x, int nodes, REAL promise,
                                                  REAL loc[2], REAL *gap)
 {
-    int status;
-    REAL xi, eta, g;
-    if (promise > 0.0 &&
-        !(search(x, 2, 0.0, &xi, &eta, &g) >> REAL_TOP)) { /* a loop takes fewer steps */
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
-        return FOOTPOINT_OK;
+    int status, exponent = 0, i;
+    REAL y[VECTORS][3], xi, eta, g;
+    const REAL *z[VECTORS];
+    if (promise > 0.0) {
+        REAL_BITS doubt = search(x, 2, 0.0, &xi, &eta, &g);
+        if (doubt >> REAL_TOP && nodes > 0) {
+            status = footpoint_detail_scale(x, nodes, VECTORS, y, &exponent);
+            if (status != FOOTPOINT_OK)
+                return status;
+            for (i = 0; i < VECTORS; i++)
+                z[i] = y[i];
+            doubt = search(z, 2, 0.0, &xi, &eta, &g);
+            g = ldexp(g, exponent);
+            doubt |= footpoint_detail_infinite(g);
+        }
+        if (!(doubt >> REAL_TOP)) {
+            loc[0] = xi;
+            loc[1] = eta;
+            *gap = g;
+            return FOOTPOINT_OK;
+        }
     }
     status = footpoint_detail_again(search, x, nodes, VECTORS, loc, gap);
     return status == FOOTPOINT_OK && promise > 0.0
