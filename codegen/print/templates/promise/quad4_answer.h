@@ -65,22 +65,17 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const REAL a[3], const REAL b[3
     return 1;
 }
 
-/* From loc by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  In a unit of length in which the segment is
- * about 1 long, with vectors whose coordinates are off by 3 units of rounding: see footpoint_detail_quad4_prove(). */
-FOOTPOINT_COLD int footpoint_detail_quad4_repair(const REAL *const *x, REAL promise, REAL loc[2],
-                                                 REAL *gap)
+/* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
+ * segment is about 1 long; coordinates of what is made of them are off by 3 units of rounding, see footpoint_detail_quad4_prove(). */
+FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promise, REAL *xi,
+                                                 REAL *eta)
 {
     const REAL rounding = 11.0 * 1.12e-16;
-    REAL y[VECTORS][3], a[3], b[3], c[3], d[3], at[2], to[2], g, apart;
-    const REAL *z[VECTORS];
-    int exponent = 0, i, steps, status = FOOTPOINT_UNPROVED;
-    if (footpoint_detail_scale(x, NODES, VECTORS, y, &exponent) != FOOTPOINT_OK)
-        return FOOTPOINT_UNPROVED;
-    for (i = 0; i < VECTORS; i++)
-        z[i] = y[i];
+    REAL a[3], b[3], c[3], d[3], at[2], to[2], apart;
+    int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_quad4_edges(y, a, b, c, d);
-    at[0] = fabs(loc[0]) < 1e3 ? loc[0] : 0.0;
-    at[1] = fabs(loc[1]) < 1e3 ? loc[1] : 0.0;
+    at[0] = fabs(*xi) < 1e3 ? *xi : 0.0;
+    at[1] = fabs(*eta) < 1e3 ? *eta : 0.0;
     apart = footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], NULL);
     for (steps = 0; steps < 20; steps++) {
         to[0] = at[0];
@@ -97,19 +92,16 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(const REAL *const *x, REAL prom
             !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
             break;
     }
-    if (footpoint_detail_quad4_gap(z, at[0], at[1], 1e-6, &g) >> REAL_TOP)
-        return FOOTPOINT_UNPROVED;
-    g = ldexp(g, exponent);
-    if (footpoint_detail_infinite(g) >> REAL_TOP)
-        return FOOTPOINT_UNPROVED;
-    loc[0] = at[0];
-    loc[1] = at[1];
-    *gap = g;
+    *xi = at[0];
+    *eta = at[1];
     return status;
 }
 
+/* Of more edges or less than 2^this a product of the search may leave its range. */
+#define FOOTPOINT_DETAIL_ORDINARY 32
+
 /* The answer where a search is not good beyond doubt; promise = 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, then in a unit of length in which the segment is about 1 long, then repair. */
+ * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const REAL *const *x, int nodes, REAL promise,
                                                  REAL loc[2], REAL *gap)
@@ -117,27 +109,31 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
     int status, exponent = 0, i;
     REAL y[VECTORS][3], xi, eta, g;
     const REAL *z[VECTORS];
-    if (promise > 0.0) {
-        REAL_BITS doubt = search(x, 2, 0.0, &xi, &eta, &g);
-        if (doubt >> REAL_TOP && nodes > 0) {
-            status = footpoint_detail_scale(x, nodes, VECTORS, y, &exponent);
-            if (status != FOOTPOINT_OK)
-                return status;
-            for (i = 0; i < VECTORS; i++)
-                z[i] = y[i];
+    REAL_BITS doubt;
+    if (!(promise > 0.0))
+        return footpoint_detail_again(search, x, nodes, VECTORS, loc, gap);
+    status = footpoint_detail_scale(x, NODES, VECTORS, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    doubt = search(x, 2, 0.0, &xi, &eta, &g);
+    if (doubt >> REAL_TOP) {
+        for (i = 0; i < VECTORS; i++)
+            z[i] = y[i];
+        if (nodes > 0 &&
+            (exponent > FOOTPOINT_DETAIL_ORDINARY || exponent < -FOOTPOINT_DETAIL_ORDINARY))
             doubt = search(z, 2, 0.0, &xi, &eta, &g);
-            g = ldexp(g, exponent);
-            doubt |= footpoint_detail_infinite(g);
+        if (doubt >> REAL_TOP) {
+            if (search(nodes > 0 ? z : x, 1, 0.0, &xi, &eta, &g) >> REAL_TOP)
+                return FOOTPOINT_ERR_DEGENERATE;
+            status = footpoint_detail_quad4_repair(y, promise, &xi, &eta);
+            doubt = footpoint_detail_quad4_gap(z, xi, eta, 1e-6, &g);
         }
-        if (!(doubt >> REAL_TOP)) {
-            loc[0] = xi;
-            loc[1] = eta;
-            *gap = g;
-            return FOOTPOINT_OK;
-        }
+        g = ldexp(g, exponent);
+        if ((doubt | footpoint_detail_infinite(g)) >> REAL_TOP)
+            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
     }
-    status = footpoint_detail_again(search, x, nodes, VECTORS, loc, gap);
-    return status == FOOTPOINT_OK && promise > 0.0
-               ? footpoint_detail_quad4_repair(x, promise, loc, gap)
-               : status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return status;
 }

@@ -113,7 +113,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
            footpoint_detail_infinite(room) | footpoint_detail_fast();
 }
 
-/* Steps until one is proved, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
  * these are enough. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
                                                       const footpoint_detail_quad4_vectors *r,
@@ -122,6 +122,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
     REAL_BITS doubt = footpoint_detail_infinite(*xi + *eta);
     int k = 0;
     if (fixed) {
+        const REAL p = *xi, q = *eta;
         REAL u, v;
         REAL_BITS still;
         doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
@@ -129,14 +130,20 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
             return doubt;
         u = *xi;
         v = *eta;
-        still = footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        /* as below: if the first step was that short, the second is none */
+        still = footpoint_detail_bits(fabs(u - p) + fabs(v - q) - 0.01 * promise);
+        still |= footpoint_detail_quad4_step(products, r, promise, &u, &v);
         *xi = doubt >> REAL_TOP ? u : *xi;
         *eta = doubt >> REAL_TOP ? v : *eta;
         return doubt & still;
     }
-    if (!(doubt >> REAL_TOP))
-        do {
-            doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
-        } while (doubt >> REAL_TOP && ++k < 4);
-    return doubt;
+    while (!(doubt >> REAL_TOP) && k++ < 4) {
+        const REAL u = *xi, v = *eta;
+        const REAL_BITS unproved = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        if (!(unproved >> REAL_TOP))
+            return unproved;
+        doubt = footpoint_detail_infinite(*xi + *eta) |
+                footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
+    }
+    return (REAL_BITS)1 << REAL_TOP;
 }
