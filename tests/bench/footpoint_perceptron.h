@@ -452,7 +452,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
            footpoint_detail_infinite(room) | footpoint_detail_fast();
 }
 
-/* Steps until one is proved, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
  * these are enough. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
                                                                const footpoint_detail_quad4_vectors *r,
@@ -461,6 +461,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
     unsigned long long doubt = footpoint_detail_infinite(*xi + *eta);
     int k = 0;
     if (fixed) {
+        const double p = *xi, q = *eta;
         double u, v;
         unsigned long long still;
         doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
@@ -468,16 +469,22 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
             return doubt;
         u = *xi;
         v = *eta;
-        still = footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        /* as below: if the first step was that short, the second is none */
+        still = footpoint_detail_bits(fabs(u - p) + fabs(v - q) - 0.01 * promise);
+        still |= footpoint_detail_quad4_step(products, r, promise, &u, &v);
         *xi = doubt >> 63 ? u : *xi;
         *eta = doubt >> 63 ? v : *eta;
         return doubt & still;
     }
-    if (!(doubt >> 63))
-        do {
-            doubt = footpoint_detail_quad4_step(products, r, promise, xi, eta);
-        } while (doubt >> 63 && ++k < 4);
-    return doubt;
+    while (!(doubt >> 63) && k++ < 4) {
+        const double u = *xi, v = *eta;
+        const unsigned long long unproved = footpoint_detail_quad4_step(products, r, promise, xi, eta);
+        if (!(unproved >> 63))
+            return unproved;
+        doubt = footpoint_detail_infinite(*xi + *eta) |
+                footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
+    }
+    return (unsigned long long)1 << 63;
 }
 
 /* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
@@ -599,22 +606,17 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double
     return 1;
 }
 
-/* From loc by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  In a unit of length in which the segment is
- * about 1 long, with vectors whose coordinates are off by 3 units of rounding: see footpoint_detail_quad4_prove(). */
-FOOTPOINT_COLD int footpoint_detail_quad4_repair(const double *const *x, double promise, double loc[2],
-                                                 double *gap)
+/* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
+ * segment is about 1 long; coordinates of what is made of them are off by 3 units of rounding, see footpoint_detail_quad4_prove(). */
+FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise, double *xi,
+                                                 double *eta)
 {
     const double rounding = 11.0 * 1.12e-16;
-    double y[5][3], a[3], b[3], c[3], d[3], at[2], to[2], g, apart;
-    const double *z[5];
-    int exponent = 0, i, steps, status = FOOTPOINT_UNPROVED;
-    if (footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
-        return FOOTPOINT_UNPROVED;
-    for (i = 0; i < 5; i++)
-        z[i] = y[i];
+    double a[3], b[3], c[3], d[3], at[2], to[2], apart;
+    int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_quad4_edges(y, a, b, c, d);
-    at[0] = fabs(loc[0]) < 1e3 ? loc[0] : 0.0;
-    at[1] = fabs(loc[1]) < 1e3 ? loc[1] : 0.0;
+    at[0] = fabs(*xi) < 1e3 ? *xi : 0.0;
+    at[1] = fabs(*eta) < 1e3 ? *eta : 0.0;
     apart = footpoint_detail_quad4_apart(a, b, c, d, at[0], at[1], NULL);
     for (steps = 0; steps < 20; steps++) {
         to[0] = at[0];
@@ -631,35 +633,50 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(const double *const *x, double 
             !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
             break;
     }
-    if (footpoint_detail_quad4_gap(z, at[0], at[1], 1e-6, &g) >> 63)
-        return FOOTPOINT_UNPROVED;
-    g = ldexp(g, exponent);
-    if (footpoint_detail_infinite(g) >> 63)
-        return FOOTPOINT_UNPROVED;
-    loc[0] = at[0];
-    loc[1] = at[1];
-    *gap = g;
+    *xi = at[0];
+    *eta = at[1];
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised. */
+/* Of more edges or less than 2^this a product of the search may leave its range. */
+#define FOOTPOINT_DETAIL_ORDINARY 32
+
+/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised.  The search once more, as a loop takes fewer
+ * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const double *const *x, int nodes, double promise,
                                                  double loc[2], double *gap)
 {
-    int status;
-    double xi, eta, g;
-    if (promise > 0.0 &&
-        !(search(x, 2, 0.0, &xi, &eta, &g) >> 63)) { /* a loop takes fewer steps */
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
-        return FOOTPOINT_OK;
+    int status, exponent = 0, i;
+    double y[5][3], xi, eta, g;
+    const double *z[5];
+    unsigned long long doubt;
+    if (!(promise > 0.0))
+        return footpoint_detail_again(search, x, nodes, 5, loc, gap);
+    status = footpoint_detail_scale(x, 4, 5, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    doubt = search(x, 2, 0.0, &xi, &eta, &g);
+    if (doubt >> 63) {
+        for (i = 0; i < 5; i++)
+            z[i] = y[i];
+        if (nodes > 0 &&
+            (exponent > FOOTPOINT_DETAIL_ORDINARY || exponent < -FOOTPOINT_DETAIL_ORDINARY))
+            doubt = search(z, 2, 0.0, &xi, &eta, &g);
+        if (doubt >> 63) {
+            if (search(nodes > 0 ? z : x, 1, 0.0, &xi, &eta, &g) >> 63)
+                return FOOTPOINT_ERR_DEGENERATE;
+            status = footpoint_detail_quad4_repair(y, promise, &xi, &eta);
+            doubt = footpoint_detail_quad4_gap(z, xi, eta, 1e-6, &g);
+        }
+        g = ldexp(g, exponent);
+        if ((doubt | footpoint_detail_infinite(g)) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
     }
-    status = footpoint_detail_again(search, x, nodes, 5, loc, gap);
-    return status == FOOTPOINT_OK && promise > 0.0
-               ? footpoint_detail_quad4_repair(x, promise, loc, gap)
-               : status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return status;
 }
 #endif
 
