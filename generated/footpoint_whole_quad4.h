@@ -362,6 +362,60 @@ FOOTPOINT_PART double footpoint_detail_most(const double a[3])
     return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
 }
 
+/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
+ * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+ *
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
+ * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
+ * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
+ * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
+ * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
+ * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
+ * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_prove(const double a[3], const double b[3],
+                                                               const double c[3], const double d[3], double over,
+                                                               double rounding, double promise, double *xi,
+                                                               double *eta)
+{
+    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
+    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const double w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
+                       over * d[2] - p * a[2] - q * v[2]};
+    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
+    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
+    const double det = uu * vv - r12 * r12, per = 1.0 / det;
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
+    const double second = footpoint_detail_sum(b);
+    const double far =
+        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
+    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
+    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const double off =
+        rounding * far * per *
+        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
+    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
+                   (4.0 * turns + cc + 1e-13 * (far * far));
+    double room, other;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999 * promise *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.2 * off);
+    other = 0.249 - h;
+    room = other < room ? other : room;
+    other = 0.083 - step;
+    room = other < room ? other : room;
+    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
+    room = other < room ? other : room;
+    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
+           footpoint_detail_fast();
+}
+
 /* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
  * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
  * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
@@ -476,61 +530,11 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
         doubt = footpoint_detail_infinite(*xi + *eta) |
                 footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
     }
+    /* where products have lost too many digits, vectors have not; their own rounding is 8 units more than (k - 3) / 2 */
+    if (promise < 1e-9 && !(footpoint_detail_infinite(*xi + *eta) >> 63))
+        return footpoint_detail_quad4_prove(r->a, r->b, r->c, r->d, r->over, 0.65 * r->rounding,
+                                            promise, xi, eta);
     return (unsigned long long)1 << 63;
-}
-
-/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
- * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
- *
- * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
- * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
- * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
- * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
- * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
- * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
- * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
-FOOTPOINT_PART unsigned long long footpoint_detail_quad4_prove(const double a[3], const double b[3],
-                                                               const double c[3], const double d[3], double over,
-                                                               double rounding, double promise, double *xi,
-                                                               double *eta)
-{
-    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
-    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
-    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
-    const double w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
-                       over * d[2] - p * a[2] - q * v[2]};
-    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
-    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
-    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
-    const double det = uu * vv - r12 * r12, per = 1.0 / det;
-    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
-    const double step = footpoint_detail_greater(fabs(s), fabs(t));
-    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
-    const double second = footpoint_detail_sum(b);
-    const double far =
-        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
-    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
-    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
-    const double off =
-        rounding * far * per *
-        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
-    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
-    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
-                   (4.0 * turns + cc + 1e-13 * (far * far));
-    double room, other;
-    *xi = p + s;
-    *eta = q + t;
-    room = 0.999 * promise *
-               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
-           (0.8 * h * step + 1.2 * off);
-    other = 0.249 - h;
-    room = other < room ? other : room;
-    other = 0.083 - step;
-    room = other < room ? other : room;
-    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
-    room = other < room ? other : room;
-    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
-           footpoint_detail_fast();
 }
 
 /* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not

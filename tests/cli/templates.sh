@@ -36,7 +36,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
-        case $kind in quad4) files="$files quad4_steps quad4_proof quad4_answer" ;; *) files="$files answer" ;; esac
+        case $kind in quad4) files="$files quad4_proof quad4_steps quad4_answer" ;; *) files="$files answer" ;; esac
         files="$files arrays over"
         case $nearest in
         '') ;;

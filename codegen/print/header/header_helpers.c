@@ -34,7 +34,7 @@ void helpers_print(const struct unit *u, FILE *out)
     const struct segment_kind *k = u->file->segment;
     lines_print_templates(u, NULL, "ANSWER",
                           k->bilinear && precision == PRECISION_DOUBLE
-                              ? (const char *const[]){"quad4_steps", "quad4_proof", "quad4_answer", NULL}
+                              ? (const char *const[]){"quad4_proof", "quad4_steps", "quad4_answer", NULL}
                               : (const char *const[]){"answer", NULL},
                           out);
     arrays_print_helpers(u, out);

@@ -1,5 +1,36 @@
 /* The proof of a Newton step from vectors: dearer, and finer on long faces. */
 
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (REAL_BITS)1 << REAL_TOP;
+#else
+    return 0;
+#endif
+}
+
+/* The greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* The sum of the absolute values, and the largest. */
+FOOTPOINT_PART REAL footpoint_detail_sum(const REAL a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
+{
+    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
+}
+
 /* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
  * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
@@ -10,7 +41,7 @@
  * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
  * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
  * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_prove(const REAL a[3], const REAL b[3],
+FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_prove(const REAL a[3], const REAL b[3],
                                                       const REAL c[3], const REAL d[3], REAL over,
                                                       REAL rounding, REAL promise, REAL *xi,
                                                       REAL *eta)

@@ -1,36 +1,5 @@
 /* Steps to a foot point, proved from scalar products that a search has. */
 
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
-{
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (REAL_BITS)1 << REAL_TOP;
-#else
-    return 0;
-#endif
-}
-
-/* The greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
-{
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
-#else
-    return a > b ? a : b;
-#endif
-}
-
-/* The sum of the absolute values, and the largest. */
-FOOTPOINT_PART REAL footpoint_detail_sum(const REAL a[3])
-{
-    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
-}
-
-FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
 /* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
  * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
  * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
@@ -145,5 +114,9 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
         doubt = footpoint_detail_infinite(*xi + *eta) |
                 footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
     }
+    /* where products have lost too many digits, vectors have not; their own rounding is 8 units more than (k - 3) / 2 */
+    if (promise < 1e-9 && !(footpoint_detail_infinite(*xi + *eta) >> REAL_TOP))
+        return footpoint_detail_quad4_prove(r->a, r->b, r->c, r->d, r->over, 0.65 * r->rounding,
+                                            promise, xi, eta);
     return (REAL_BITS)1 << REAL_TOP;
 }
