@@ -607,7 +607,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
                                                  double *eta)
 {
     const double rounding = 11.0 * 1.12e-16;
-    double a[3], b[3], c[3], d[3], at[2], to[2], apart;
+    double a[3], b[3], c[3], d[3], at[2], to[2], apart, moved;
     int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_quad4_edges(y, a, b, c, d);
     at[0] = fabs(*xi) < 1e3 ? *xi : 0.0;
@@ -623,9 +623,13 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
             status = FOOTPOINT_OK;
             break;
         }
-        /* where steps have become shorter than that, rounding forbids the proof */
-        if (fabs(to[0] - at[0]) + fabs(to[1] - at[1]) < 0.01 * promise ||
-            !footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
+        moved = fabs(to[0] - at[0]) + fabs(to[1] - at[1]);
+        if (moved < 1e-4) { /* near a minimum, where rounding hides which is nearer */
+            at[0] = to[0];
+            at[1] = to[1];
+        } else if (!footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
+            break;
+        if (moved < 0.01 * promise) /* rounding forbids the proof */
             break;
     }
     *xi = at[0];
