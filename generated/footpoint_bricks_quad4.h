@@ -442,20 +442,20 @@ FOOTPOINT_PART double footpoint_detail_quad4_off(const footpoint_detail_quad4_ve
     return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
 }
 
-/* A step of third order to the foot point, by xi and eta, from products[] = a a, a b, b b, a c, b c, c c, a d, b d, c d.  The
- * highest bit of what it returns is not set if a minimum of the distance is proved to lie within `promise` of the answer.
+/* A step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] = a a, a b, b b,
+ * a c, b c, c c, a d, b d, c d.  The highest bit of the result is not set if a minimum of the distance is proved to lie within
+ * `promise` of the answer.
  *
- * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  From Newton's step s = H^-1 F what is left
- * of F is known, N(s), as it is a polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a
- * ball of 1/6 about the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + c . c.  Let h = beta L (|s| + 2 |x| +
- * 2 R), where R bounds rounding; in the ball of that radius 1 - H^-1 H(y) is at most h, so that Newton's iteration with
- * H kept contracts: what it would do next, at most h |x| + R, bounds the distance of the answer from a root within a factor of
- * 1 / (1 - h), and H is positive definite all the way there.
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  Newton's step s = H^-1 F leaves N(s) of F, a
+ * polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a ball of 1/3 about the start H has the
+ * Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + 2 c . c.  R bounds rounding.  Let h = beta L (|s| + 2 |x| + 2 R); in the ball
+ * of that radius |1 - H^-1 H(y)| <= h, so that Newton's iteration with H kept contracts.  Its next correction, at most h |x| + R,
+ * bounds the distance of the answer from a root within a factor of 1 / (1 - h), and H is positive definite all the way there.
+ * Without the correction, |s| / 3 stands for |x|: the next one is at most beta L |s|^2 / 2 + R.
  *
- * rounding: (k + 20) units of rounding, if products are off by k units of what `reach` allows: polynomials take 8 more, Cramer's
- * rule 9.  In row xi, F is off by rounding P T, P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., of reach, and H s and N by
- * 24 |s| P T each: so do the bounds grow in the ball.  The weak inequality of det keeps rounding errors of beta and
- * h below what 0.2, 1.4 and 1.3 leave of 0.25, 1.25 and 1.25. */
+ * R: products are off by k units, see above, polynomials add 8, Cramer's rule 2 and 20 |s|.  In row xi F is off by that times P T,
+ * P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., by what bounds errors; H s and N by 24 |s| times as much each.  0.2, 1.4 and
+ * 1.3 leave for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
                                                               const footpoint_detail_quad4_vectors *r,
                                                               double promise, double *xi, double *eta)
