@@ -7,8 +7,7 @@ FOOTPOINT_PART REAL_BITS NAME_detail_checked(const REAL *const *x, int way, REAL
     WITH_PROMISE
     if (way == 1)
         return flaw | footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
-    flaw |= START_detail_prove(VECTOR_ROWS, PROMISE, way ? 0 : STEPS, xi, eta, gap);
-    return flaw;
+    return START_detail_prove(VECTOR_ROWS, PROMISE, way ? 0 : STEPS, xi, eta, gap);
     END_PROMISE
     WITH_SHARED_GAP
     if (way == 1)

@@ -10,20 +10,31 @@ typedef struct {
     int twist;
 } footpoint_detail_quad4_vectors;
 
-/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q. */
-FOOTPOINT_PART REAL footpoint_detail_quad4_off(const footpoint_detail_quad4_vectors *r, REAL p,
+/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART REAL footpoint_detail_root_bound(REAL x)
+{
+    union {
+        REAL number;
+        REAL_BITS bits;
+    } both;
+    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
+    return both.number;
+}
+
+/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q; of Euclidean
+ * norms, by Cauchy and Schwarz. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_off(const REAL products[9],
+                                               const footpoint_detail_quad4_vectors *r, REAL p,
                                                REAL q, REAL uu, REAL mixed, REAL vv)
 {
-    const REAL a1 = footpoint_detail_sum(r->a), am = footpoint_detail_most(r->a);
-    const REAL b1 = footpoint_detail_sum(r->b), bm = footpoint_detail_most(r->b);
-    const REAL c1 = footpoint_detail_sum(r->c), cm = footpoint_detail_most(r->c);
-    const REAL first = a1 + c1 + 0.08 * b1, wide = am + cm + 0.08 * bm;
-    const REAL second = b1 + c1 + 0.08 * a1, high = bm + cm + 0.08 * am;
+    const REAL a = footpoint_detail_root_bound(products[0]);
+    const REAL b = footpoint_detail_root_bound(products[2]);
+    const REAL c = footpoint_detail_root_bound(products[5]);
+    const REAL first = a + c + 0.08 * b, second = b + c + 0.08 * a;
     const REAL turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
-    const REAL bend = r->twist == 1 ? wide : r->twist == 2 ? high : wide + high;
     const REAL u = first + q * turn, v = second + p * turn;
-    const REAL far = fabs(r->over) * footpoint_detail_most(r->d) + wide + high + p * wide +
-                     q * (high + p * bend);
+    const REAL far =
+        fabs(r->over) * footpoint_detail_sum(r->d) + (first + second) + p * first + q * v;
     return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
 }
 
@@ -48,18 +59,18 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
     const REAL e11 = products[0], e12 = products[1] - products[8], e22 = products[2],
                c1 = products[3];
     const REAL c2 = products[4], cc = products[5], p = *xi, q = *eta;
-    const REAL tu = c1 + q * cc, tv = c2 + p * cc, y = p * c1 + q * tv, z = e12 + y;
-    const REAL uu = e11 + q * (c1 + tu), vv = e22 + p * (c2 + tv), r12 = z + y, mixed = fabs(r12);
-    const REAL f = products[6] - q * z - p * (e11 + q * c1);
-    const REAL g = products[7] - p * z - q * (e22 + p * c2);
+    const REAL tu = c1 + q * cc, tv = c2 + p * cc, u = e11 + q * c1, v = e22 + p * c2;
+    const REAL z = (e12 + p * c1) + q * tv, uu = u + q * tu, vv = v + p * tv;
+    const REAL r12 = (e12 + 2.0 * p * c1) + 2.0 * q * tv, mixed = fabs(r12);
+    const REAL f = (products[6] - p * u) - q * z, g = (products[7] - q * v) - p * z;
     const REAL per = 1.0 / (uu * vv - r12 * r12);
     const REAL s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
     const REAL step = footpoint_detail_greater(fabs(s), fabs(t));
     const REAL beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
     REAL off, left = step * (1.0 / 3.0), h, room, other;
     if (promise < 1e-9)
-        off = per * footpoint_detail_quad4_off(r, fabs(p) + 2.0 * step, fabs(q) + 2.0 * step, uu,
-                                               mixed, vv);
+        off = per * footpoint_detail_quad4_off(products, r, fabs(p) + 2.0 * step,
+                                               fabs(q) + 2.0 * step, uu, mixed, vv);
     else
         off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
                       (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
@@ -67,13 +78,13 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
     *xi = p + s;
     *eta = q + t;
     if (promise < 1e-3) {
-        const REAL along = tu * s, across = tv * t, both = cc * (s * t);
-        const REAL m = t * (along + along + across + both),
-                   n = s * (across + across + along + both);
-        const REAL v = (r12 * n - vv * m) * per, w = (r12 * m - uu * n) * per;
-        left = footpoint_detail_greater(fabs(v), fabs(w));
-        *xi += v;
-        *eta += w;
+        const REAL both = cc * s, h12 = r12 * per;
+        const REAL m = t * ((2.0 * tu * s + tv * t) + both * t);
+        const REAL n = s * ((2.0 * tv * t + tu * s) + both * t);
+        const REAL x = h12 * n - (vv * per) * m, y = h12 * m - (uu * per) * n;
+        left = footpoint_detail_greater(fabs(x), fabs(y));
+        *xi += x;
+        *eta += y;
     }
     h = beta * (4.0 * (fabs(tu) + fabs(tv)) + 2.0 * cc) * (step + 2.0 * (left + off));
     room = 0.999 * promise - (1.4 * h * left + 1.3 * off);
@@ -82,13 +93,13 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
            footpoint_detail_infinite(room) | footpoint_detail_fast();
 }
 
-/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+/* Steps until one is proved, or they are too short to matter, up to four; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
  * these are enough. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
                                                       const footpoint_detail_quad4_vectors *r,
                                                       REAL promise, int fixed, REAL *xi, REAL *eta)
 {
-    REAL_BITS doubt = footpoint_detail_infinite(*xi + *eta);
+    REAL_BITS doubt = 0;
     int k = 0;
     if (fixed) {
         const REAL p = *xi, q = *eta;
