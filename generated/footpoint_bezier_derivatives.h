@@ -307,7 +307,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing.
  * FOOTPOINT_BEZIER_GRADIENTS_OF(footpoint_bezier_accurate), at file scope, behind the header of that search, defines the two
  *          with the search before them, footpoint_bezier_accurate_gradients and ..._gradients_n, where loc, xi and eta are
- *          what it finds; and alike for each function here and each search.  Statuses are those of both. */
+ *          what it finds; and alike for each function here and each search.  The status is the
+ *          search's, or where rows cannot be had, their own; with FOOTPOINT_UNPROVED rows are written. */
 
 /* footpoint_bezier_place
  *   operations:     183 mul, 1 div, 147 add, 1 sqrt, 0 compare; 98 temporaries
@@ -466,21 +467,10 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
                                 const double xS[3], double loc[2], double r[3], double r_xi[3], double r_eta[3], \
                                 double normal[3], double gap[1]) \
 { \
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
-    double *const row[5] = {r, r_xi, r_eta, normal, gap}; \
-    double xi, eta; \
-    unsigned long long flaw = search##_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_bezier_place_detail(x, xi, eta, row, 1, 0, 0); \
-    if (flaw >> 63) { \
-        double distance; \
-        const int status = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
-        if (status != FOOTPOINT_OK) \
-            return status; \
-        return footpoint_bezier_place_detail_again(x, loc[0], loc[1], row, 1); \
-    } \
-    loc[0] = xi; \
-    loc[1] = eta; \
-    return FOOTPOINT_OK; \
+    double distance; \
+    const int searched = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
+    const int status = searched < 0 ? searched : footpoint_bezier_place(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, r, r_xi, r_eta, normal, gap); \
+    return status == FOOTPOINT_OK ? searched : status; \
 } \
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
@@ -499,8 +489,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}}; \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
-        double at[2]; \
-        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
+        double at[2], distance; \
+        unsigned long long flaw = search##_detail_checked(y, 0, zero, &at[0], &at[1], &distance); \
         flaw |= footpoint_bezier_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -514,11 +504,12 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
             double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
             double at[2] = {xi[i], eta[i]}, distance; \
+            int placed; \
             status[i] = search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], at, &distance); \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
-            if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_bezier_place_detail_again(y, xi[i], eta[i], row, n); \
+            placed = status[i] < 0 ? FOOTPOINT_OK : footpoint_bezier_place_detail_again(y, xi[i], eta[i], row, n); \
+            status[i] = placed == FOOTPOINT_OK ? status[i] : placed; \
         } \
 }
 
@@ -928,21 +919,10 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
                                     double normal[3], double gap[1], double d_xi[15], double d_eta[15], \
                                     double d_gap[15], double d_xi_n[12], double d_eta_n[12], double d_gap_n[12]) \
 { \
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
-    double *const row[11] = {r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, d_eta_n, d_gap_n}; \
-    double xi, eta; \
-    unsigned long long flaw = search##_detail(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_bezier_gradients_detail(x, xi, eta, row, 1, 0, 0); \
-    if (flaw >> 63) { \
-        double distance; \
-        const int status = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
-        if (status != FOOTPOINT_OK) \
-            return status; \
-        return footpoint_bezier_gradients_detail_again(x, loc[0], loc[1], row, 1); \
-    } \
-    loc[0] = xi; \
-    loc[1] = eta; \
-    return FOOTPOINT_OK; \
+    double distance; \
+    const int searched = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
+    const int status = searched < 0 ? searched : footpoint_bezier_gradients(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, d_eta_n, d_gap_n); \
+    return status == FOOTPOINT_OK ? searched : status; \
 } \
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
@@ -964,8 +944,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}}; \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i}; \
-        double at[2]; \
-        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
+        double at[2], distance; \
+        unsigned long long flaw = search##_detail_checked(y, 0, zero, &at[0], &at[1], &distance); \
         flaw |= footpoint_bezier_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -979,11 +959,12 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
             const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
             double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i}; \
             double at[2] = {xi[i], eta[i]}, distance; \
+            int placed; \
             status[i] = search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], at, &distance); \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
-            if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_bezier_gradients_detail_again(y, xi[i], eta[i], row, n); \
+            placed = status[i] < 0 ? FOOTPOINT_OK : footpoint_bezier_gradients_detail_again(y, xi[i], eta[i], row, n); \
+            status[i] = placed == FOOTPOINT_OK ? status[i] : placed; \
         } \
 }
 

@@ -302,7 +302,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing.
  * FOOTPOINT_TRI3_GRADIENTS_OF(footpoint_tri3_accurate), at file scope, behind the header of that search, defines the two
  *          with the search before them, footpoint_tri3_accurate_gradients and ..._gradients_n, where loc, xi and eta are
- *          what it finds; and alike for each function here and each search.  Statuses are those of both. */
+ *          what it finds; and alike for each function here and each search.  The status is the
+ *          search's, or where rows cannot be had, their own; with FOOTPOINT_UNPROVED rows are written. */
 
 /* footpoint_tri3_place
  *   operations:     29 mul, 1 div, 29 add, 1 sqrt, 0 compare; 16 temporaries
@@ -426,21 +427,10 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
                                 double loc[2], double phi[3], double r_xi[3], double r_eta[3], double normal[3], \
                                 double gap[1]) \
 { \
-    const double *const x[4] = {xA, xB, xC, xS}; \
-    double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
-    double xi, eta; \
-    unsigned long long flaw = search##_detail(xA, xB, xC, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_tri3_place_detail(x, xi, eta, row, 1, 0, 0); \
-    if (flaw >> 63) { \
-        double distance; \
-        const int status = search(xA, xB, xC, xS, loc, &distance); \
-        if (status != FOOTPOINT_OK) \
-            return status; \
-        return footpoint_tri3_place_detail_again(x, loc[0], loc[1], row, 1); \
-    } \
-    loc[0] = xi; \
-    loc[1] = eta; \
-    return FOOTPOINT_OK; \
+    double distance; \
+    const int searched = search(xA, xB, xC, xS, loc, &distance); \
+    const int status = searched < 0 ? searched : footpoint_tri3_place(xA, xB, xC, xS, loc, phi, r_xi, r_eta, normal, gap); \
+    return status == FOOTPOINT_OK ? searched : status; \
 } \
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
@@ -458,8 +448,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
             {x[9][i], x[10][i], x[11][i]}}; \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
-        double at[2]; \
-        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
+        double at[2], distance; \
+        unsigned long long flaw = search##_detail_checked(y, 0, zero, &at[0], &at[1], &distance); \
         flaw |= footpoint_tri3_place_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -472,11 +462,12 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
             const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
             double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
             double at[2] = {xi[i], eta[i]}, distance; \
+            int placed; \
             status[i] = search(p[0], p[1], p[2], p[3], at, &distance); \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
-            if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_tri3_place_detail_again(y, xi[i], eta[i], row, n); \
+            placed = status[i] < 0 ? FOOTPOINT_OK : footpoint_tri3_place_detail_again(y, xi[i], eta[i], row, n); \
+            status[i] = placed == FOOTPOINT_OK ? status[i] : placed; \
         } \
 }
 
@@ -650,21 +641,10 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
                                     double loc[2], double phi[3], double r_xi[3], double r_eta[3], double normal[3], \
                                     double gap[1], double d_xi[12], double d_eta[12], double d_gap[12]) \
 { \
-    const double *const x[4] = {xA, xB, xC, xS}; \
-    double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
-    double xi, eta; \
-    unsigned long long flaw = search##_detail(xA, xB, xC, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_tri3_gradients_detail(x, xi, eta, row, 1, 0, 0); \
-    if (flaw >> 63) { \
-        double distance; \
-        const int status = search(xA, xB, xC, xS, loc, &distance); \
-        if (status != FOOTPOINT_OK) \
-            return status; \
-        return footpoint_tri3_gradients_detail_again(x, loc[0], loc[1], row, 1); \
-    } \
-    loc[0] = xi; \
-    loc[1] = eta; \
-    return FOOTPOINT_OK; \
+    double distance; \
+    const int searched = search(xA, xB, xC, xS, loc, &distance); \
+    const int status = searched < 0 ? searched : footpoint_tri3_gradients(xA, xB, xC, xS, loc, phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap); \
+    return status == FOOTPOINT_OK ? searched : status; \
 } \
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
@@ -683,8 +663,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
             {x[9][i], x[10][i], x[11][i]}}; \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
-        double at[2]; \
-        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
+        double at[2], distance; \
+        unsigned long long flaw = search##_detail_checked(y, 0, zero, &at[0], &at[1], &distance); \
         flaw |= footpoint_tri3_gradients_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -697,11 +677,12 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
             const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
             double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
             double at[2] = {xi[i], eta[i]}, distance; \
+            int placed; \
             status[i] = search(p[0], p[1], p[2], p[3], at, &distance); \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
-            if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_tri3_gradients_detail_again(y, xi[i], eta[i], row, n); \
+            placed = status[i] < 0 ? FOOTPOINT_OK : footpoint_tri3_gradients_detail_again(y, xi[i], eta[i], row, n); \
+            status[i] = placed == FOOTPOINT_OK ? status[i] : placed; \
         } \
 }
 
@@ -980,21 +961,10 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
                                   double loc[2], double gap[1], double d_xi[12], double d_eta[12], double d_gap[12], \
                                   double d_normal[36], double hessian[78]) \
 { \
-    const double *const x[4] = {xA, xB, xC, xS}; \
-    double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
-    double xi, eta; \
-    unsigned long long flaw = search##_detail(xA, xB, xC, xS, 0.0, &xi, &eta); \
-    flaw |= footpoint_tri3_hessian_detail(x, xi, eta, row, 1, 0, 0); \
-    if (flaw >> 63) { \
-        double distance; \
-        const int status = search(xA, xB, xC, xS, loc, &distance); \
-        if (status != FOOTPOINT_OK) \
-            return status; \
-        return footpoint_tri3_hessian_detail_again(x, loc[0], loc[1], row, 1); \
-    } \
-    loc[0] = xi; \
-    loc[1] = eta; \
-    return FOOTPOINT_OK; \
+    double distance; \
+    const int searched = search(xA, xB, xC, xS, loc, &distance); \
+    const int status = searched < 0 ? searched : footpoint_tri3_hessian(xA, xB, xC, xS, loc, gap, d_xi, d_eta, d_gap, d_normal, hessian); \
+    return status == FOOTPOINT_OK ? searched : status; \
 } \
 FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
@@ -1012,8 +982,8 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
             {x[9][i], x[10][i], x[11][i]}}; \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
-        double at[2]; \
-        unsigned long long flaw = search##_detail(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
+        double at[2], distance; \
+        unsigned long long flaw = search##_detail_checked(y, 0, zero, &at[0], &at[1], &distance); \
         flaw |= footpoint_tri3_hessian_detail(y, at[0], at[1], row, n, 1, 0); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -1026,11 +996,12 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
             const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
             double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
             double at[2] = {xi[i], eta[i]}, distance; \
+            int placed; \
             status[i] = search(p[0], p[1], p[2], p[3], at, &distance); \
             xi[i] = at[0]; \
             eta[i] = at[1]; \
-            if (status[i] == FOOTPOINT_OK) \
-                status[i] = footpoint_tri3_hessian_detail_again(y, xi[i], eta[i], row, n); \
+            placed = status[i] < 0 ? FOOTPOINT_OK : footpoint_tri3_hessian_detail_again(y, xi[i], eta[i], row, n); \
+            status[i] = placed == FOOTPOINT_OK ? status[i] : placed; \
         } \
 }
 

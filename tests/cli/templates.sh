@@ -52,8 +52,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
                 'ROW_NAMES gap' 'ROW_PLACES gap + i' 'ROW_PARAMETERS REAL gap[1]' 'ROW_COLUMNS REAL *FOOTPOINT_RESTRICT gap' 'GAP xi * eta' \
                 'REQUIRED 1' 'TESTS flaw = footpoint_detail_not_above(require[0] = xi);' 'ELEMENTS gap[0 * step] = xi;' 'TANGENTS 0' \
                 'SIZES_AND_DEGREES 1, 1' 'SPACE 1' 'FIRST 0' 'DEGREE 0' 'JOINED face_joined' 'JOINED_n face_joined_n' \
-                'SEARCH face_search' 'SEARCHED_detail face_search_detail'
-            echo "REAL_BITS face_search_detail($parameters, REAL zero, REAL *xi, REAL *eta);"
+                'SEARCH face_search' 'SEARCHED_detail_checked face_search_detail_checked'
+            echo 'REAL_BITS face_search_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi, REAL *eta, REAL *gap);'
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
         else
             for word in PROMISE SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done

@@ -60,7 +60,8 @@ typedef void loop_function(const double *const *x, struct arrays *a);
     {                                                                                                                  \
         double distance;                                                                                               \
         const int status = footpoint_##kind##_##tier(ARGUMENTS(kind), &distance);                                      \
-        return status != FOOTPOINT_OK ? status : footpoint_##kind##_gradients(ARGUMENTS(kind), OF_##what);             \
+        const int placed = status < 0 ? FOOTPOINT_OK : footpoint_##kind##_gradients(ARGUMENTS(kind), OF_##what);       \
+        return placed == FOOTPOINT_OK ? status : placed;                                                               \
     }                                                                                                                  \
     static void loop_##kind(const double *const *x, struct arrays *a)                                                  \
     {                                                                                                                  \
@@ -208,6 +209,32 @@ static void joined_is_one_after_the_other(void **state)
     gsl_rng_free(stream);
 }
 
+/* Of a sliver, whose answer is not proved, derivatives are computed, and the search's status is told. */
+static void unproved_stays_unproved(void **state)
+{
+    static double column[C][PAIRS];
+    static struct arrays a;
+    const double *columns[C];
+    double x[NODES + 1][3] = {{-1e6, -1, 0}, {1e6, -1, 0.1}, {1e6, 1, 0}, {-1e6, 1, 0.1}, {3e5, 0.2, 0.4}};
+    const struct kind *const k = &kinds[2]; /* quad4 */
+    struct given g, apart;
+    (void)state;
+    assert_int_equal(k->apart(x, &apart), FOOTPOINT_UNPROVED);
+    assert_int_equal(k->joined(x, &g), FOOTPOINT_UNPROVED);
+    for (int i = 0; i < 3 * k->vectors; i++) {
+        columns[i] = column[i];
+        for (int p = 0; p < PAIRS; p++)
+            column[i][p] = x[i / 3][i % 3];
+    }
+    k->loop(columns, &a);
+    assert_int_equal(a.status[0], FOOTPOINT_UNPROVED);
+    const struct given entry = element(&a, k, 0);
+    assert_memory_equal(g.loc, apart.loc, sizeof g.loc);
+    assert_memory_equal(entry.loc, apart.loc, sizeof g.loc);
+    assert_memory_equal(g.d[2], apart.d[2], 15 * sizeof(double));
+    assert_true(isfinite(g.d[2][0]) && isfinite(entry.d[2][14]));
+}
+
 /* Another search, and the other functions. */
 static void place_and_hessian(void **state)
 {
@@ -246,6 +273,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(joined_is_one_after_the_other),
+        cmocka_unit_test(unproved_stays_unproved),
         cmocka_unit_test(place_and_hessian),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,4 +9,5 @@
  *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing.
  * UPPER_GRADIENTS_OF(footpoint_KIND_accurate), at file scope, behind the header of that search, defines the two
  *          with the search before them, footpoint_KIND_accurate_gradients and ..._gradients_n, where loc, xi and eta are
- *          what it finds; and alike for each function here and each search.  Statuses are those of both. */
+ *          what it finds; and alike for each function here and each search.  The status is the
+ *          search's, or where rows cannot be had, their own; with FOOTPOINT_UNPROVED rows are written. */

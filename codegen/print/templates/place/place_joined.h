@@ -3,21 +3,10 @@
 FOOTPOINT_UNUSED
 FOOTPOINT_FN int JOINED(NODE_PARAMETERS, REAL loc[2], ROW_PARAMETERS)
 {
-    const REAL *const x[VECTORS] = {NODE_NAMES};
-    REAL *const row[ROW_COUNT] = {ROW_NAMES};
-    REAL xi, eta;
-    REAL_BITS flaw = SEARCHED_detail(NODE_NAMES, 0.0, &xi, &eta);
-    flaw |= NAME_detail(x, xi, eta, row, 1, 0, 0);
-    if (flaw >> REAL_TOP) {
-        REAL distance;
-        const int status = SEARCH(NODE_NAMES, loc, &distance);
-        if (status != FOOTPOINT_OK)
-            return status;
-        return NAME_detail_again(x, loc[0], loc[1], row, 1);
-    }
-    loc[0] = xi;
-    loc[1] = eta;
-    return FOOTPOINT_OK;
+    REAL distance;
+    const int searched = SEARCH(NODE_NAMES, loc, &distance);
+    const int status = searched < 0 ? searched : NAME(NODE_NAMES, loc, ROW_NAMES);
+    return status == FOOTPOINT_OK ? searched : status;
 }
 
 FOOTPOINT_UNUSED
@@ -32,8 +21,8 @@ FOOTPOINT_LOOP void JOINED_n(size_t n, const REAL *const x[COORDINATES],
         const REAL p[VECTORS][3] = {COLUMNS};
         const REAL *const y[VECTORS] = {ROWS};
         REAL *const row[ROW_COUNT] = {ROW_PLACES};
-        REAL at[2];
-        REAL_BITS flaw = SEARCHED_detail(ROWS, zero, &at[0], &at[1]);
+        REAL at[2], distance;
+        REAL_BITS flaw = SEARCHED_detail_checked(y, 0, zero, &at[0], &at[1], &distance);
         flaw |= NAME_detail(y, at[0], at[1], row, n, 1, 0);
         xi[i] = at[0];
         eta[i] = at[1];
@@ -45,10 +34,11 @@ FOOTPOINT_LOOP void JOINED_n(size_t n, const REAL *const x[COORDINATES],
             const REAL *const y[VECTORS] = {ROWS};
             REAL *const row[ROW_COUNT] = {ROW_PLACES};
             REAL at[2] = {xi[i], eta[i]}, distance;
+            int placed;
             status[i] = SEARCH(ROWS, at, &distance);
             xi[i] = at[0];
             eta[i] = at[1];
-            if (status[i] == FOOTPOINT_OK)
-                status[i] = NAME_detail_again(y, xi[i], eta[i], row, n);
+            placed = status[i] < 0 ? FOOTPOINT_OK : NAME_detail_again(y, xi[i], eta[i], row, n);
+            status[i] = placed == FOOTPOINT_OK ? status[i] : placed;
         }
 }
