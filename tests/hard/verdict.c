@@ -27,3 +27,26 @@ double verdict_free(const struct truth *t, const double loc[2], double worst)
         return INFINITY;
     return error;
 }
+
+static wide dot(const wide a[3], const wide b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double verdict_minimum(const struct truth *t, const double loc[2])
+{
+    const struct truth_surface *const f = &t->surface;
+    wide z[2], a[3], b[3], d[3];
+    if (!truth_stationary(f, loc, z))
+        return INFINITY;
+    truth_offset(f, z, d);
+    for (int k = 0; k < 3; k++) {
+        a[k] = f->c1[k] + z[1] * f->c3[k];
+        b[k] = f->c2[k] + z[0] * f->c3[k];
+    }
+    const wide mixed = dot(a, b) - dot(f->c3, d);
+    if (!(dot(a, a) * dot(b, b) > mixed * mixed))
+        return INFINITY;
+    const double size = fmax(1, fmax(fabs((double)z[0]), fabs((double)z[1])));
+    return fmax(fabs((double)(z[0] - loc[0])), fabs((double)(z[1] - loc[1]))) / size;
+}

@@ -14,4 +14,8 @@ double verdict_tie(const struct truth *t);
  *  that answers may have. */
 double verdict_free(const struct truth *t, const double loc[2], double worst);
 
+/** Of a minimum of the distance to the whole surface: distance in xi and eta, relative to max(1, |xi|, |eta|), from it;
+ *  INFINITY where there is none. */
+double verdict_minimum(const struct truth *t, const double loc[2]);
+
 #endif

@@ -130,8 +130,9 @@ END
     cat << END
 <h2 id="hard">Hard cases</h2>
 <p>Families of segments and slave nodes that searches fail on, against the truth in extended precision. Wrong: an answer
-too far off without a status, or a status that is not true. An expression, Newton's method and the trust region are
-allowed to; footpoint_locate, footpoint_robust and footpoint_stationary are not, and
+too far off without a status, or a status that is not true. A bare expression (footpoint_quad4_accurate_at), Newton's method and
+the trust region are allowed to; the header's checked function (footpoint_quad4_accurate), footpoint_locate,
+footpoint_robust and footpoint_stationary are not, and
 $([ "$hard" = 0 ] && echo 'none of them was' || echo '<b>one of them was</b>') (<a href="hard.csv">hard.csv</a>).</p>
 <div class=wide>
 END
