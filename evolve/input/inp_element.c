@@ -4,7 +4,6 @@
 #include "inp.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -30,7 +29,8 @@ static const struct inp_shape triangle = {2, {{3, {1, 3, 2, 6, 5, 4}}, {3, {1, 2
 
 static const struct inp_shape quadrilateral = {2, {{4, {1, 4, 3, 2, 8, 7, 6, 5, 9}}, {4, {1, 2, 3, 4, 5, 6, 7, 8, 9}}}};
 
-/* Names up to the letters that say how an element is integrated, coupled or modified. */
+/* Names up to the letters that say how an element is integrated, coupled or modified: solids, those of heat, of sound and of
+ * electric currents, cohesive and continuum shell elements; shells, membranes, surface and rigid elements. */
 static const struct inp_type types[] = {
     {"C3D4", 4, false, INP_LINEAR, &tetrahedron},
     {"C3D10", 10, false, INP_QUADRATIC, &tetrahedron},
@@ -39,20 +39,51 @@ static const struct inp_type types[] = {
     {"C3D8", 8, false, INP_LINEAR, &hexahedron},
     {"C3D20", 20, false, INP_QUADRATIC, &hexahedron},
     {"C3D27", 27, false, INP_BIQUADRATIC, &hexahedron},
+    {"DC3D4", 4, false, INP_LINEAR, &tetrahedron},
+    {"DC3D10", 10, false, INP_QUADRATIC, &tetrahedron},
+    {"DC3D6", 6, false, INP_LINEAR, &wedge},
+    {"DC3D15", 15, false, INP_QUADRATIC, &wedge},
+    {"DC3D8", 8, false, INP_LINEAR, &hexahedron},
+    {"DC3D20", 20, false, INP_QUADRATIC, &hexahedron},
+    {"AC3D4", 4, false, INP_LINEAR, &tetrahedron},
+    {"AC3D10", 10, false, INP_QUADRATIC, &tetrahedron},
+    {"AC3D6", 6, false, INP_LINEAR, &wedge},
+    {"AC3D15", 15, false, INP_QUADRATIC, &wedge},
+    {"AC3D8", 8, false, INP_LINEAR, &hexahedron},
+    {"AC3D20", 20, false, INP_QUADRATIC, &hexahedron},
+    {"Q3D4", 4, false, INP_LINEAR, &tetrahedron},
+    {"Q3D10", 10, false, INP_QUADRATIC, &tetrahedron},
+    {"Q3D6", 6, false, INP_LINEAR, &wedge},
+    {"Q3D8", 8, false, INP_LINEAR, &hexahedron},
+    {"Q3D20", 20, false, INP_QUADRATIC, &hexahedron},
+    {"COH3D6", 6, false, INP_LINEAR, &wedge},
+    {"COH3D8", 8, false, INP_LINEAR, &hexahedron},
+    {"SC6", 6, false, INP_LINEAR, &wedge},
+    {"SC8", 8, false, INP_LINEAR, &hexahedron},
+    {"CSS8", 8, false, INP_LINEAR, &hexahedron},
+    {"EC3D8", 8, false, INP_LINEAR, &hexahedron},
     {"S3", 3, true, INP_LINEAR, &triangle},
     {"S6", 6, true, INP_QUADRATIC, &triangle},
     {"S4", 4, true, INP_LINEAR, &quadrilateral},
     {"S8", 8, true, INP_QUADRATIC, &quadrilateral},
     {"S9", 9, true, INP_BIQUADRATIC, &quadrilateral},
-    {"STRI3", 3, true, INP_LINEAR, &triangle},
-    {"STRI65", 6, true, INP_QUADRATIC, &triangle},
+    {"DS3", 3, true, INP_LINEAR, &triangle},
+    {"DS6", 6, true, INP_QUADRATIC, &triangle},
+    {"DS4", 4, true, INP_LINEAR, &quadrilateral},
+    {"DS8", 8, true, INP_QUADRATIC, &quadrilateral},
     {"M3D3", 3, true, INP_LINEAR, &triangle},
     {"M3D6", 6, true, INP_QUADRATIC, &triangle},
     {"M3D4", 4, true, INP_LINEAR, &quadrilateral},
     {"M3D8", 8, true, INP_QUADRATIC, &quadrilateral},
     {"M3D9", 9, true, INP_BIQUADRATIC, &quadrilateral},
+    {"SFM3D3", 3, true, INP_LINEAR, &triangle},
+    {"SFM3D6", 6, true, INP_QUADRATIC, &triangle},
+    {"SFM3D4", 4, true, INP_LINEAR, &quadrilateral},
+    {"SFM3D8", 8, true, INP_QUADRATIC, &quadrilateral},
     {"R3D3", 3, true, INP_LINEAR, &triangle},
     {"R3D4", 4, true, INP_LINEAR, &quadrilateral},
+    {"STRI3", 3, true, INP_LINEAR, &triangle},
+    {"STRI65", 6, true, INP_QUADRATIC, &triangle},
 };
 
 const struct inp_type *inp_type_find(struct inp_text name)
@@ -71,14 +102,8 @@ const struct inp_type *inp_type_find(struct inp_text name)
     return NULL;
 }
 
-void inp_type_list(char *text, size_t size)
-{
-    size_t n = 0;
-    for (size_t i = 0; i < sizeof types / sizeof *types && n < size; i++)
-        n += (size_t)snprintf(text + n, size - n, "%s%s", i ? ", " : "", types[i].name);
-}
-
-static const char *const labels[] = {"S1", "S2", "S3", "S4", "S5", "S6", "SNEG", "SPOS"};
+static const char *const labels[] = {"S1",   "S2", "S3", "S4", "S5", "S6",   "SNEG",
+                                     "SPOS", "E1", "E2", "E3", "E4", "END1", "END2"};
 
 const char *inp_face_name(int label)
 {
@@ -95,13 +120,15 @@ bool inp_face_read(struct inp_text t, int *label)
     return false;
 }
 
-/* CalculiX calls a shell's faces S1 (negative) and S2 (positive) as well; a shell without a label shows the positive
- * one. */
+/* CalculiX calls a shell's faces S1 (negative) and S2 (positive) as well, and its edges S3 to S6; a shell without a label
+ * shows the positive face. */
 int inp_face_index(const struct inp_type *type, int label)
 {
+    if (!type->shell)
+        return label < type->shape->faces ? label : INP_NO_FACE;
     if (label == INP_FACE_NONE)
-        return type->shell ? 1 : -1;
-    if (label >= INP_MAX_FACES)
-        return type->shell ? label - INP_MAX_FACES : -1;
-    return label < type->shape->faces ? label : -1;
+        return 1;
+    if (label == INP_FACE_SNEG || label == INP_FACE_SPOS)
+        return label - INP_FACE_SNEG;
+    return label < type->shape->faces ? label : INP_EDGE;
 }

@@ -1,8 +1,11 @@
 /* Lines of Abaqus and CalculiX input files.  A file is read whole and cut into lines in place; *INCLUDE pushes another
  * file on a stack, so that nesting costs no recursion.  Rules common to both codes: a line that begins with ** is a
  * comment, with * a keyword line, which the next line continues if it ends with a comma; every other line holds data in
- * fields between commas.  Case and blanks mean nothing outside file names. */
+ * fields between commas.  Case and blanks mean nothing outside file names.  A part's text is read again, from its file, for
+ * each instance of it. */
 #include "inp.h"
+
+#include "../../codegen/base/text.h"
 
 #include <ctype.h>
 #include <limits.h>
@@ -11,8 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
-enum { MAX_INCLUDES = 10000, MAX_REAL = 63 };
+enum { MAX_INCLUDES = 10000, MAX_REAL = 63, MAX_NOTES = 20 };
 
 struct inp_shown inp_show(struct inp_text t)
 {
@@ -32,6 +36,23 @@ bool inp_fail(const struct inp_lines *l, struct inp_place at, const char *format
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
     return diag_at(l->d, l->file[at.file].path, at.line, 0, "%s", what);
+}
+
+void inp_note(struct inp_lines *l, struct inp_place at, const char *format, ...)
+{
+    char what[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    char *line = new_format("%s:%d: note: %s\n", l->file[at.file].path, at.line, what);
+    if (l->noted < MAX_NOTES && !(l->notes && strstr(l->notes, line))) {
+        char *all = new_format("%s%s", l->notes ? l->notes : "", line);
+        free(l->notes);
+        l->notes = all;
+        l->noted++;
+    }
+    free(line);
 }
 
 /* Without outer blanks, and without one pair of quotes around the rest. */
@@ -104,36 +125,50 @@ bool inp_real(struct inp_text t, double *x)
     return *end == '\0';
 }
 
-/* Open a file on top of the stack; `name` is what the current line calls it, or NULL for the model itself. */
-static bool push(struct inp_lines *l, const char *path, const struct inp_text *name)
+/* The index of a file, which is added if it is new. */
+static size_t file_index(struct inp_lines *l, const char *path, const struct stat *status)
 {
-    struct stat status = {0};
-    const bool found = stat(path, &status) == 0 && (!name || S_ISREG(status.st_mode));
-    size_t size = 0, f = 0;
-    char *text = found || !name ? read_text(path, &size, l->d) : NULL;
-    if (!text)
-        return name ? inp_fail(l, l->place, "cannot read included file '%s'", inp_show(*name).s) : false;
-    while (f < l->files && (l->file[f].device != status.st_dev || l->file[f].inode != status.st_ino))
-        f++;
-    for (size_t i = 0; i < l->depth; i++)
-        if (l->open[i].place.file == (int)f) {
-            free(text);
-            return inp_fail(l, l->place, "including '%s' again makes a cycle", inp_show(*name).s);
-        }
-    if (f == l->files)
-        APPEND(l->file, l->files, l->file_room) =
-            (struct inp_file){new_text(path, strlen(path)), status.st_dev, status.st_ino};
-    APPEND(l->open, l->depth, l->open_room) = (struct inp_open){text, text, text + size, {(int)f, 0}};
+    for (size_t f = 0; f < l->files; f++)
+        if (l->file[f].device == status->st_dev && l->file[f].inode == status->st_ino)
+            return f;
+    APPEND(l->file, l->files, l->file_room) =
+        (struct inp_file){new_text(path, strlen(path)), status->st_dev, status->st_ino};
+    return l->files - 1;
+}
+
+/* Puts a text on top of the stack.  False with the diagnostic filled where it is none. */
+static bool open_text(struct inp_lines *l, char *text, size_t size, size_t f)
+{
+    const char newline = !memchr(text, '\n', size) && memchr(text, '\r', size) ? '\r' : '\n';
+    APPEND(l->open, l->depth, l->open_room) = (struct inp_open){text, text, text + size, newline, false, {(int)f, 0}};
     const char *nul = memchr(text, '\0', size);
     if (nul) {
         struct inp_place at = {(int)f, 1};
         for (const char *c = text; c < nul; c++)
-            at.line += *c == '\n';
+            at.line += *c == newline;
         return inp_fail(l, at, "not a text file: NUL byte");
     }
     if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
         l->open[l->depth - 1].at += 3;
     return true;
+}
+
+/* Open a file on top of the stack; `name` is what the current line calls it, or NULL for the model itself. */
+static bool push(struct inp_lines *l, const char *path, const struct inp_text *name)
+{
+    struct stat status = {0};
+    const bool found = stat(path, &status) == 0 && (!name || S_ISREG(status.st_mode));
+    size_t size = 0;
+    char *text = found || !name ? read_text(path, &size, l->d) : NULL;
+    if (!text)
+        return name ? inp_fail(l, l->place, "cannot read included file '%s'", inp_show(*name).s) : false;
+    const size_t f = file_index(l, path, &status);
+    for (size_t i = 0; i < l->depth; i++)
+        if (l->open[i].place.file == (int)f) {
+            free(text);
+            return inp_fail(l, l->place, "including '%s' again makes a cycle", inp_show(*name).s);
+        }
+    return open_text(l, text, size, f);
 }
 
 bool inp_open(struct inp_lines *l, const char *path, struct diag *d)
@@ -151,29 +186,67 @@ void inp_close(struct inp_lines *l)
     free(l->file);
     free(l->open);
     free(l->parameter);
+    free(l->notes);
+}
+
+/* A name in the folder of a file; the caller frees it. */
+static char *beside(const char *file, struct inp_text name)
+{
+    const char *slash = strrchr(file, '/');
+    const int folder = slash && name.s[0] != '/' ? (int)(slash - file) + 1 : 0;
+    return new_format("%.*s%.*s", folder, file, (int)name.n, name.s);
 }
 
 bool inp_include(struct inp_lines *l, struct inp_text name)
 {
-    const char *from = l->file[l->place.file].path, *slash = strrchr(from, '/');
-    const size_t folder = slash && name.n > 0 && name.s[0] != '/' ? (size_t)(slash - from) + 1 : 0;
+    enum { MAX_NAME = 4096 };
     if (name.n == 0)
         return inp_fail(l, l->place, "included file has no name");
+    if (name.n > MAX_NAME)
+        return inp_fail(l, l->place, "cannot read included file '%s'", inp_show(name).s);
     if (l->includes++ == MAX_INCLUDES)
         return inp_fail(l, l->place, "more than %d files included", MAX_INCLUDES);
-    char *path = new_array(folder + name.n + 1, 1);
-    memcpy(path, from, folder);
-    memcpy(path + folder, name.s, name.n);
+    char *path = beside(l->file[0].path, name);
+    if (access(path, F_OK) != 0) {
+        free(path);
+        path = beside(l->file[l->place.file].path, name);
+    }
     const bool done = push(l, path, &name);
     free(path);
     return done;
+}
+
+struct inp_mark inp_here(const struct inp_lines *l)
+{
+    const struct inp_open *f = &l->open[l->depth - 1];
+    return (struct inp_mark){f->place, (size_t)(f->at - f->text)};
+}
+
+bool inp_go_to(struct inp_lines *l, struct inp_mark mark)
+{
+    size_t size = 0;
+    if (l->includes++ == MAX_INCLUDES)
+        return inp_fail(l, l->place, "more than %d files included and instances made", MAX_INCLUDES);
+    char *text = read_text(l->file[mark.place.file].path, &size, l->d);
+    if (!text || !open_text(l, text, size, (size_t)mark.place.file))
+        return false;
+    struct inp_open *f = &l->open[l->depth - 1];
+    f->at = mark.offset < size ? text + mark.offset : f->end;
+    f->place = mark.place;
+    f->again = true;
+    return true;
+}
+
+void inp_go_back(struct inp_lines *l)
+{
+    free(l->open[--l->depth].text);
 }
 
 /* Next line of a file that is neither blank nor a comment, without its outer blanks; false at the end. */
 static bool take_line(struct inp_open *f, struct inp_text *line)
 {
     while (f->at < f->end) {
-        const char *start = f->at, *newline = memchr(start, '\n', (size_t)(f->end - start));
+        const char *start = f->at, *newline = memchr(start, f->newline, (size_t)(f->end - start));
         const char *stop = newline ? newline : f->end;
         f->at = newline ? newline + 1 : f->end;
         f->place.line++;
@@ -226,8 +299,9 @@ bool inp_next(struct inp_lines *l)
         struct inp_open *f = &l->open[l->depth - 1];
         struct inp_text line;
         if (!take_line(f, &line)) {
-            free(f->text);
-            l->depth--;
+            if (f->again)
+                return inp_fail(l, l->place, "the part changed while it was read");
+            inp_go_back(l);
             continue;
         }
         l->place = f->place;

@@ -1,74 +1,24 @@
-/* Reader of Abaqus and CalculiX input files: nodes, elements, sets, surfaces and contact pairs, in a flat model as both
- * codes accept it.  Other keywords (materials, steps, output) are skipped with their data; those that would move or
- * make nodes or elements are refused, since skipping them would give another mesh.  Sets and surfaces are kept as they
- * are written and looked up when a contact pair needs them, so that definitions may come in any order, and what is not
- * supported (faces of beams, of plane elements; analytical surfaces) is refused only where contact needs it. */
-#include "inp.h"
+/* Reader of Abaqus and CalculiX input files: nodes, elements, sets, surfaces and contact pairs, in a flat model or in parts
+ * whose instances an assembly places.  Other keywords (materials, steps, output) are skipped with their data; those that
+ * would move or make nodes or elements are refused, since skipping them would give another mesh.  Sets and surfaces are
+ * kept as they are written and looked up when a contact pair needs them, so that definitions may come in any order, and
+ * what is not supported (faces of beams, of plane elements; analytical surfaces) is refused only where contact needs it.
+ */
+#include "inp_reader.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-struct inp_reader {
-    struct inp_model *m;
-    size_t set;                  /* that receives nodes or elements, if any */
-    bool in_set, run, generate;  /* run: its last item may grow */
-    enum inp_what what;          /* of the set or surface */
-    size_t surface;              /* that receives lines */
-    bool skip;                   /* the lines are of a surface that is not supported */
-    bool open;                   /* the last element goes on in the next line */
-    const struct inp_type *type; /* of the elements */
-    bool needs_pair;             /* *CONTACT PAIR without a data line so far */
-    struct inp_place keyword;
-};
-
-#define FAIL(r, ...) inp_fail(&(r)->m->lines, (r)->m->lines.place, __VA_ARGS__)
-
 static const char *const what_name[] = {"node", "element"};
-
-static bool read_number(struct inp_reader *r, struct inp_text t, int *number)
-{
-    return inp_number(t, number) || FAIL(r, "'%s' is not a whole number from 1 to 2147483647", inp_show(t).s);
-}
-
-static bool read_name(struct inp_reader *r, struct inp_text t, int *name)
-{
-    *name = inp_names_index(&r->m->names, t);
-    return r->m->names.name[*name].text[0] ? true : FAIL(r, "name expected");
-}
-
-static void add_item(struct inp_items *items, struct inp_item item)
-{
-    APPEND(items->item, items->n, items->room) = item;
-}
-
-/* Member of a set or surface: a number, or the name of a set. */
-static bool read_member(struct inp_reader *r, struct inp_text t, struct inp_item *item)
-{
-    *item = (struct inp_item){.name = -1, .step = 1, .face = INP_FACE_NONE, .at = r->m->lines.place};
-    if (inp_number(t, &item->first)) {
-        item->last = item->first;
-        return true;
-    }
-    bool digits = t.n > 0;
-    for (size_t i = 0; i < t.n; i++)
-        digits &= isdigit((unsigned char)t.s[i]) || t.s[i] == '-' || t.s[i] == '+';
-    return digits ? read_number(r, t, &item->first) : read_name(r, t, &item->name);
-}
-
-/* What stands for something that is not supported: an error where contact needs it. */
-static struct inp_item refused_item(const struct inp_reader *r, const char *why)
-{
-    return (struct inp_item){.name = -1, .refused = why, .face = INP_FACE_NONE, .at = r->m->lines.place};
-}
 
 /* From here on `r` collects nodes or elements in the set of this name. */
 static bool open_set(struct inp_reader *r, enum inp_what what, struct inp_text t)
 {
     struct inp_model *m = r->m;
     int name;
-    if (!read_name(r, t, &name))
+    if (!inp_read_name(r, r->instance, t, &name))
         return false;
     int *set = &m->names.name[name].set[what];
     if (*set < 0) {
@@ -88,18 +38,13 @@ static void join_set(struct inp_reader *r, int number)
         return;
     struct inp_items *items = &r->m->set[r->set].items;
     struct inp_item *last = r->run ? &items->item[items->n - 1] : NULL;
-    if (last && last->last == number - 1)
-        last->last = number;
+    const int64_t key = inp_key(r->instance, number);
+    if (last && last->last == key - 1)
+        last->last = key;
     else
-        add_item(items, (struct inp_item){-1, NULL, number, number, 1, INP_FACE_NONE, r->m->lines.place});
+        inp_add_item(items,
+                     (struct inp_item){.name = -1, .first = key, .last = key, .step = 1, .at = r->m->lines.place});
     r->run = true;
-}
-
-/* Data lines may lie in a file of their own. */
-static bool follow_input(struct inp_reader *r)
-{
-    struct inp_text file;
-    return inp_parameter(&r->m->lines, "INPUT", &file) ? inp_include(&r->m->lines, file) : true;
 }
 
 static bool begin_node(struct inp_reader *r)
@@ -109,7 +54,7 @@ static bool begin_node(struct inp_reader *r)
         return FAIL(r, "*NODE, SYSTEM=%s is not supported: rectangular coordinates only", inp_show(t).s);
     if (inp_parameter(&r->m->lines, "NSET", &t) && !open_set(r, INP_NODE, t))
         return false;
-    return follow_input(r);
+    return inp_follow_input(r);
 }
 
 static bool read_node(struct inp_reader *r)
@@ -118,7 +63,7 @@ static bool read_node(struct inp_reader *r)
     struct inp_text t;
     int number;
     double x[3] = {0};
-    if (!inp_field(&m->lines, &t) || !read_number(r, t, &number))
+    if (!inp_field(&m->lines, &t) || !inp_read_number(r, t, &number))
         return false;
     for (int i = 0; i < 3 && inp_field(&m->lines, &t); i++) {
         if (t.n > 0 && !inp_real(t, &x[i]))
@@ -129,7 +74,7 @@ static bool read_node(struct inp_reader *r)
     grow_array(&m->xyz, m->nodes.n, &m->xyz_room, sizeof *m->xyz);
     for (int i = 0; i < 3; i++)
         m->xyz[m->nodes.n][i] = x[i];
-    inp_numbers_add(&m->nodes, number, m->lines.place);
+    inp_numbers_add(&m->nodes, inp_key(r->instance, number), m->lines.place);
     join_set(r, number);
     return true;
 }
@@ -156,7 +101,7 @@ static bool begin_element(struct inp_reader *r)
         r->type = other_type(r->m, t);
     if (inp_parameter(&r->m->lines, "ELSET", &t) && !open_set(r, INP_ELEMENT, t))
         return false;
-    return follow_input(r);
+    return inp_follow_input(r);
 }
 
 static void add_connection(struct inp_model *m, struct inp_element *e, int node)
@@ -188,7 +133,7 @@ static bool read_all_nodes(struct inp_reader *r, struct inp_element *e, struct i
             if (e->nodes == r->type->nodes)
                 return inp_fail(&m->lines, at, "element %d has more than the %d nodes of type %s", number, e->nodes,
                                 r->type->name);
-            if (!read_number(r, t, &node))
+            if (!inp_read_number(r, t, &node))
                 return false;
             add_connection(m, e, node);
         }
@@ -214,7 +159,7 @@ static bool read_element(struct inp_reader *r)
         read_some_nodes(r, &m->element[m->elements.n - 1]);
         return true;
     }
-    if (!inp_field(&m->lines, &t) || !read_number(r, t, &number))
+    if (!inp_field(&m->lines, &t) || !inp_read_number(r, t, &number))
         return false;
     grow_array(&m->element, m->elements.n, &m->element_room, sizeof *m->element);
     struct inp_element *e = &m->element[m->elements.n];
@@ -223,8 +168,19 @@ static bool read_element(struct inp_reader *r)
         read_some_nodes(r, e);
     else if (!read_all_nodes(r, e, at, number))
         return false;
-    inp_numbers_add(&m->elements, number, at);
+    inp_numbers_add(&m->elements, inp_key(r->instance, number), at);
     join_set(r, number);
+    return true;
+}
+
+/* Nodes of the elements of a set. */
+static bool lend_nodes(struct inp_reader *r, struct inp_text elements)
+{
+    struct inp_item item = {.name = -1, .lent = true, .face = INP_FACE_NONE, .at = r->m->lines.place};
+    const int instance = inp_read_instance(r, &elements);
+    if (!inp_read_name(r, instance, elements, &item.name))
+        return false;
+    inp_add_item(&r->m->set[r->set].items, item);
     return true;
 }
 
@@ -236,12 +192,11 @@ static bool begin_set(struct inp_reader *r, enum inp_what what)
         return FAIL(r, nodes ? "*NSET has no NSET=" : "*ELSET has no ELSET=");
     r->what = what;
     r->generate = inp_parameter(&r->m->lines, "GENERATE", &(struct inp_text){0});
-    if (!open_set(r, what, t))
+    if (!open_set(r, what, t) || !inp_choose_instance(r))
         return false;
-    if (nodes && inp_parameter(&r->m->lines, "ELSET", &t))
-        add_item(&r->m->set[r->set].items,
-                 refused_item(r, "node set made of elements, *NSET, ELSET=: not supported, list the nodes"));
-    return follow_input(r);
+    if (nodes && inp_parameter(&r->m->lines, "ELSET", &t) && !lend_nodes(r, t))
+        return false;
+    return inp_follow_input(r);
 }
 
 static bool begin_nset(struct inp_reader *r)
@@ -257,20 +212,23 @@ static bool begin_elset(struct inp_reader *r)
 static bool read_range(struct inp_reader *r)
 {
     struct inp_text t;
-    struct inp_item item = {-1, NULL, 0, 0, 1, INP_FACE_NONE, r->m->lines.place};
-    int *const value[3] = {&item.first, &item.last, &item.step};
-    int n = 0;
+    int value[3] = {0, 0, 1}, n = 0;
     while (inp_field(&r->m->lines, &t)) {
         if (n == 3)
             return FAIL(r, "GENERATE takes first, last and step; '%s' is one too many", inp_show(t).s);
-        if (!read_number(r, t, value[n++]))
+        if (!inp_read_number(r, t, &value[n++]))
             return false;
     }
     if (n < 2)
         return FAIL(r, "GENERATE needs a first and a last number");
-    if (item.last < item.first)
-        return FAIL(r, "GENERATE runs from %d down to %d", item.first, item.last);
-    add_item(&r->m->set[r->set].items, item);
+    if (value[1] < value[0])
+        return FAIL(r, "GENERATE runs from %d down to %d", value[0], value[1]);
+    inp_add_item(&r->m->set[r->set].items, (struct inp_item){.name = -1,
+                                                             .first = inp_key(r->members, value[0]),
+                                                             .last = inp_key(r->members, value[1]),
+                                                             .step = value[2],
+                                                             .face = INP_FACE_NONE,
+                                                             .at = r->m->lines.place});
     return true;
 }
 
@@ -283,96 +241,48 @@ static bool read_set(struct inp_reader *r)
     while (inp_field(&r->m->lines, &t)) {
         if (t.n == 0)
             continue;
-        if (!read_member(r, t, &item))
+        if (!inp_read_member(r, t, &item))
             return false;
-        add_item(&r->m->set[r->set].items, item);
+        inp_add_item(&r->m->set[r->set].items, item);
     }
-    return true;
-}
-
-/* Faces and nodes may share a surface's name; a second *SURFACE extends the first, as in CalculiX. */
-static bool begin_surface(struct inp_reader *r)
-{
-    struct inp_model *m = r->m;
-    struct inp_text t = {"ELEMENT", 7};
-    int name;
-    inp_parameter(&m->lines, "TYPE", &t);
-    const bool combined = inp_parameter(&m->lines, "COMBINE", &(struct inp_text){0});
-    r->what = inp_equals(t, "NODE") ? INP_NODE : INP_ELEMENT;
-    r->skip = combined || (r->what == INP_ELEMENT && !inp_equals(t, "ELEMENT"));
-    if (!inp_parameter(&m->lines, "NAME", &t))
-        return FAIL(r, "*SURFACE has no NAME=");
-    if (!read_name(r, t, &name))
-        return false;
-    int *surface = &m->names.name[name].surface[r->what];
-    if (*surface < 0) {
-        grow_array(&m->surface, m->surfaces, &m->surface_room, sizeof *m->surface);
-        *surface = (int)m->surfaces;
-        m->surface[m->surfaces++] = (struct inp_surface){.what = r->what, .at = m->lines.place};
-    }
-    r->surface = (size_t)*surface;
-    if (r->skip)
-        add_item(&m->surface[r->surface].items,
-                 refused_item(r, combined ? "surface with COMBINE= is not supported: list the faces"
-                                          : "surface type is not supported: ELEMENT or NODE"));
-    return follow_input(r);
-}
-
-/* Node or node set (what follows is a node's area), or element or element set and face label. */
-static bool read_surface(struct inp_reader *r)
-{
-    struct inp_text t;
-    struct inp_item item;
-    if (r->skip)
-        return true;
-    if (!inp_field(&r->m->lines, &t) || !read_member(r, t, &item))
-        return false;
-    if (r->what == INP_ELEMENT && inp_field(&r->m->lines, &t) && t.n > 0 && !inp_face_read(t, &item.face))
-        return FAIL(r, "face label '%s' is none of S1 to S6, SPOS and SNEG", inp_show(t).s);
-    add_item(&r->m->surface[r->surface].items, item);
-    return true;
-}
-
-static bool begin_pair(struct inp_reader *r)
-{
-    r->needs_pair = true;
-    return true;
-}
-
-/* Two surfaces, or one in contact with itself. */
-static bool read_pair(struct inp_reader *r)
-{
-    struct inp_model *m = r->m;
-    struct inp_text slave, master;
-    struct inp_pair pair = {.at = m->lines.place};
-    if (!inp_field(&m->lines, &slave) || slave.n == 0)
-        return FAIL(r, "contact pair needs a slave and a master surface, or one surface for self contact");
-    if (!inp_field(&m->lines, &master) || master.n == 0)
-        master = slave;
-    if (!read_name(r, slave, &pair.slave) || !read_name(r, master, &pair.master))
-        return false;
-    APPEND(m->pair, m->pairs, m->pair_room) = pair;
-    r->needs_pair = false;
     return true;
 }
 
 static const struct handler {
     const char *keyword;
     bool (*begin)(struct inp_reader *r);
-    bool (*data)(struct inp_reader *r);
+    bool (*data)(struct inp_reader *r); /* NULL: its data are skipped */
 } handlers[] = {
-    {"NODE", begin_node, read_node},  {"ELEMENT", begin_element, read_element}, {"NSET", begin_nset, read_set},
-    {"ELSET", begin_elset, read_set}, {"SURFACE", begin_surface, read_surface}, {"CONTACTPAIR", begin_pair, read_pair},
+    {"NODE", begin_node, read_node},
+    {"ELEMENT", begin_element, read_element},
+    {"NSET", begin_nset, read_set},
+    {"ELSET", begin_elset, read_set},
+    {"SURFACE", inp_begin_surface, inp_read_surface},
+    {"CONTACTPAIR", inp_begin_pair, inp_read_pair},
+    {"CONTACTINCLUSIONS", inp_begin_inclusions, inp_read_inclusion},
+    {"TIE", inp_begin_tie, inp_read_tie},
+    {"PART", inp_begin_part, NULL},
+    {"ENDPART", inp_end_part, inp_read_place},
+    {"ASSEMBLY", inp_begin_assembly, NULL},
+    {"INSTANCE", inp_begin_instance, NULL},
+    {"ENDINSTANCE", inp_end_instance, NULL},
 };
 
-#define FLAT "an assembly of parts; write the model flat, without *PART and *INSTANCE"
 #define NODES "it makes or moves nodes; list them in global coordinates"
 #define ELEMENTS "it makes elements; list them"
 
 static const char *const refused[][2] = {
-    {"PART", FLAT},   {"INSTANCE", FLAT}, {"ASSEMBLY", FLAT}, {"NGEN", NODES},     {"NFILL", NODES},
-    {"NCOPY", NODES}, {"NMAP", NODES},    {"SYSTEM", NODES},  {"ELGEN", ELEMENTS}, {"ELCOPY", ELEMENTS},
+    {"NGEN", NODES},   {"NFILL", NODES},    {"NCOPY", NODES},     {"NMAP", NODES},
+    {"SYSTEM", NODES}, {"ELGEN", ELEMENTS}, {"ELCOPY", ELEMENTS},
 };
+
+static bool is_end(const struct inp_reader *r)
+{
+    const struct inp_lines *l = &r->m->lines;
+    if (r->depth)
+        return inp_fail(l, r->m->part[r->m->parts - 1].text.place, "*PART has no *END PART");
+    return !r->instance || inp_fail(l, r->begun, "*INSTANCE has no *END INSTANCE");
+}
 
 /* *handler is NULL where the keyword's data are to be skipped. */
 static bool begin_keyword(struct inp_reader *r, const struct handler **handler)
@@ -382,8 +292,11 @@ static bool begin_keyword(struct inp_reader *r, const struct handler **handler)
         return inp_fail(&r->m->lines, r->keyword, "*CONTACT PAIR names no surfaces");
     r->keyword = r->m->lines.place;
     r->in_set = r->run = r->open = false;
+    r->members = r->instance;
     *handler = NULL;
     if (r->m->lines.kind == INP_END)
+        return is_end(r);
+    if (r->over && !inp_equals(keyword, "ENDPART"))
         return true;
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         if (inp_equals(keyword, refused[i][0]))
@@ -396,24 +309,21 @@ static bool begin_keyword(struct inp_reader *r, const struct handler **handler)
     return true;
 }
 
+/* Text before the first keyword is skipped. */
 static bool read_lines(struct inp_reader *r)
 {
     struct inp_lines *l = &r->m->lines;
     const struct handler *handler = NULL;
-    bool started = false;
     for (;;) {
         if (!inp_next(l))
             return false;
-        if (l->kind != INP_DATA) {
-            if (!begin_keyword(r, &handler))
+        if (l->kind == INP_DATA) {
+            if (handler && handler->data && !handler->data(r))
                 return false;
-            if (l->kind == INP_END)
-                return true;
-            started = true;
-        } else if (!started)
-            return FAIL(r, "data before the first keyword: not an input file");
-        else if (handler && !handler->data(r))
+        } else if (!begin_keyword(r, &handler))
             return false;
+        if (l->kind == INP_END)
+            return true;
     }
 }
 
@@ -421,13 +331,15 @@ static bool read_lines(struct inp_reader *r)
 static bool link_nodes(struct inp_model *m, const struct inp_entry *entry)
 {
     struct inp_element *e = &m->element[entry->order];
-    int *node = &m->connectivity[e->first], found = 0;
+    int *node = m->connections > 0 ? &m->connectivity[e->first] : NULL, found = 0;
     for (int k = 0; k < e->nodes; k++) {
-        const size_t at = inp_numbers_find(&m->nodes, node[k]);
-        if (at < m->nodes.n && m->nodes.entry[at].number == node[k])
+        const int64_t key = inp_key(inp_instance_of(entry->key), node[k]);
+        const size_t at = inp_numbers_find(&m->nodes, key);
+        if (at < m->nodes.n && m->nodes.entry[at].key == key)
             node[found++] = (int)at;
         else if (e->type->shape)
-            return inp_fail(&m->lines, entry->at, "node %d of element %d is not defined", node[k], entry->number);
+            return inp_fail(&m->lines, entry->at, "node %d of element %d is not defined", node[k],
+                            inp_number_of(entry->key));
     }
     e->nodes = found;
     return true;
@@ -440,7 +352,8 @@ static bool link_elements(struct inp_model *m)
     for (int what = INP_NODE; what <= INP_ELEMENT; what++) {
         repeated = inp_numbers_sort(what == INP_NODE ? &m->nodes : &m->elements);
         if (repeated)
-            return inp_fail(&m->lines, repeated->at, "%s %d is defined twice", what_name[what], repeated->number);
+            return inp_fail(&m->lines, repeated->at, "%s %d is defined twice", what_name[what],
+                            inp_number_of(repeated->key));
     }
     for (size_t i = 0; i < m->elements.n; i++)
         if (!link_nodes(m, &m->elements.entry[i]))
@@ -452,7 +365,9 @@ struct inp_model *inp_read(const char *path, struct diag *d)
 {
     struct inp_model *m = new_array(1, sizeof *m);
     struct inp_reader r = {.m = m};
-    if (inp_open(&m->lines, path, d) && read_lines(&r) && link_elements(m))
+    const bool done = inp_open(&m->lines, path, d) && read_lines(&r) && link_elements(m) && inp_instances_place(m);
+    free(r.assembly);
+    if (done)
         return m;
     inp_free(m);
     return NULL;
@@ -464,8 +379,17 @@ void inp_free(struct inp_model *m)
         return;
     for (size_t i = 0; i < m->sets; i++)
         free(m->set[i].items.item);
-    for (size_t i = 0; i < m->surfaces; i++)
+    for (size_t i = 0; i < m->surfaces; i++) {
         free(m->surface[i].items.item);
+        inp_cover_free(m->surface[i].cover);
+    }
+    for (size_t i = 0; i < m->parts; i++)
+        free(m->part[i].name);
+    for (size_t i = 0; i < m->instances; i++)
+        free(m->instance[i].name);
+    free(m->part);
+    free(m->instance);
+    free(m->exposed);
     for (size_t i = 0; i < m->others; i++) {
         free((char *)m->other[i]->name);
         free(m->other[i]);

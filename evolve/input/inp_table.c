@@ -6,18 +6,19 @@
 
 #include <ctype.h>
 #include <stdlib.h>
+#include <string.h>
 
-void inp_numbers_add(struct inp_numbers *t, int number, struct inp_place at)
+void inp_numbers_add(struct inp_numbers *t, int64_t key, struct inp_place at)
 {
     const size_t order = t->n;
-    APPEND(t->entry, t->n, t->room) = (struct inp_entry){number, at, order};
+    APPEND(t->entry, t->n, t->room) = (struct inp_entry){key, at, order};
 }
 
-static int by_number(const void *a, const void *b)
+static int by_key(const void *a, const void *b)
 {
     const struct inp_entry *p = a, *q = b;
-    if (p->number != q->number)
-        return p->number < q->number ? -1 : 1;
+    if (p->key != q->key)
+        return p->key < q->key ? -1 : 1;
     return (p->order > q->order) - (p->order < q->order);
 }
 
@@ -25,24 +26,24 @@ const struct inp_entry *inp_numbers_sort(struct inp_numbers *t)
 {
     const struct inp_entry *repeated = NULL;
     if (t->n > 0)
-        qsort(t->entry, t->n, sizeof *t->entry, by_number);
+        qsort(t->entry, t->n, sizeof *t->entry, by_key);
     for (size_t i = 1; i < t->n; i++)
-        if (t->entry[i].number == t->entry[i - 1].number && (!repeated || t->entry[i].order < repeated->order))
+        if (t->entry[i].key == t->entry[i - 1].key && (!repeated || t->entry[i].order < repeated->order))
             repeated = &t->entry[i];
     return repeated;
 }
 
-size_t inp_numbers_find(const struct inp_numbers *t, int number)
+size_t inp_numbers_find(const struct inp_numbers *t, int64_t key)
 {
     size_t first = 0, last = t->n;
-    if (t->n == 0 || number <= t->entry[0].number)
+    if (t->n == 0 || key <= t->entry[0].key)
         return 0;
-    const size_t guess = (size_t)number - (size_t)t->entry[0].number;
-    if (guess < t->n && t->entry[guess].number == number)
+    const size_t guess = (size_t)(key - t->entry[0].key);
+    if (guess < t->n && t->entry[guess].key == key)
         return guess;
     while (first < last) {
         const size_t middle = first + (last - first) / 2;
-        if (t->entry[middle].number < number)
+        if (t->entry[middle].key < key)
             first = middle + 1;
         else
             last = middle;
@@ -50,10 +51,15 @@ size_t inp_numbers_find(const struct inp_numbers *t, int number)
     return first;
 }
 
-int inp_names_index(struct inp_names *t, struct inp_text name)
+int inp_names_index(struct inp_names *t, const char *instance, struct inp_text name)
 {
-    char *text = new_array(name.n + 1, 2), *key = text + name.n + 1;
+    const size_t before = instance ? strlen(instance) + 1 : 0, room = before + name.n + 1;
+    char *text = new_array(room, 2), *key = text + room;
     size_t n = 0;
+    if (instance)
+        snprintf(text, room, "%s.", instance);
+    for (; n < before; n++)
+        key[n] = (char)toupper((unsigned char)text[n]);
     for (size_t i = 0; i < name.n; i++)
         if (!isspace((unsigned char)name.s[i])) {
             text[n] = name.s[i];

@@ -13,7 +13,7 @@ static void copy_nodes(const struct inp_model *m, struct mesh *mesh)
     mesh->xyz = new_array(mesh->nodes, sizeof *mesh->xyz);
     mesh->label = new_array(mesh->nodes, sizeof *mesh->label);
     for (size_t i = 0; i < mesh->nodes; i++) {
-        mesh->label[i] = m->nodes.entry[i].number;
+        mesh->label[i] = inp_number_of(m->nodes.entry[i].key);
         memcpy(mesh->xyz[i], m->xyz[m->nodes.entry[i].order], sizeof mesh->xyz[i]);
     }
 }
@@ -81,24 +81,44 @@ static void copy_elements(const struct inp_model *m, const unsigned char *carrie
     free(is);
 }
 
+/* Contact, or where there is none tied surfaces.  A surface of nodes that is named to contact one of faces is its slave. */
+static bool is_used(const struct inp_model *m, const struct inp_pair *pair, bool ties)
+{
+    return ties == (pair->kind == INP_TIE) && (pair->kind != INP_INCLUSION || inp_has_faces(m, pair->master));
+}
+
+static bool copy_pairs(struct inp_model *m, struct mesh *mesh, unsigned char *carries, struct diag *d)
+{
+    size_t contacts = 0;
+    for (size_t i = 0; i < m->pairs; i++)
+        contacts += is_used(m, &m->pair[i], false);
+    const bool ties = contacts == 0;
+    mesh->pair = new_array(m->pairs, sizeof *mesh->pair);
+    for (size_t i = 0; i < m->pairs; i++)
+        if (is_used(m, &m->pair[i], ties) && !copy_pair(m, &m->pair[i], &mesh->pair[mesh->pairs++], carries))
+            return false;
+    return mesh->pairs > 0 || diag_at(d, m->lines.file[0].path, 0, 0,
+                                      "no contact pair: *CONTACT PAIR expected, *CONTACT INCLUSIONS of named surfaces, "
+                                      "or *TIE");
+}
+
 struct mesh *mesh_read(const char *path, struct diag *d)
 {
     struct inp_model *m = inp_read(path, d);
     if (!m)
         return NULL;
     struct mesh *mesh = new_array(1, sizeof *mesh);
-    bool done = m->pairs > 0 || diag_at(d, path, 0, 0, "no contact pair: *CONTACT PAIR expected");
     copy_nodes(m, mesh);
-    mesh->pair = new_array(m->pairs, sizeof *mesh->pair);
     unsigned char *carries = new_array(m->elements.n, 1);
-    for (mesh->pairs = 0; done && mesh->pairs < m->pairs; mesh->pairs++)
-        done = copy_pair(m, &m->pair[mesh->pairs], &mesh->pair[mesh->pairs], carries);
+    const bool done = copy_pairs(m, mesh, carries, d);
     if (done)
         copy_elements(m, carries, mesh);
     free(carries);
     mesh->file = new_array(m->lines.files, sizeof *mesh->file);
     for (; mesh->files < m->lines.files; mesh->files++)
         mesh->file[mesh->files] = new_text(m->lines.file[mesh->files].path, strlen(m->lines.file[mesh->files].path));
+    mesh->notes = m->lines.notes;
+    m->lines.notes = NULL;
     inp_free(m);
     if (done)
         return mesh;
@@ -148,6 +168,7 @@ void mesh_free(struct mesh *m)
     }
     free(m->xyz);
     free(m->label);
+    free(m->notes);
     free(m->pair);
     free(m->element);
     for (size_t i = 0; i < m->files; i++)

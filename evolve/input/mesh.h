@@ -23,7 +23,7 @@ struct mesh_element {
 /** The slave nodes and the master faces of all contact pairs of a model. */
 struct mesh {
     double (*xyz)[3]; /* owned; nodes x 3, mesh length */
-    int *label;       /* owned; the file's own node numbers */
+    int *label;       /* owned; the file's own node numbers, of each instance from 1 or so */
     size_t nodes;
     struct mesh_pair {
         int *slave; /* owned: node indices, ascending by label, each once */
@@ -35,6 +35,7 @@ struct mesh {
     struct mesh_element
         *element; /* owned: elements under contact surfaces that hold both slave nodes and nodes of masters */
     size_t elements;
+    char *notes; /* owned: lines about what was skipped, or NULL */
     char **file; /* owned: the paths that it was read from, included files, too */
     size_t files;
 };

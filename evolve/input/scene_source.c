@@ -71,6 +71,11 @@ static bool read_mesh(const struct scene_reader *r, config_setting_t *g, struct 
     add_mesh(r->sum, read);
     m->read = read->file;
     m->reads = read->files;
+    if (read->notes) {
+        char *all = new_format("%s%s", *r->warnings ? *r->warnings : "", read->notes);
+        free(*r->warnings);
+        *r->warnings = all;
+    }
     read->file = NULL;
     read->files = 0;
     const bool chosen = choose_segment(r, g, read, scene);

@@ -5,17 +5,19 @@
 #define MODEL NODES "*ELEMENT, TYPE=C3D4, ELSET=E\n1, 1, 2, 3, 4\n*SURFACE, NAME=M\nE, S1\n"
 #define SLAVE "*SURFACE, NAME=S, TYPE=NODE\nN\n"
 #define PAIR "*CONTACT PAIR\nS, M\n"
-#define KNOWN                                                                                                          \
-    "; faces are known of C3D4, C3D10, C3D6, C3D15, C3D8, C3D20, C3D27, S3, S6, S4, S8, S9, STRI3, STRI65, M3D3, "     \
-    "M3D6, M3D4, M3D8, M3D9, R3D3, R3D4, and their variants"
+#define KNOWN ", whose faces are not known; master surfaces are of solids, shells and membranes"
+#define NO_PAIR                                                                                                        \
+    "model.inp: error: no contact pair: *CONTACT PAIR expected, *CONTACT INCLUSIONS of named surfaces, or *TIE"
+#define PART "*PART, NAME=P\n" NODES "*END PART\n"
 
 static const struct {
     const char *text, *expected; /* the diagnostic after the folder's name */
 } bad_models[] = {
-    {"", "model.inp: error: no contact pair: *CONTACT PAIR expected"},
-    {MODEL SLAVE, "model.inp: error: no contact pair: *CONTACT PAIR expected"},
-    {"hello, world\n", "model.inp:1: error: data before the first keyword: not an input file"},
-    {"\n** nothing\n1, 2, 3\n*NODE\n", "model.inp:3: error: data before the first keyword: not an input file"},
+    {"", NO_PAIR},
+    {MODEL SLAVE, NO_PAIR},
+    {"hello, world\n", NO_PAIR},
+    {MODEL SLAVE "*CONTACT INCLUSIONS, ALL EXTERIOR\n", NO_PAIR},
+    {MODEL SLAVE "*TIE, NAME=T, CYCLIC SYMMETRY\nS, M\n", NO_PAIR},
 
     {"*NODE\n1, 0, 0, zero\n", "model.inp:2: error: 'zero' is not a number"},
     {"*NODE\n1, 0x10, 0, 0\n", "model.inp:2: error: '0x10' is not a number"},
@@ -59,8 +61,9 @@ static const struct {
 
     {"*NSET, GENERATE\n1, 2\n", "model.inp:1: error: *NSET has no NSET="},
     {"*ELSET, NSET=A\n1, 2\n", "model.inp:1: error: *ELSET has no ELSET="},
-    {MODEL "*NSET, NSET=A, ELSET=E\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR,
-     "model.inp:10: error: node set made of elements, *NSET, ELSET=: not supported, list the nodes"},
+    {MODEL "*NSET, NSET=A, ELSET=N\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR,
+     "model.inp:12: error: element set 'N' is not defined"},
+    {"*NSET, NSET=A, INSTANCE=I\n", "model.inp:1: error: instance 'I' is not defined"},
     {"*NSET, NSET=A, GENERATE\n1\n", "model.inp:2: error: GENERATE needs a first and a last number"},
     {"*NSET, NSET=A, GENERATE\n1, 2, 0\n", "model.inp:2: error: '0' is not a whole number from 1 to 2147483647"},
     {"*NSET, NSET=A, GENERATE\n1, 2, 1, 1\n",
@@ -71,18 +74,25 @@ static const struct {
     {"*SURFACE\nE, S1\n", "model.inp:1: error: *SURFACE has no NAME="},
     {MODEL SLAVE "*SURFACE, NAME=B, TYPE=CYLINDER\nSTART, 0, 0\n*CONTACT PAIR\nS, B\n",
      "model.inp:12: error: surface type is not supported: ELEMENT or NODE"},
-    {MODEL SLAVE "*SURFACE, NAME=B, COMBINE=UNION\nM, M\n*CONTACT PAIR\nS, B\n",
-     "model.inp:12: error: surface with COMBINE= is not supported: list the faces"},
+    {"*SURFACE, NAME=B, COMBINE=XOR\n",
+     "model.inp:1: error: COMBINE=XOR is none of UNION, INTERSECTION and DIFFERENCE"},
+    {MODEL SLAVE "*SURFACE, NAME=B, COMBINE=UNION\nM, C\n*CONTACT PAIR\nS, B\n",
+     "model.inp:13: error: surface 'C' is not defined"},
+    {MODEL SLAVE "*SURFACE, NAME=B, COMBINE=UNION\nM, S\n*CONTACT PAIR\nS, B\n",
+     "model.inp:13: error: surface 'S' is made of nodes; it must be made of element faces"},
+    {MODEL SLAVE "*SURFACE, NAME=B, COMBINE=UNION\nM, C\n*SURFACE, NAME=C, COMBINE=UNION\nM, B\n*CONTACT PAIR\nS, "
+                 "B\n",
+     "model.inp:15: error: surface 'B' is combined of itself"},
+    {MODEL SLAVE "*SURFACE, NAME=M, COMBINE=UNION\nM, M\n",
+     "model.inp:12: error: surface 'M' is defined twice, with COMBINE= and without"},
     {"*SURFACE, NAME=M\nE, S7\n", "model.inp:2: error: face label 'S7' is none of S1 to S6, SPOS and SNEG"},
     {"*SURFACE, NAME=M\n, S1\n", "model.inp:2: error: name expected"},
-    {MODEL SLAVE "*SURFACE, NAME=B\nE\n*CONTACT PAIR\nS, B\n",
-     "model.inp:13: error: element 1 of type C3D4 is solid and needs a face label, S1 to S4"},
     {MODEL SLAVE "*SURFACE, NAME=B\n1, S5\n*CONTACT PAIR\nS, B\n",
      "model.inp:13: error: element 1 of type C3D4 has no face S5"},
     {MODEL SLAVE "*SURFACE, NAME=B\n1, SPOS\n*CONTACT PAIR\nS, B\n",
      "model.inp:13: error: element 1 of type C3D4 has no face SPOS"},
     {NODES SLAVE "*ELEMENT, TYPE=S3\n1, 1, 2, 3\n*SURFACE, NAME=M\n1, S3\n" PAIR,
-     "model.inp:11: error: element 1 of type S3 has no face S3"},
+     "model.inp:10: error: surface 'M' is empty"},
     {MODEL SLAVE "*SURFACE, NAME=B\n2, S1\n*CONTACT PAIR\nS, B\n", "model.inp:13: error: element 2 is not defined"},
     {MODEL SLAVE "*SURFACE, NAME=B\nN, S1\n*CONTACT PAIR\nS, B\n",
      "model.inp:13: error: element set 'N' is not defined"},
@@ -92,7 +102,7 @@ static const struct {
     {MODEL "*SURFACE, NAME=S, TYPE=NODE\nE\n" PAIR, "model.inp:11: error: node set 'E' is not defined"},
     {MODEL "*SURFACE, NAME=S, TYPE=NODE\n1\n17\n" PAIR, "model.inp:12: error: node 17 is not defined"},
     {MODEL "*NSET, NSET=A, GENERATE\n10, 20\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR,
-     "model.inp:11: error: no node from 10 to 20 is defined"},
+     "model.inp:12: error: surface 'S' is empty"},
     {MODEL "*NSET, NSET=A\nA\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR, "model.inp:12: error: surface 'S' is empty"},
 
     {MODEL SLAVE "*CONTACT PAIR\n", "model.inp:12: error: *CONTACT PAIR names no surfaces"},
@@ -114,12 +124,23 @@ static const struct {
     {"*HEADING\n*INCLUDE, INPUT=part.inp\n", "part.inp:2: error: including './model.inp' again makes a cycle"},
     {"*NODE\n1, 0, 0, 0\n*INCLUDE, INPUT=word.inp\n", "word.inp:1: error: 'word' is not a number"},
 
-    {"*HEADING\n*PART, NAME=P\n", "model.inp:2: error: *PART is not supported: an assembly of parts; write the model "
-                                  "flat, without *PART and *INSTANCE"},
-    {"*instance, NAME=P\n", "model.inp:1: error: *INSTANCE is not supported: an assembly of parts; write the model "
-                            "flat, without *PART and *INSTANCE"},
-    {"*Assembly\n", "model.inp:1: error: *ASSEMBLY is not supported: an assembly of parts; write the model flat, "
-                    "without *PART and *INSTANCE"},
+    {"*HEADING\n*PART, NAME=P\n*NODE\n1, x\n", "model.inp:2: error: *PART has no *END PART"},
+    {"*PART\n", "model.inp:1: error: *PART has no NAME="},
+    {"*END PART\n", "model.inp:1: error: *END PART without *PART"},
+    {"*END INSTANCE\n", "model.inp:1: error: *END INSTANCE without *INSTANCE"},
+    {"*instance, NAME=P\n", "model.inp:1: error: *INSTANCE needs NAME= and PART="},
+    {"*instance, NAME=P, PART=P\n", "model.inp:1: error: part 'P' is not defined before its instance"},
+    {PART PART, "model.inp:8: error: part 'P' is defined twice"},
+    {PART "*INSTANCE, NAME=, PART=P\n", "model.inp:8: error: instance has no name"},
+    {PART "*INSTANCE, NAME=I, PART=P\n1, 2\n", "model.inp:8: error: *INSTANCE has no *END INSTANCE"},
+    {PART "*INSTANCE, NAME=I, PART=P\n*INSTANCE, NAME=J, PART=P\n", "model.inp:9: error: *INSTANCE within an instance"},
+    {PART "*INSTANCE, NAME=I, PART=P\n*END INSTANCE\n*INSTANCE, NAME=I, PART=P\n",
+     "model.inp:10: error: instance 'I' is defined twice"},
+    {PART "*INSTANCE, NAME=I, PART=P\n0, 0, up\n", "model.inp:9: error: 'up' is not a number"},
+    {PART "*INSTANCE, NAME=I, PART=P\n1e308\n0, 0, 0, 0, 0, 1, 45\n*NODE\n9, 1e308\n*END INSTANCE\n",
+     "model.inp:12: error: node 9 of instance 'I' is not finite in its place"},
+    {"*PART, NAME=P\n*INSTANCE, NAME=I, PART=P\n*END PART\n*INSTANCE, NAME=I, PART=P\n",
+     "model.inp:2: error: *INSTANCE within an instance"},
     {"*NGEN\n1, 9\n",
      "model.inp:1: error: *NGEN is not supported: it makes or moves nodes; list them in global coordinates"},
     {"*SYSTEM\n1, 2, 3\n",

@@ -60,7 +60,7 @@ tests/sfepy:        runtime/replace runtime/geometry generated
 tests/replace:      runtime/replace runtime generated
 tests/example:      runtime runtime/* generated
 tests/paper:        codegen/* evolve/*
-tests/fuzz:         codegen/* runtime runtime/* generated tests/hard
+tests/fuzz:         evolve/input codegen/* runtime runtime/* generated tests/hard
 tests/long:
 tests/timed:
 tests/tree:

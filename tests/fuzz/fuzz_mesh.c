@@ -1,0 +1,61 @@
+/* Fuzzing of the reader of contact meshes: any bytes end in a sound mesh or in a diagnostic of one line.  Built with clang
+ * -fsanitize=fuzzer by tests/long/fuzz_mesh.sh.  Files that it includes are beside it: itself, and a few more. */
+#define _GNU_SOURCE
+#include "../../evolve/input/mesh.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void require(bool good, const char *what)
+{
+    if (good)
+        return;
+    fprintf(stderr, "%s\n", what);
+    abort();
+}
+
+static void check_face(const struct mesh *m, const struct mesh_face *f)
+{
+    require(segment_of_face((size_t)f->nodes) != NULL, "a face of no kind");
+    for (int i = 0; i < f->nodes; i++)
+        require(f->node[i] >= 0 && (size_t)f->node[i] < m->nodes, "a face without a node");
+}
+
+static void check_mesh(const struct mesh *m)
+{
+    require(m->pairs > 0, "no pair");
+    for (size_t i = 0; i < m->nodes; i++)
+        require(isfinite(m->xyz[i][0]) && isfinite(m->xyz[i][1]) && isfinite(m->xyz[i][2]), "a node nowhere");
+    for (size_t i = 0; i < m->pairs; i++) {
+        const struct mesh_pair *p = &m->pair[i];
+        require(p->slaves > 0 && p->masters > 0, "an empty pair");
+        for (size_t k = 0; k < p->slaves; k++)
+            require(p->slave[k] >= 0 && (size_t)p->slave[k] < m->nodes, "a slave that is no node");
+        for (size_t k = 0; k < p->masters; k++)
+            check_face(m, &p->master[k]);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct diag d = {0};
+    char path[64];
+    const int file = memfd_create("mesh", 0);
+    require(file >= 0 && write(file, data, size) == (ssize_t)size, "no file");
+    snprintf(path, sizeof path, "/proc/self/fd/%d", file);
+    struct mesh *m = mesh_read(path, &d);
+    if (m)
+        check_mesh(m);
+    else
+        require(strstr(d.text, "error: ") && !strchr(d.text, '\n'), "no diagnostic of one line");
+    mesh_free(m);
+    close(file);
+    return 0;
+}
