@@ -29,6 +29,7 @@ struct columns columns_new(size_t n, size_t count)
 void columns_free(struct columns *c)
 {
     free(c->memory);
+    free(c->band);
     *c = (struct columns){0};
 }
 

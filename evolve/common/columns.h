@@ -15,6 +15,7 @@ struct columns {
     size_t room;    /* distance of two columns in rows: n rounded up to whole blocks, and a bit; the padding is 0 */
     double *data;   /* not owned: aligned in `memory` */
     double *memory; /* owned */
+    unsigned char *band; /* owned: of mesh samples the band of |gap|, by row; or NULL */
 };
 struct columns columns_new(size_t n, size_t count);
 void columns_free(struct columns *c);

@@ -8,6 +8,7 @@
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { PIECE = 32 * KERNEL_BLOCK };
 
@@ -89,6 +90,20 @@ static void measure_piece(const struct genome_file *program, const struct genes 
     columns_free(&table);
 }
 
+static void measure_bands(const double *error, const struct sample_set *set, size_t corners, double mean[GAP_BANDS])
+{
+    size_t count[GAP_BANDS] = {0};
+    for (int b = 0; b < GAP_BANDS; b++)
+        mean[b] = 0;
+    for (size_t i = 0; i < set->n; i++) {
+        const int b = sample_gap_band(&set->s[i], corners);
+        mean[b] += error[i];
+        count[b]++;
+    }
+    for (int b = 0; b < GAP_BANDS; b++)
+        mean[b] = count[b] > 0 ? mean[b] / (double)count[b] : -1;
+}
+
 static struct errors errors_of(double *error, size_t n)
 {
     struct errors found = {.n = n};
@@ -111,7 +126,10 @@ void errors_measure(const struct genome_file *program, const struct genes *t, co
         measure_piece(program, t, output, trees, set->s + at, n, at, error);
     }
     for (size_t i = 0; i < trees; i++) {
+        double band[GAP_BANDS];
+        measure_bands(error[i], set, program->segment ? program->segment->corners : 0, band);
         found[i] = errors_of(error[i], set->n);
+        memcpy(found[i].band, band, sizeof band);
         free(error[i]);
     }
     free(error);

@@ -8,7 +8,8 @@
 /** Statistics of |value - reference|; all dimensionless, as xi and eta are. */
 struct errors {
     size_t n;
-    double mean, p99, max; /* infinite if a value is not finite */
+    double mean, p99, max;  /* infinite if a value is not finite */
+    double band[GAP_BANDS]; /* means in the bands of |gap|; -1: no sample; of expressions on segments */
 };
 
 /** value[i] = |value[i] - reference[i]|, INFINITY where that is not a number. */

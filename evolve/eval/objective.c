@@ -21,6 +21,7 @@ struct objective *objective_new(const struct genome_file *program, const struct 
     struct objective *o = new_array(1, sizeof *o);
     *o = (struct objective){.table = table, .program = program, .norm = norm, .kernel = kernel_new_widest()};
     o->scratch = new_array(2 * table->n, sizeof *o->scratch);
+    o->picked = new_array(table->n, sizeof *o->picked);
     if (program) {
         o->rules = line_rules_new(program);
         o->lines = lines_run_new(o->rules, table);
@@ -36,6 +37,7 @@ void objective_free(struct objective *o)
     lines_run_free(o->lines);
     line_rules_free(o->rules);
     free(o->scratch);
+    free(o->picked);
     free(o);
 }
 
@@ -55,12 +57,33 @@ double objective_error(struct objective *o, const struct genes *t, int last, dou
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 
+/* Mean errors in the bands of |gap|; 0 where there is no sample. */
+static void band_means(const struct objective *o, double mean[GAP_BANDS])
+{
+    const size_t n = o->table->n;
+    size_t count[GAP_BANDS] = {0};
+    for (int b = 0; b < GAP_BANDS; b++)
+        mean[b] = 0;
+    for (size_t i = 0; i < n; i++) {
+        mean[o->table->band[i]] += o->scratch[i] + o->scratch[n + i];
+        count[o->table->band[i]] += 2;
+    }
+    for (int b = 0; b < GAP_BANDS; b++)
+        mean[b] /= (double)(count[b] > 0 ? count[b] : 1);
+}
+
 struct tails objective_tails(struct objective *o, const struct genes *t, int last)
 {
     const size_t n = 2 * o->table->n;
+    struct tails tails = {.p99 = 0};
     lines_errors(o->lines, t, last, INFINITY, o->scratch);
-    const double max = errors_max(o->scratch, n);
-    return (struct tails){fmax(errors_p99(o->scratch, n), rounding[NORM_P99]), fmax(max, rounding[NORM_MAX])};
+    if (o->table->band)
+        band_means(o, tails.band);
+    for (int b = 0; b < GAP_BANDS && o->table->band; b++)
+        tails.band[b] = fmax(tails.band[b], rounding[NORM_MEAN]);
+    tails.max = fmax(errors_max(o->scratch, n), rounding[NORM_MAX]);
+    tails.p99 = fmax(errors_p99(o->scratch, n), rounding[NORM_P99]);
+    return tails;
 }
 
 static double mean_of(const double *error, size_t n)
@@ -71,12 +94,22 @@ static double mean_of(const double *error, size_t n)
     return n > 0 ? sum / (double)n : 0;
 }
 
+static size_t parts_of(const struct objective *o)
+{
+    return o->table->band ? 2 * GAP_BANDS : 4;
+}
+
 /* The errors in o->scratch of one output on one part of the samples, and how many: none, of fewer samples than parts. */
 static double *part_of(const struct objective *o, size_t output, size_t part, size_t *n)
 {
-    const size_t all = o->table->n, from = part * all / OUTPUT_PARTS;
-    *n = (part + 1) * all / OUTPUT_PARTS - from;
-    return o->scratch + output * all + from;
+    const size_t all = o->table->n, pieces = o->table->band ? 2 : 4, piece = part % pieces;
+    const size_t from = piece * all / pieces, to = (piece + 1) * all / pieces;
+    double *error = o->scratch + output * all;
+    *n = 0;
+    for (size_t i = from; i < to; i++)
+        if (!o->table->band || o->table->band[i] == part / pieces)
+            o->picked[(*n)++] = error[i];
+    return o->picked;
 }
 
 struct outputs objective_outputs(struct objective *o, const struct genes *t, int last)
@@ -84,7 +117,7 @@ struct outputs objective_outputs(struct objective *o, const struct genes *t, int
     struct outputs found = {.mean = {{0}}};
     lines_errors(o->lines, t, last, INFINITY, o->scratch);
     for (size_t k = 0; k < 2; k++)
-        for (size_t i = 0; i < OUTPUT_PARTS; i++) {
+        for (size_t i = 0; i < parts_of(o); i++) {
             size_t n;
             double *e = part_of(o, k, i, &n);
             if (n == 0)
@@ -96,28 +129,56 @@ struct outputs objective_outputs(struct objective *o, const struct genes *t, int
     return found;
 }
 
+enum { WORSE_MEAN = 1, WORSE_P99 = 2, WORSE_MAX = 4, WORSE_UNKNOWN = 8 };
+
+/* Which figures of one output on one part are larger; of no samples any may be. */
+static int worse_in(const struct objective *o, size_t k, size_t part, const struct outputs *than)
+{
+    size_t n;
+    const double *e = part_of(o, k, part, &n);
+    if (n == 0)
+        return WORSE_MEAN | WORSE_P99 | WORSE_MAX | WORSE_UNKNOWN;
+    return (mean_of(e, n) <= than->mean[k][part] ? 0 : WORSE_MEAN) |
+           (errors_p99_within(e, n, than->p99[k][part]) ? 0 : WORSE_P99) |
+           (errors_max(e, n) <= than->max[k][part] ? 0 : WORSE_MAX);
+}
+
 bool objective_no_worse(struct objective *o, const struct genes *t, int last, const struct outputs *than)
 {
+    const size_t parts = parts_of(o), halves = o->table->band ? 2 : 1;
     lines_errors(o->lines, t, last, INFINITY, o->scratch);
     for (size_t k = 0; k < 2; k++)
-        for (size_t i = 0; i < OUTPUT_PARTS; i++) {
-            size_t n;
-            const double *e = part_of(o, k, i, &n);
-            if (n > 0 && (!(errors_max(e, n) <= than->max[k][i]) || !errors_p99_within(e, n, than->p99[k][i]) ||
-                          !(mean_of(e, n) <= than->mean[k][i])))
+        for (size_t i = 0; i < parts; i += halves) {
+            int worse = worse_in(o, k, i, than);
+            if (worse && halves == 2)
+                worse &= worse_in(o, k, i + 1, than);
+            if (worse && !(worse & WORSE_UNKNOWN))
                 return false;
         }
     return true;
 }
 
-/* An error, charged for how far the 99 % and the largest of o->scratch exceed what they may be; INFINITY beyond the
- * bound, which counting shows where the 99 % would have to be selected. */
+/* How far the mean in the worst band exceeds what it may be; at least 1. */
+static double excess_in_bands(const struct objective *o, const struct tails *tails)
+{
+    double mean[GAP_BANDS], excess = 1;
+    if (!o->table->band)
+        return 1;
+    band_means(o, mean);
+    for (int b = 0; b < GAP_BANDS; b++)
+        if (tails->band[b] > 0)
+            excess = fmax(excess, mean[b] / tails->band[b]);
+    return excess;
+}
+
+/* An error, charged for how far the means in bands, the 99 % and the largest of o->scratch exceed what they may be; INFINITY
+ * beyond the bound, which counting shows where the 99 % would have to be selected. */
 static double charged(struct objective *o, double error, const struct tails *tails, double bound)
 {
     const size_t n = 2 * o->table->n;
     if (!(tails->max > 0))
         return error;
-    error *= fmax(1, errors_max(o->scratch, n) / tails->max);
+    error *= excess_in_bands(o, tails) * fmax(1, errors_max(o->scratch, n) / tails->max);
     const double room = bound / error;
     if (room < INFINITY && (room < 1 || !errors_p99_within(o->scratch, n, room * tails->p99)))
         return INFINITY;

@@ -4,6 +4,7 @@
 #include "mesh.h"
 #include "inp.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -156,6 +157,23 @@ size_t mesh_keep_faces(struct mesh *m, const struct segment_kind *kind)
         kept += p->masters;
     }
     return kept;
+}
+
+double mesh_shortest_edge(const struct mesh *m)
+{
+    double shortest = INFINITY;
+    for (const struct mesh_pair *p = m->pair; p < m->pair + m->pairs; p++)
+        for (size_t k = 0; k < p->masters; k++) {
+            const struct mesh_face *f = &p->master[k];
+            const size_t corners = segment_of_face((size_t)f->nodes)->corners;
+            for (size_t i = 0; i < corners; i++) {
+                const double *a = m->xyz[f->node[i]], *b = m->xyz[f->node[(i + 1) % corners]];
+                const double edge = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
+                if (edge > 0)
+                    shortest = fmin(shortest, edge);
+            }
+        }
+    return shortest;
 }
 
 void mesh_free(struct mesh *m)

@@ -44,6 +44,9 @@ struct mesh {
 struct mesh *mesh_read(const char *path, struct diag *d);
 void mesh_free(struct mesh *m);
 
+/** Shortest edge between corners of master faces, collapsed ones apart; INFINITY: there is no other. */
+double mesh_shortest_edge(const struct mesh *m);
+
 /** The kind of segment that all master faces are, or NULL: there are several.  `text` says how many of each, "7 of
  *  quad4, 2 of tri3". */
 const struct segment_kind *mesh_segment(const struct mesh *m, char *text, size_t size);

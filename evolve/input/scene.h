@@ -44,7 +44,7 @@ struct shapes {
 /** Slave-node and master-segment pairs of a mesh file. */
 struct mesh_pairs {
     char *file;      /* owned; path as resolved from the scene's folder */
-    double distance; /* pairs nearer than this; mesh length */
+    double distance; /* largest |gap|; mesh length */
     char **read;     /* owned: paths of that file and those that it includes */
     size_t reads;
 };

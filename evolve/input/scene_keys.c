@@ -21,9 +21,7 @@ bool key_fail(const struct scene_reader *r, const config_setting_t *s, const cha
     return false;
 }
 
-/* Notes "file:line: warning: ..." for the scene. */
-__attribute__((format(printf, 3, 4))) static void key_warn(const struct scene_reader *r, const config_setting_t *s,
-                                                           const char *format, ...)
+void key_warn(const struct scene_reader *r, const config_setting_t *s, const char *format, ...)
 {
     char text[300];
     va_list arguments;

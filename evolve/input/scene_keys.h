@@ -30,6 +30,10 @@ struct scene_reader {
 bool key_fail(const struct scene_reader *r, const config_setting_t *s, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/** Notes "file:line: warning: ..." for the scene. */
+void key_warn(const struct scene_reader *r, const config_setting_t *s, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /** Checks that all keys of a setting are the group's, of segments of that kind, or of `besides` shared ones; gathers
  *  those that are required and not there, neither here nor, of shared keys, in `above`.  what: how complaints call it.
  *  @param[in] kind     NULL: any

@@ -4,6 +4,7 @@
 #include "../../codegen/base/text.h"
 #include "mesh.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -52,6 +53,23 @@ static char *beside_scene(const struct scene_reader *r, const char *file)
     return new_format("%.*s/%s", (int)(slash - r->path), r->path, file);
 }
 
+/* A largest gap: the scene's, or a part of the shortest edge of the mesh. */
+static bool choose_distance(const struct scene_reader *r, const config_setting_t *g, const struct mesh *m,
+                            struct mesh_pairs *pairs)
+{
+    static const double usual = 0.2, most = 0.5;
+    const double edge = mesh_shortest_edge(m);
+    if (pairs->distance == 0)
+        pairs->distance = usual * edge;
+    else if (pairs->distance > most * edge)
+        key_warn(
+            r, config_setting_get_member(g, "distance"),
+            "'distance' of %g is more than %g times the shortest master edge, %.3g; it is the penetration and what a "
+            "step moves, and functions for larger gaps are worse in contact",
+            pairs->distance, most, edge);
+    return pairs->distance < INFINITY || key_fail(r, g, "all master faces have edges of length 0");
+}
+
 static bool read_mesh(const struct scene_reader *r, config_setting_t *g, struct scene *scene)
 {
     struct mesh_pairs *m = &scene->mesh;
@@ -78,7 +96,7 @@ static bool read_mesh(const struct scene_reader *r, config_setting_t *g, struct 
     }
     read->file = NULL;
     read->files = 0;
-    const bool chosen = choose_segment(r, g, read, scene);
+    const bool chosen = choose_segment(r, g, read, scene) && choose_distance(r, g, read, m);
     mesh_free(read);
     return chosen;
 }

@@ -66,8 +66,8 @@ static const struct scene_key shapes_keys[] = {
 static const struct scene_key mesh_keys[] = {
     {"file", KEY_TEXT, AT(file), true, .usual = "\"contact.inp\"",
      .help = "input of Abaqus or CalculiX with *CONTACT PAIR, from the scene's folder"},
-    {"distance", KEY_NUMBER, AT(distance), true, 1e-300, 1e300, .usual = "0.5",
-     .help = "slave nodes nearer than this to a master face, in the mesh's unit"}};
+    {"distance", KEY_NUMBER, AT(distance), false, 1e-300, 1e300, .usual = "0.2",
+     .help = "largest |gap|: penetration and what a step moves; without it 0.2 of the shortest master edge"}};
 #undef AT
 
 #define AT(member) .at = offsetof(struct lattice, member)

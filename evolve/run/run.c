@@ -24,6 +24,7 @@ struct run_samples {
     struct columns validation;  /* on rank 0, as is: */
     struct heldout heldout;
     struct variation vary; /* of the training samples */
+    size_t real;           /* of them, slave nodes of a mesh */
     bool follows;          /* frame and tiers follow from that */
 };
 
@@ -73,6 +74,7 @@ static bool draw_training(const struct scene *scene, struct run_samples *s, stru
         (scene->lattice.random > 0 && !scene_samples(scene, PART_TRAINING_RANDOM, &s->training, d)))
         return false;
     s->vary = variation_measure(scene->segment, &s->training);
+    s->real = s->training.real;
     return true;
 }
 
@@ -149,7 +151,12 @@ static bool finite_columns(const struct problem *p, struct diag *d)
 
 static struct columns table_of(const struct problem *p, const struct sample_set *set)
 {
-    const struct columns table = frame_columns(p->archive->program, set->s, set->n);
+    struct columns table = frame_columns(p->archive->program, set->s, set->n);
+    if (p->scene->source != SOURCE_MESH)
+        return table;
+    table.band = new_array(set->n, sizeof *table.band);
+    for (size_t i = 0; i < set->n; i++)
+        table.band[i] = (unsigned char)sample_gap_band(&set->s[i], p->scene->segment->corners);
     return table;
 }
 
@@ -228,6 +235,14 @@ static void tell_chosen(const struct problem *p)
         printf(": one gene, chosen among the frame's values\n");
 }
 
+/* Where the samples of a mesh come from. */
+static void tell_nodes(const struct problem *p, size_t real)
+{
+    if (p->scene->source == SOURCE_MESH)
+        printf("%s: %zu training samples are slave nodes of the mesh%s\n", p->scene->name, real,
+               real < MESH_FEW ? ", too few to go by: errors are of random nodes over the same faces" : "");
+}
+
 /* Which inputs the scene varies, and what follows from that.  A run that is resumed has said it before. */
 static void tell_segments(const struct problem *p, const struct run_samples *s)
 {
@@ -239,6 +254,7 @@ static void tell_segments(const struct problem *p, const struct run_samples *s)
     if (s->follows)
         printf(", frame %s", p->scene->tier[0].frame);
     archive_print_exact(p->archive, stdout);
+    tell_nodes(p, s->real);
     tell_chosen(p);
     fflush(stdout);
 }

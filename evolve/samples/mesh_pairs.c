@@ -1,7 +1,8 @@
 /* Samples of a user's own mesh.  Real pairs: every slave node with every master face whose certain foot point lies
  * within the face, or up to a tenth of it outside, and nearer than the scene's distance; one half, chosen by seed,
  * trains, the other is held out.  Beside them random slave nodes over the master faces, from one stream for training
- * and another for the held-out set.  Slave nodes are sorted by x, so that a face meets only those of its own slab.  Nodes
+ * and another for the held-out set, most of them near the face, where contact happens: the logarithm of |gap| is uniform,
+ * from 1e-4 of the face's shortest edge to the distance.  Slave nodes are sorted by x, so that a face meets only those of its own slab.  Nodes
  * of the face and of elements around it are no slave nodes of it: mesh_neighbours.h. */
 #include "../common/stream.h"
 #include "../input/mesh.h"
@@ -120,18 +121,19 @@ static void remove_repeated(struct pairs *found)
     found->n = n + 1;
 }
 
-static bool find_pairs(const struct scene *scene, const struct mesh *mesh, struct pairs *found, struct diag *d)
+static void find_pairs(const struct scene *scene, const struct mesh *mesh, struct pairs *found)
 {
-    const char *file = scene->mesh.file;
     struct neighbours *around = neighbours_new(mesh);
     for (size_t i = 0; i < mesh->pairs; i++)
         search(scene, mesh, &mesh->pair[i], around, found);
     neighbours_free(around);
     remove_repeated(found);
-    if (found->n == 0)
-        return diag_at(d, file, 0, 0, "no slave node within a distance of %g over a master face%s",
-                       scene->mesh.distance, mesh->elements > 0 ? ", but for nodes of elements around it" : "");
-    return true;
+}
+
+/* A distance may be less than ten times that part of an edge, and an edge 0. */
+static double least_gap(double edge, double distance)
+{
+    return edge > 0 ? fmin(1e-4 * edge, 0.1 * distance) : 1e-4 * distance;
 }
 
 /* `count` random slave nodes over faces drawn at random. */
@@ -149,7 +151,8 @@ static bool random_pairs(const struct scene *scene, const struct mesh *mesh, enu
             if (p->masters == 0)
                 continue;
             set_nodes(mesh, &p->master[gsl_rng_uniform_int(stream, p->masters)], &s);
-            if (place_slave(stream, scene, scene->mesh.distance, &s))
+            const double edge = sample_shortest_edge(&s, scene->segment->corners);
+            if (place_slave(stream, scene, least_gap(edge, scene->mesh.distance), scene->mesh.distance, &s))
                 break;
         }
         if (n == tries) {
@@ -164,30 +167,31 @@ static bool random_pairs(const struct scene *scene, const struct mesh *mesh, enu
     return true;
 }
 
-/* The part's half of the real pairs, at most `most` of them. */
-static size_t add_half(const struct scene *scene, const struct pairs *found, bool training, struct sample_set *set)
+/* The part's half of the real pairs, at most `most` of them: training is mostly of random ones. */
+static void add_half(const struct scene *scene, const struct pairs *found, bool training, size_t most,
+                     struct sample_set *set)
 {
     gsl_rng *stream = stream_new();
-    const size_t half = (found->n + 1) / 2;
-    size_t added = 0;
+    const size_t half = (found->n + 1) / 2, from = training ? 0 : half, to = training ? half : found->n;
     stream_key(stream, scene->seed, PART_TRAINING, 0, 0);
-    gsl_ran_shuffle(stream, found->pair, found->n, sizeof *found->pair);
+    if (found->n > 0)
+        gsl_ran_shuffle(stream, found->pair, found->n, sizeof *found->pair);
     gsl_rng_free(stream);
-    for (size_t i = 0; i < found->n; i++)
-        if (training == (i < half) && !(training && added == scene->training)) {
-            sample_order(&found->pair[i].s, scene->order);
-            sample_set_add(set, &found->pair[i].s);
-            added++;
-        }
-    return added;
+    for (size_t i = from; i < to && i < from + most; i++) {
+        sample_order(&found->pair[i].s, scene->order);
+        sample_set_add(set, &found->pair[i].s);
+        set->real++;
+    }
 }
 
-size_t mesh_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+size_t mesh_drawn(const struct scene *scene, size_t real, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
     snprintf(line[0], DRAWN_LENGTH,
-             "heldout: half of the slave nodes over faces, at random; the other half is for training");
-    snprintf(line[1], DRAWN_LENGTH, "heldout_random: any master face, xi, eta, and gap within %g, uniform",
+             "heldout: over master faces at random, xi and eta uniform, |gap| from 1e-4 of the face's shortest edge to "
+             "%g, its logarithm uniform",
              scene->mesh.distance);
+    snprintf(line[1], DRAWN_LENGTH, "heldout: of these, %zu are nodes of the mesh%s; training has as many others", real,
+             real < MESH_FEW ? ", too few to go by" : "");
     return 2;
 }
 
@@ -195,19 +199,16 @@ bool mesh_samples(const struct scene *scene, enum sample_part part, struct sampl
 {
     struct mesh *mesh = mesh_read(scene->mesh.file, d);
     struct pairs found = {0};
-    if (mesh)
-        mesh_keep_faces(mesh, scene->segment);
-    bool done = mesh && find_pairs(scene, mesh, &found, d);
-    if (done && (part == PART_HELDOUT_RANDOM || part == PART_VALIDATION))
-        done = random_pairs(scene, mesh, part, samples_wanted(scene, part), set, d);
-    else if (done) {
-        const size_t added = add_half(scene, &found, part == PART_TRAINING, set);
-        if (added == 0)
-            done = diag_at(d, scene->mesh.file, 0, 0, "a single pair within a distance of %g; none left to hold out",
-                           scene->mesh.distance);
-        else if (part == PART_TRAINING)
-            done = random_pairs(scene, mesh, part, scene->training - added, set, d);
+    if (!mesh)
+        return false;
+    const size_t wanted = samples_wanted(scene, part), before = set->n;
+    mesh_keep_faces(mesh, scene->segment);
+    if (part != PART_VALIDATION) {
+        find_pairs(scene, mesh, &found);
+        add_half(scene, &found, part == PART_TRAINING, part == PART_TRAINING ? wanted / 2 : found.n, set);
     }
+    const size_t added = set->n - before;
+    const bool done = random_pairs(scene, mesh, part, wanted > added ? wanted - added : 0, set, d);
     free(found.pair);
     mesh_free(mesh);
     return done;

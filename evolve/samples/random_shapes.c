@@ -14,7 +14,15 @@ static double uniform(gsl_rng *stream, double max)
     return gsl_ran_flat(stream, -max, max);
 }
 
-bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct sample *s)
+static double draw_gap(gsl_rng *stream, double least, double most)
+{
+    if (least == 0)
+        return uniform(stream, most);
+    const double part = uniform(stream, 1);
+    return copysign(least * pow(most / least, fabs(part)), part);
+}
+
+bool place_slave(gsl_rng *stream, const struct scene *scene, double least, double most, struct sample *s)
 {
     const struct surface *f = surface_find(scene->segment);
     double lo[2], hi[2], wide[2][2], at[2], r[3], n[3];
@@ -25,7 +33,7 @@ bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct 
         wide[0][k] = middle - half;
         wide[1][k] = middle + half;
     }
-    const double h = uniform(stream, gap);
+    const double h = draw_gap(stream, least, most);
     if ((scene->segment->triangle && at[0] + at[1] > hi[0]) || !surface_normal(f, s->x, at[0], at[1], r, n))
         return false;
     for (int k = 0; k < 3; k++)
@@ -132,7 +140,7 @@ bool shapes_samples(const struct scene *scene, enum sample_part part, struct sam
             move(stream, kind, s.x);
             for (int k = 0; k < corners; k++)
                 shortest = fmin(shortest, sqrt(vector_distance2(s.x[k], s.x[(k + 1) % corners])));
-            if (place_slave(stream, scene, shapes->gap * shortest, &s))
+            if (place_slave(stream, scene, 0, shapes->gap * shortest, &s))
                 break;
         }
         if (n == tries) {

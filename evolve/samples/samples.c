@@ -20,10 +20,12 @@ static bool draw_samples(const struct scene *s, enum sample_part part, struct sa
 
 bool scene_has(const struct scene *s, enum sample_part part)
 {
+    if (part == PART_HELDOUT_RANDOM)
+        return s->source != SOURCE_MESH;
     return part != PART_HELDOUT_EVEN || (s->source == SOURCE_RANDOM && !*s->segment->normals);
 }
 
-static size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH])
+static size_t scene_drawn(const struct scene *s, size_t real, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
     if (*s->segment->normals)
         return patches_drawn(s, line);
@@ -35,7 +37,7 @@ static size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LE
     case SOURCE_MESH:
         break;
     }
-    return mesh_drawn(s, line);
+    return mesh_drawn(s, real, line);
 }
 
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
@@ -54,8 +56,8 @@ bool scene_samples(const struct scene *s, enum sample_part part, struct sample_s
 bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d)
 {
     bool drawn = true;
-    h->lines = scene_drawn(s, h->drawn);
     for (int k = 0; k < HELDOUT_PARTS && drawn; k++)
         drawn = !scene_has(s, heldout_part[k].part) || scene_samples(s, heldout_part[k].part, &h->part[k], d);
+    h->lines = scene_drawn(s, h->part[0].real, h->drawn);
     return drawn;
 }

@@ -7,7 +7,11 @@
 
 #include <gsl/gsl_rng.h>
 
-/** False for PART_HELDOUT_EVEN of scenes that have none. */
+/** Fewer nodes of a mesh over its faces say little: errors are those of random nodes. */
+enum { MESH_FEW = 1000 };
+
+/** False for PART_HELDOUT_EVEN of scenes that have none, and for PART_HELDOUT_RANDOM of meshes, whose held-out samples are
+ *  real and random. */
 bool scene_has(const struct scene *s, enum sample_part part);
 
 /** Append the part's samples, of a part that the scene has, to *set; their coordinates are numbers of the scene's
@@ -44,7 +48,7 @@ bool mesh_samples(const struct scene *scene, enum sample_part part, struct sampl
 /** How each draws the parts held out, in words for banners: lines of text, as many as it returns. */
 size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
-size_t mesh_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
+size_t mesh_drawn(const struct scene *scene, size_t real, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 
 /** Of segments with normals: the lattice with random ones, where `training` and `heldout` count samples before those
@@ -56,10 +60,10 @@ bool patches_samples(const struct scene *scene, enum sample_part part, struct sa
 bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
 bool draw_face(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
 
-/** A random slave node of segment s->x: s->xs = r(xi,eta) + gap n with (xi,eta) uniform in the scene's box and gap
- *  uniform in -gap..gap (mesh length), labelled with its certain foot point.  False, to be drawn again, when another
- *  point of the box is nearer. */
-bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct sample *s);
+/** A random slave node of segment s->x: s->xs = r(xi,eta) + gap n with (xi,eta) uniform in the scene's box, labelled with
+ *  its certain foot point.  False, to be drawn again, when another point of the box is nearer.
+ *  @param[in] least, most  |gap|, mesh length: its logarithm is uniform and its sign random; least 0: gap is uniform */
+bool place_slave(gsl_rng *stream, const struct scene *scene, double least, double most, struct sample *s);
 
 /** Round the coordinates of samples `first` and on to float, and find their foot points anew.  Those leave that have
  *  none in the scene's box any more, but for rounding. */

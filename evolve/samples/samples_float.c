@@ -17,7 +17,7 @@ static void round_vector(double x[3])
 void samples_round(const struct scene *scene, struct sample_set *set, size_t first)
 {
     const struct surface *f = surface_find(scene->segment);
-    size_t kept = first;
+    size_t kept = first, real = 0;
     double lo[2], hi[2];
     scene_box(scene, lo, hi);
     for (int k = 0; k < 2; k++) {
@@ -33,6 +33,8 @@ void samples_round(const struct scene *scene, struct sample_set *set, size_t fir
             continue;
         sample_order(&s, scene->order);
         set->s[kept++] = s;
+        real += i < set->real;
     }
+    set->real = real;
     set->n = kept;
 }

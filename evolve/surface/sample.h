@@ -18,7 +18,14 @@ struct sample {
 struct sample_set {
     struct sample *s; /* owned */
     size_t n, room;
+    size_t real; /* of a mesh: the first ones, whose slave nodes are the mesh's own */
 };
+
+/** Bands of |gap| over the shortest edge between the corners of the segment: to 1e-3, to 1e-2, to 1e-1, and beyond. */
+enum { GAP_BANDS = 4 };
+extern const char *const gap_band_name[GAP_BANDS];
+double sample_shortest_edge(const struct sample *s, size_t corners);
+int sample_gap_band(const struct sample *s, size_t corners);
 
 void sample_set_add(struct sample_set *set, const struct sample *s);
 void sample_set_free(struct sample_set *set);

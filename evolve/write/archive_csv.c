@@ -36,6 +36,10 @@ static void print_errors(const struct archive *a, struct part *p, const struct m
     static const enum scene_norm norm[] = {NORM_MEAN, NORM_P99, NORM_MAX};
     fprintf(stream, ",%zu", p->table.n);
     for (int i = 0; i < 3; i++) {
+        if (p->table.n == 0) {
+            fputc(',', stream);
+            continue;
+        }
         p->objective->norm = norm[i];
         fprintf(stream, ",%.3e", archive_bare_error(a, p->objective, q, &m->genes));
     }

@@ -85,7 +85,8 @@ static void add_file_notes(struct genome_file *f, const struct scene *s, const s
 }
 
 /* Notes that this program writes are "<what>_xi" and "<what>_eta"; others are somebody's remarks. */
-static const char *const measured[] = {"found", "exact", "training", "heldout", "heldout_random", "heldout_even"};
+static const char *const measured[] = {"found",          "exact",        "training", "heldout",
+                                       "heldout_random", "heldout_even", "gaps"};
 
 static void note_key(const char *what, int output, char key[40])
 {
@@ -191,6 +192,20 @@ static void measure_heldout(const struct archive *a, const struct heldout *heldo
     }
 }
 
+/* Means of xi and eta in the bands of |gap|: "to 1e-3 1.0e-09 1.1e-09, to 1e-2 ..." of the shortest edge. */
+static void add_bands(struct genome *g, const struct errors *e)
+{
+    char text[200] = "", key[40];
+    for (int b = 0; b < GAP_BANDS; b++) {
+        const size_t used = strlen(text);
+        if (e[0].band[b] >= 0)
+            snprintf(text + used, sizeof text - used, "%s%s %.1e %.1e", used ? ", " : "", gap_band_name[b],
+                     e[0].band[b], e[1].band[b]);
+    }
+    note_key("gaps", TIER_BOTH, key);
+    NOTE(key, "mean at |gap| over shortest edge %s", text);
+}
+
 /* Training errors are the champions'; those held out are measured on what is written. */
 static void add_errors(struct genome *g, const struct archive *a, size_t tier, const struct writing *w, size_t at)
 {
@@ -209,6 +224,8 @@ static void add_errors(struct genome *g, const struct archive *a, size_t tier, c
             NOTE(key, "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", e[0].n, e[0].mean, e[1].mean, e[0].p99,
                  e[1].p99, e[0].max, e[1].max);
         }
+    if (a->scene->source == SOURCE_MESH && w->found[0])
+        add_bands(g, &w->found[0][at]);
 }
 
 static void add_tier(struct archive *a, size_t tier, const struct run_facts *run, const struct writing *w, size_t at)
@@ -257,6 +274,8 @@ static void add_member_errors(const struct genome_file *f, struct genome *g, int
 {
     for (int part = 0; part < 2; part++) {
         struct errors e;
+        if (heldout->part[part].n == 0)
+            continue;
         errors_measure(f, t, &output, 1, &heldout->part[part], &e);
         NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }

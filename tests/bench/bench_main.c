@@ -91,7 +91,7 @@ static bool bench_scene(const struct bench_options *o, const struct bench_table 
     bool done = scene_samples(scene, PART_TRAINING, &training, d);
     if (o->validation)
         done = done && bench_part(o, table, scene, &training, PART_VALIDATION, NULL, d);
-    else if (scene->source != SOURCE_RANDOM)
+    else if (scene_has(scene, PART_HELDOUT_RANDOM) && scene->source != SOURCE_RANDOM)
         done = done && (!(o->all || o->csv) || bench_part(o, table, scene, &training, PART_HELDOUT, NULL, d)) &&
                bench_part(o, table, scene, &training, PART_HELDOUT_RANDOM, o->map, d);
     else

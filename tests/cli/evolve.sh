@@ -59,7 +59,7 @@ mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: 
 cp tests/meshes/wedges.inp "$work/m.inp"; mesh 0.5
 sed -i 's/^S_BOTTOM, S2/PLANE, S1/' "$work/m.inp"
 expect 'a master face on a plane element' 1 '' '*' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
-grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface is of type CPS8R; faces are known of C3D4, " \
+grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface is of type CPS8R, whose faces are not known; master surfaces are of solids, shells and membranes" \
     "$work/stderr"; report $((! $?)) 'is refused where its surface names it, with what is supported'
 
 # Among beams, masses and springs: master faces of two kinds, of which the scene chooses one.
@@ -78,7 +78,15 @@ expect 'the only kind need not be named' 0 '*' '' "$evolve" --scene "$work/s.sce
 grep -q '^segment tri3 ' "$work/chosen.gen" && grep -q '^segment tri3 ' "$work/only.gen"; report $((! $?)) 'segments are triangles'
 rm -f "$work/o.gen"
 cp tests/meshes/punch.inp "$work/m.inp"; mesh 1e-9
-refused 'no pair is near enough' "$work/m.inp: error: no slave node within a distance of 1e-09 over a master face"
+expect 'no node of the mesh is near enough' 0 '*' '*' "$evolve" --scene "$work/s.scene" --from-scratch -o "$work/o.gen" --generations 1 --islands 1 --quiet
+grep -q '^s: 0 training samples are slave nodes of the mesh, too few to go by' "$work/stdout"; report $((! $?)) 'which is said'
+grep -q '^note gaps_both mean at |gap| over shortest edge to 1e-3 ' "$work/o.gen"; report $((! $?)) 'errors are told by bands of the gap'
+mesh 5; expect 'a distance of several edges' 0 '*' '*' "$evolve" --scene "$work/s.scene" --from-scratch -o "$work/o.gen" --generations 0 --quiet
+grep -q "^$work/s.scene:10: warning: 'distance' of 5 is more than 0.5 times the shortest master edge, " "$work/stderr"; report $((! $?)) 'is warned of'
+sed -i 's/ distance = 5;//' "$work/s.scene"
+expect 'no distance' 0 '*' '' "$evolve" --scene "$work/s.scene" --from-scratch -o "$work/o.gen" --generations 0 --quiet
+awk '/^note range contact/ { exit !($8 > 0.1 && $8 < 2) }' "$work/o.gen"; report $((! $?)) 'is a fifth of the shortest master edge'
+rm -f "$work/o.gen"
 
 scene ''
 cp tests/scenes/small.scene "$work/"

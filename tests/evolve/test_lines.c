@@ -389,8 +389,8 @@ static void test_tails(void **state)
     const struct fixture *f = *state;
     struct genes t = program_of(f, "", "ut", "vt");
     const double error = error_of(f, &t);
-    const struct tails own = objective_tails(f->objective, &t, f->last), any = {0, 0};
-    const struct tails less = {own.p99 / 2, own.max / 3}, more = {2 * own.p99, 3 * own.max};
+    const struct tails own = objective_tails(f->objective, &t, f->last), any = {.p99 = 0, .max = 0};
+    const struct tails less = {.p99 = own.p99 / 2, .max = own.max / 3}, more = {.p99 = 2 * own.p99, .max = 3 * own.max};
     assert_true(own.max >= own.p99 && own.p99 >= error);
     assert_true(objective_error_in_tails(f->objective, &t, f->last, &own, INFINITY) == error);
     assert_true(objective_error_in_tails(f->objective, &t, f->last, &any, INFINITY) == error);

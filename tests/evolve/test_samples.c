@@ -242,7 +242,8 @@ static void even_parts_are_even(void **state)
                 fail_msg("%s is off a quarter by %g, even %d", k ? "aspect" : "warp", most[k], even);
         sample_set_free(&set);
     }
-    assert_true(scene_has(s, PART_HELDOUT_EVEN) && scene_has(mesh, PART_HELDOUT_RANDOM));
+    assert_true(scene_has(s, PART_HELDOUT_EVEN) && scene_has(smooth, PART_HELDOUT_RANDOM));
+    assert_false(scene_has(mesh, PART_HELDOUT_RANDOM));
     assert_false(scene_has(mesh, PART_HELDOUT_EVEN) || scene_has(smooth, PART_HELDOUT_EVEN));
     scene_free(s);
     scene_free(mesh);
@@ -290,6 +291,7 @@ static void empty_sets_are_refused(void **state)
 {
     char *text = replaced(HEAD LATTICE TAIL, "60", "60000000"), here[600];
     char *near = NULL;
+    struct diag d = {0};
     (void)state;
     refuse_samples(text, PART_TRAINING, "configurations; training takes 60000000 and leaves none");
     free(text);
@@ -297,13 +299,17 @@ static void empty_sets_are_refused(void **state)
     strcat(here, "/tests/meshes/punch.inp");
     text = replaced(HEAD MESH TAIL, "MESH", here);
     near = replaced(text, "0.5", "1e-9");
-    refuse_samples(near, PART_HELDOUT, "punch.inp: error: no slave node within a distance of 1e-09 over a master face");
+    struct scene *s = read_from_text(near, &d);
+    assert_non_null(s);
+    struct sample_set set = samples_of(s, PART_HELDOUT);
+    assert_true(set.n == 40 && set.real == 0 && fabs(set.s[39].gap) < 2e-9);
+    sample_set_free(&set);
+    scene_free(s);
     free(near);
     free(text);
     here[strlen(here) - strlen("punch.inp")] = '\0';
     strcat(here, "tetra10.inp");
     text = replaced(HEAD MESH TAIL, "MESH", here);
-    struct diag d = {0};
     assert_null(read_from_text(text, &d));
     assert_non_null(strstr(d.text, ".scene:9: error: no master face is of segment 'quad4'; there are 1 of tri6"));
     free(text);
@@ -343,7 +349,7 @@ static void meshes_of_other_kinds_are_read(void **state)
         struct scene *s = read_from_text(text, &d);
         if (!s)
             fail_msg("%s", d.text);
-        struct sample_set set = samples_of(s, PART_HELDOUT_RANDOM);
+        struct sample_set set = samples_of(s, PART_HELDOUT);
         assert_int_equal(set.n, 40);
         for (size_t k = 0; k < set.n; k++) {
             assert_true(fabs(set.s[k].gap) <= 0.5);
@@ -355,6 +361,29 @@ static void meshes_of_other_kinds_are_read(void **state)
         free(text);
         free(file);
     }
+}
+
+/* Gaps of random nodes over the faces of a mesh: as many in each decade, on either side. */
+static void gaps_of_meshes_are_dense_near_contact(void **state)
+{
+    struct scene *s = shipped("punch-quad4");
+    size_t count[GAP_BANDS] = {0}, open = 0;
+    (void)state;
+    s->heldout = 20000;
+    struct sample_set set = samples_of(s, PART_HELDOUT);
+    assert_true(set.real > 500 && set.n == s->heldout);
+    for (size_t i = set.real; i < set.n; i++) {
+        const double edge = sample_shortest_edge(&set.s[i], 4);
+        assert_true(fabs(set.s[i].gap) > 0.99e-4 * edge && fabs(set.s[i].gap) < 1.000001 * s->mesh.distance);
+        count[sample_gap_band(&set.s[i], 4)]++;
+        open += set.s[i].gap > 0;
+    }
+    const size_t drawn = set.n - set.real;
+    for (int b = 0; b < GAP_BANDS - 1; b++) /* decades, of some 3.3 */
+        assert_true(count[b] > drawn / 5 && count[b] < 2 * drawn / 5);
+    assert_true(open > 0.48 * (double)drawn && open < 0.52 * (double)drawn);
+    sample_set_free(&set);
+    scene_free(s);
 }
 
 int main(void)
@@ -369,6 +398,7 @@ int main(void)
         cmocka_unit_test(lattice_labels_are_certain),
         cmocka_unit_test(empty_sets_are_refused),
         cmocka_unit_test(meshes_of_other_kinds_are_read),
+        cmocka_unit_test(gaps_of_meshes_are_dense_near_contact),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);
 }

@@ -200,8 +200,7 @@ static const struct malformed malformed[] = {
     {HEAD MESH TAIL, "MESH", "nonexistent.inp", "9: error: cannot read mesh file '/tmp/nonexistent.inp'"},
     {HEAD MESH TAIL, "\"MESH\"", "1", "9: error: 'file' must be a text in quotes"},
     {HEAD MESH TAIL, "distance = 0.5", "distance = 0.0", "9: error: 'distance' must be in 1e-300..1e+300"},
-    {HEAD MESH TAIL, "file = \"MESH\"; distance = 0.5;", "",
-     "9: error: mesh lacks 'file' (such as \"contact.inp\"), 'distance' (such as 0.5)"},
+    {HEAD MESH TAIL, "file = \"MESH\"; distance = 0.5;", "", "9: error: mesh lacks 'file' (such as \"contact.inp\")"},
     /* tiers */
     {HEAD SHAPES TAIL, "tiers = (", "tiers = ();\ntier = (", "12: error: unknown key 'tier' in scene"},
     {HEAD SHAPES, "heldout", "tiers = (); heldout",
