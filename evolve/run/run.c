@@ -12,6 +12,7 @@
 #include "generations.h"
 #include "progress.h"
 #include "run_files.h"
+#include "run_verdict.h"
 
 #include <limits.h>
 #include <math.h>
@@ -472,9 +473,11 @@ static bool found(const struct archive *a, bool all, struct diag *d)
 }
 
 /* On rank 0: what was found, to the files and in a table. */
-static bool write_found(const struct call *call, struct archive *a, const char *output, const struct heldout *heldout,
-                        struct objective *judge, const struct outcome *out, struct diag *d)
+static bool write_found(const struct call *call, const struct problem *p, const char *output,
+                        const struct heldout *heldout, struct objective *judge, const struct outcome *out,
+                        struct diag *d)
 {
+    struct archive *a = p->archive;
     const struct evolve_options *o = call->options;
     const struct run_facts facts = {o->seed, out->generation, o->islands};
     const bool saved = o->checkpoint && !out->unsaved && out->generation > 0;
@@ -493,8 +496,9 @@ static bool write_found(const struct call *call, struct archive *a, const char *
     if (!written || !fronts)
         return false;
     archive_table(a, stdout);
-    if (o->generations > 0)
+    if (o->front && o->generations > 0)
         archive_front_table(a, stdout);
+    run_verdict(call, p, heldout);
     if (fflush(stdout) != 0)
         return diag_system(d, "standard output", "cannot write");
     *d = (struct diag){.code = out->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */
@@ -544,8 +548,8 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
     if (good) {
         struct objective *judge = judge_new(p, &r.samples.validation);
         collect_fronts(&r.call, p, &r.islands, judge);
-        const bool written = team->rank > 0 ||
-                             write_found(&r.call, p->archive, r.files.output, &r.samples.heldout, judge, &r.outcome, d);
+        const bool written =
+            team->rank > 0 || write_found(&r.call, p, r.files.output, &r.samples.heldout, judge, &r.outcome, d);
         good = team_agree(team, written, d);
         objective_free(judge);
     }

@@ -51,6 +51,12 @@ void run_files_start_from_shipped(const struct call *call, const struct scene *s
         f->start[0] = '\0';
 }
 
+bool run_files_of_kind(const struct call *call, const struct scene *scene, char path[1024])
+{
+    genomes_path(call, scene->segment->name, path);
+    return strcmp(scene->name, scene->segment->name) != 0 && access(path, F_OK) == 0;
+}
+
 bool run_files_keep_start(struct run_files *f, struct diag *d)
 {
     f->start_text = f->start[0] ? read_text(f->start, &f->start_bytes, d) : new_text("", 0);

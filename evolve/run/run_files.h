@@ -10,6 +10,9 @@ bool run_files_choose(const struct call *call, const struct scene *scene, struct
 /** A scene that has no genomes yet starts from those of its kind. */
 void run_files_start_from_shipped(const struct call *call, const struct scene *scene, struct run_files *f);
 
+/** The genomes of the scene's kind of face; false if there are none, or they are the scene's own. */
+bool run_files_of_kind(const struct call *call, const struct scene *scene, char path[1024]);
+
 /** Reads the start file as checkpoints hold it. */
 bool run_files_keep_start(struct run_files *f, struct diag *d);
 

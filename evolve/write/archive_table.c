@@ -5,6 +5,12 @@
 
 #include <math.h>
 
+/* "1.234e-05", or in words. */
+static void error_text(double error, char text[16])
+{
+    snprintf(text, 16, error < INFINITY ? "%.3e" : "not finite", error);
+}
+
 /* What a program's tier has gained: the error at its cost, and the cost at its error. */
 static void print_gain(const struct front *f, const struct champion *c, double rounding, FILE *stream)
 {
@@ -15,6 +21,8 @@ static void print_gain(const struct front *f, const struct champion *c, double r
     }
     while (cost < f->limit && !(f->lowest[cost] <= c->error_before))
         cost++;
+    if (!(c->error_before < INFINITY))
+        return;
     fprintf(stream, "%.2f times less error; as good as before from cost %zu on, %.0f before",
             c->error_before / c->error, cost, c->cost_before);
 }
@@ -24,15 +32,16 @@ void archive_table(const struct archive *a, FILE *stream)
     fprintf(stream, "%-24s %-6s %10s    %-10s %6s    %-6s\n", "tier", "output", "error", "", "genes", "");
     for (const struct quest *q = a->quest; q < a->quest + a->quests; q++) {
         const struct champion *c = &q->champion;
-        char error[16] = "-", length[16] = "-";
+        char error[16] = "-", now[16], length[16] = "-";
         if (!archive_has(a, q->tier))
             continue;
         if (c->length_before > 0) {
-            snprintf(error, sizeof error, "%.3e", c->error_before);
+            error_text(c->error_before, error);
             snprintf(length, sizeof length, "%zu", c->length_before);
         }
-        fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s", q->own->name, frame_output[q->output], error,
-                c->error, length, c->genes.length, c->bred ? "" : "unchanged");
+        error_text(c->error, now);
+        fprintf(stream, "%-24s %-6s %10s -> %-10s %6s -> %-6zu%s", q->own->name, frame_output[q->output], error, now,
+                length, c->genes.length, c->bred ? "" : "unchanged");
         if (quest_of_programs(q) && c->bred && c->length_before > 0)
             print_gain(q->front, c, objective_rounding(a->scene->norm), stream);
         fputc('\n', stream);

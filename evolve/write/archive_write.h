@@ -29,4 +29,10 @@ void archive_table(const struct archive *a, FILE *stream);
 /** Prints a table of the fronts, old against new, with where each member comes from. */
 void archive_front_table(const struct archive *a, FILE *stream);
 
+/** Prints which functions of the run to use, beside those of the kind of face: five lines at most, those that gain most; or
+ *  that there are none.
+ *  @param[in] shipped  the archive of the same scene and of the genomes of its kind, measured
+ *  @param[in] judge    of samples held out, on the bare program */
+void archive_verdict(const struct archive *a, const struct archive *shipped, struct objective *judge, FILE *stream);
+
 #endif
