@@ -6,6 +6,8 @@
 
 enum { MOST_TERMS = SCALING_MOST_TERMS };
 
+#define LEAST_GAIN 1e-9
+
 /* In the scales of the move under way. */
 static rational coefficient(const struct scaling *x, int n, size_t i)
 {
@@ -189,8 +191,7 @@ static bool is_charged(const struct scaling *x, int n)
     return differs;
 }
 
-/* Change of the total by the move under way, which is charged. */
-double scaling_charge_move(struct scaling *x)
+bool scaling_charge_move(struct scaling *x)
 {
     struct shared_term **term = x->own;
     double difference = 0;
@@ -199,13 +200,14 @@ double scaling_charge_move(struct scaling *x)
         if (is_charged(x, x->affected[i])) {
             x->trial[x->charges++].node = x->affected[i];
             difference += scaling_charge(x, &x->weight[x->affected[i]], -1);
+            x->work += scaling_pairs_of(x, x->affected[i]);
         }
-    for (size_t i = 0; i < x->charges; i++) {
-        x->trial[i].term = term;
-        weigh(x, x->trial[i].node, &x->trial[i]);
-        x->work += scaling_pairs_of(x, x->trial[i].node);
-        term += x->trial[i].terms;
-        difference += scaling_charge(x, &x->trial[i], 1);
+    for (x->weighed = 0; x->weighed < x->charges && difference < -LEAST_GAIN; x->weighed++) {
+        struct weight *w = &x->trial[x->weighed];
+        w->term = term;
+        weigh(x, w->node, w);
+        term += w->terms;
+        difference += scaling_charge(x, w, 1);
     }
-    return difference;
+    return x->weighed == x->charges && difference < -LEAST_GAIN;
 }

@@ -35,10 +35,11 @@ struct scaling {
     uint64_t *dirty;         /* owned: set of nodes that move or whose operands' scales have changed */
     size_t words;            /* of a set */
     int *changed, *affected; /* owned: nodes whose scale the move changed; these and their users */
-    size_t changes, affects, charges;
-    bool *listed;             /* owned: by node, is in `affected` */
-    struct weight *weight;    /* owned: by node, in the best scales */
-    struct weight *trial;     /* owned: of nodes whose costs the move may change, in its scales; `charges` of them */
+    size_t changes, affects, charges, weighed;
+    bool *listed;          /* owned: by node, is in `affected` */
+    struct weight *weight; /* owned: by node, in the best scales */
+    struct weight *trial;  /* owned: of the nodes whose costs the move may change, in its scales; `charges` of them, of
+                               which `weighed` are */
     struct shared_term **own; /* owned: the terms of `weight` and of `trial` */
     struct shared_term *term; /* owned: the terms that stand alone, with the best scales */
     size_t terms, used;
@@ -70,8 +71,9 @@ double scaling_pairs_of(const struct scaling *x, int n);
 /** Change of the total when a weight comes (+1) or goes (-1): of terms that stand alone only the first of a kind costs. */
 double scaling_charge(const struct scaling *x, const struct weight *w, int sign);
 
-/** Charges the move under way: the nodes of x->affected.  Returns the change of the total. */
-double scaling_charge_move(struct scaling *x);
+/** Charges the move under way, that is the nodes of x->affected, as far as the total may still fall.  Returns whether it
+ *  does. */
+bool scaling_charge_move(struct scaling *x);
 
 /** Makes the table of terms from the best scales. */
 void scaling_fill_terms(struct scaling *x);

@@ -168,7 +168,7 @@ static bool move(struct scaling *x, rational factor)
 
 static void undo_move(struct scaling *x)
 {
-    for (size_t i = 0; i < x->charges; i++)
+    for (size_t i = 0; i < x->weighed; i++)
         scaling_charge(x, &x->trial[i], -1);
     for (size_t i = 0; i < x->charges; i++)
         scaling_charge(x, &x->weight[x->trial[i].node], 1);
@@ -204,7 +204,7 @@ static void try_factor(struct scaling *x, rational factor)
     const bool tame = move(x, factor);
     for (size_t i = 0; i < x->affects; i++)
         x->listed[x->affected[i]] = false;
-    const bool better = scaling_charge_move(x) < -1e-9 && tame;
+    const bool better = scaling_charge_move(x) && tame;
     if (better)
         keep_move(x);
     else
