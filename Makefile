@@ -85,12 +85,12 @@ CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(THREA
 sources      = $(filter-out %_main.c,$(foreach room,$(1),$(wildcard $(room)/*.c)))
 codegen_lib := $(call sources,codegen codegen/* codegen/*/*)
 evolve_lib  := $(call sources,evolve/*)
-evolve_mpi  := $(call sources,evolve/mpi evolve/run) evolve/evolve_main.c tests/paper/pga_main.c
+evolve_mpi  := $(call sources,evolve/mpi evolve/run) evolve/evolve_main.c tests/paper/rivals/pga_main.c
 ccx_lib     := $(call sources,runtime/calculix)
 runtime_lib := $(filter-out $(ccx_lib) runtime/replace/%,$(call sources,runtime/*))
-test_main   := $(wildcard tests/*/test_*.c)
+test_main   := $(wildcard tests/*/test_*.c tests/*/*/test_*.c)
 test_lib    := $(filter-out $(test_main),$(call sources,tests/support tests/rivals))
-paper_lib   := $(filter-out $(test_main),$(call sources,tests/paper))
+paper_lib   := $(filter-out $(test_main),$(call sources,tests/paper/rivals))
 bench_isa   := bench_methods bench_calls
 bench_lib   := $(filter-out tests/bench/bench_gregory.c $(bench_isa:%=tests/bench/%.c),$(call sources,tests/bench))
 
@@ -223,12 +223,12 @@ $(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c) $(evolve_parts)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_mpi) $(LIBS_evolve)
 
-$(BIN)/footpoint-pga: $(call object,tests/paper/pga_main.c) $(OBJ)/paper.a $(evolve_parts)
+$(BIN)/footpoint-pga: $(call object,tests/paper/rivals/pga_main.c) $(OBJ)/paper.a $(evolve_parts)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_mpi) $(LIBS_evolve)
 
-$(BIN)/footpoint-perceptron: $(call object,tests/paper/perceptron_main.c) $(OBJ)/paper.a $(evolve_parts)
+$(BIN)/footpoint-perceptron: $(call object,tests/paper/rivals/perceptron_main.c) $(OBJ)/paper.a $(evolve_parts)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_evolve)
@@ -379,7 +379,7 @@ build-tests: $(TESTS) all bench-program paper-programs
 # A line at once, then the longest first, so that processors are busy to the end.
 LONGEST := header evolve languages checkpoint bench make example statuses programs
 LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh)
-paper_tests := tests/paper/pga.sh tests/paper/perceptron.sh
+paper_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh) $(paper_tests))
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \

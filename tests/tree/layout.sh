@@ -59,7 +59,8 @@ tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated
 tests/replace:      runtime/replace runtime generated
 tests/example:      runtime runtime/* generated
-tests/paper:        codegen/* evolve/*
+tests/paper:
+tests/paper/rivals: codegen/* evolve/*
 tests/fuzz:         evolve/input codegen/* runtime runtime/* generated tests/hard
 tests/long:
 tests/timed:

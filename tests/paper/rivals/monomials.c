@@ -1,7 +1,7 @@
 /* Monomials; see monomials.h. */
 #include "monomials.h"
 
-#include "../../evolve/common/decimal.h"
+#include "../../../evolve/common/decimal.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -25,7 +25,7 @@ expect 'onto its scene' 2 '' '*' "$perceptron" --scene "$work/own.scene" -o "$wo
 grep -q '^footpoint-perceptron: error: --output and the scene are one file: ' "$work/stderr" && cmp $scene "$work/own.scene"
 report $((! $?)) 'which is refused in one line, and stays'
 no_room_for_help footpoint-perceptron
-documented "$perceptron" tests/paper/footpoint-perceptron.1
+documented "$perceptron" tests/paper/rivals/footpoint-perceptron.1
 
 run="--scene $scene --hidden 4 --hidden 3,2 --iterations 30 --samples 500 --seed 4"
 expect 'a run' 0 '' '*' "$perceptron" $run -o "$work/1.gen"

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_PERCEPTRON_TRAIN_H
 #define FOOTPOINT_PERCEPTRON_TRAIN_H
 
-#include "../../evolve/common/columns.h"
+#include "../../../evolve/common/columns.h"
 #include "perceptron.h"
 
 /** Samples to train with. */

@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_MONOMIALS_H
 #define FOOTPOINT_MONOMIALS_H
 
-#include "../../evolve/common/columns.h"
-#include "../../evolve/genotype/genotype.h"
+#include "../../../evolve/common/columns.h"
+#include "../../../evolve/genotype/genotype.h"
 
 enum { MONOMIAL_DEGREE = 4 };
 

@@ -4,7 +4,7 @@
 #ifndef FOOTPOINT_PERCEPTRON_H
 #define FOOTPOINT_PERCEPTRON_H
 
-#include "../../codegen/genome/genome.h"
+#include "../../../codegen/genome/genome.h"
 
 #include <stdint.h>
 

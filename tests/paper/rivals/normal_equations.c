@@ -1,8 +1,8 @@
 /* Sums of products; see normal_equations.h.  Tiles of 4 x 2 columns stay in registers over a block of samples. */
 #include "normal_equations.h"
 
-#include "../../codegen/base/base.h"
-#include "../../evolve/common/simd.h"
+#include "../../../codegen/base/base.h"
+#include "../../../evolve/common/simd.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* The genetic algorithm on polynomials: a known polynomial comes back, sizes are obeyed, fits and errors are what the
  * samples say, dependent terms do no harm, and nothing depends on how the evaluation is shared out. */
-#include "../../evolve/common/decimal.h"
-#include "../../evolve/common/stream.h"
-#include "../../evolve/tiles/kernel.h"
+#include "../../../evolve/common/decimal.h"
+#include "../../../evolve/common/stream.h"
+#include "../../../evolve/tiles/kernel.h"
 #include "normal_equations.h"
 #include "pga.h"
 

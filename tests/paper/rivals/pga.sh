@@ -25,7 +25,7 @@ expect 'onto its scene' 2 '' '*' "$pga" --scene "$work/own.scene" -o "$work/own.
 grep -q '^footpoint-pga: error: --output and the scene are one file: ' "$work/stderr" && cmp $scene "$work/own.scene"
 report $((! $?)) 'which is refused in one line, and stays'
 no_room_for_help footpoint-pga
-documented "$pga" tests/paper/footpoint-pga.1
+documented "$pga" tests/paper/rivals/footpoint-pga.1
 
 run="--scene $scene --tier paper --generations 20 --population 20 --restrict 12 --seed 4 --quiet"
 expect 'a run' 0 '*' '' "$pga" $run --log "$work/1.csv" -o "$work/1.gen"

@@ -1,12 +1,12 @@
 /* footpoint-perceptron: trains perceptrons on a scene's training samples and writes them as genomes, with their errors
  * on the held-out ones. */
-#include "../../codegen/base/options.h"
-#include "../../evolve/common/data_root.h"
-#include "../../evolve/eval/errors.h"
-#include "../../evolve/eval/frame.h"
-#include "../../evolve/input/scene_files.h"
-#include "../../evolve/region/sampled_region.h"
-#include "../../evolve/samples/samples.h"
+#include "../../../codegen/base/options.h"
+#include "../../../evolve/common/data_root.h"
+#include "../../../evolve/eval/errors.h"
+#include "../../../evolve/eval/frame.h"
+#include "../../../evolve/input/scene_files.h"
+#include "../../../evolve/region/sampled_region.h"
+#include "../../../evolve/samples/samples.h"
 #include "perceptron_train.h"
 
 #include <stdlib.h>

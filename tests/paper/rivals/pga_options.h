@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_PGA_OPTIONS_H
 #define FOOTPOINT_PGA_OPTIONS_H
 
-#include "../../codegen/base/options.h"
-#include "../../evolve/input/scene.h"
+#include "../../../codegen/base/options.h"
+#include "../../../evolve/input/scene.h"
 #include "pga.h"
 
 enum coefficients { COEFFICIENTS_SQUARES, COEFFICIENTS_MEAN, COEFFICIENTS_WORST };

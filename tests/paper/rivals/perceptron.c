@@ -1,8 +1,8 @@
 /* Networks and their derivatives; see perceptron.h. */
 #include "perceptron.h"
 
-#include "../../evolve/common/stream.h"
-#include "../../evolve/eval/frame.h"
+#include "../../../evolve/common/stream.h"
+#include "../../../evolve/eval/frame.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The genetic algorithm; see pga.h.  The best individual always survives, as the paper reports the best of a run. */
 #include "pga.h"
 
-#include "../../evolve/common/stream.h"
+#include "../../../evolve/common/stream.h"
 
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_statistics_double.h>

@@ -1,10 +1,10 @@
 /* Genome text of polynomials; see pga_write.h. */
 #include "pga_write.h"
 
-#include "../../codegen/base/outfile.h"
-#include "../../evolve/eval/errors.h"
-#include "../../evolve/eval/frame.h"
-#include "../../evolve/region/sampled_region.h"
+#include "../../../codegen/base/outfile.h"
+#include "../../../evolve/eval/errors.h"
+#include "../../../evolve/eval/frame.h"
+#include "../../../evolve/region/sampled_region.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Perceptrons: derivatives against finite differences, a function that a network can learn comes back, the genome's
  * values are the network's, and training does not depend on more than its seed. */
-#include "../../evolve/common/stream.h"
-#include "../../evolve/eval/lines_run.h"
+#include "../../../evolve/common/stream.h"
+#include "../../../evolve/eval/lines_run.h"
 #include "perceptron_train.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Command line of footpoint-pga. */
 #include "pga_options.h"
 
-#include "../../evolve/common/data_root.h"
+#include "../../../evolve/common/data_root.h"
 
 #include <ctype.h>
 #include <string.h>

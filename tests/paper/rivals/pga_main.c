@@ -1,10 +1,10 @@
 /* footpoint-pga: the paper's genetic algorithm on polynomials, over MPI.  Every process reads the scene and holds the
  * table of monomials; rank 0 breeds, and the polynomials of a generation are fitted and measured by all ranks. */
-#include "../../codegen/base/console.h"
-#include "../../evolve/eval/frame.h"
-#include "../../evolve/input/scene_files.h"
-#include "../../evolve/mpi/team.h"
-#include "../../evolve/samples/samples.h"
+#include "../../../codegen/base/console.h"
+#include "../../../evolve/eval/frame.h"
+#include "../../../evolve/input/scene_files.h"
+#include "../../../evolve/mpi/team.h"
+#include "../../../evolve/samples/samples.h"
 #include "pga_terms.h"
 #include "pga_write.h"
 

@@ -3,7 +3,7 @@
  * is kept. */
 #include "polynomials.h"
 
-#include "../../codegen/base/base.h"
+#include "../../../codegen/base/base.h"
 #include "normal_equations.h"
 
 #include <math.h>

@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_PGA_WRITE_H
 #define FOOTPOINT_PGA_WRITE_H
 
-#include "../../evolve/eval/objective.h"
-#include "../../evolve/surface/sample.h"
+#include "../../../evolve/eval/objective.h"
+#include "../../../evolve/surface/sample.h"
 #include "pga.h"
 #include "pga_options.h"
 

@@ -4,7 +4,7 @@
 #ifndef FOOTPOINT_POLYNOMIALS_H
 #define FOOTPOINT_POLYNOMIALS_H
 
-#include "../../evolve/input/scene.h"
+#include "../../../evolve/input/scene.h"
 #include "monomials.h"
 
 struct polynomials {
