@@ -2,6 +2,7 @@
  * transformations (T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18, 1971). */
 #include "evaluate_lanes.h"
 
+#include "../base/simd.h"
 #include "evaluate.h"
 
 #include <math.h>
@@ -11,17 +12,24 @@
 
 /* ---- places ---- */
 
-/* What operation i takes: its operands, and of a sum those of products, as one fma() may take them. */
-#define OPERANDS 6
+/* What a step takes: its operands, and of a sum the factors of those that are products, as one fma() may take them. */
+enum { A, B, LEFT, RIGHT = LEFT + 2, OPERANDS = RIGHT + 2 };
+
+struct lanes_step {
+    enum op_kind kind;
+    int input, to, of[OPERANDS]; /* places; of LEFT and RIGHT -1 where there is no product */
+};
+
+/* The operations that operation i takes, -1 where there is none. */
 static void find_operands(const struct program *p, size_t i, int operand[OPERANDS])
 {
     const struct op *op = &p->op[i];
     const int own[2] = {op->a, op->b};
     for (int k = 0; k < 2; k++) {
         const bool product = own[k] >= 0 && (op->kind == OP_ADD || op->kind == OP_SUB) && p->op[own[k]].kind == OP_MUL;
-        operand[3 * k] = own[k];
-        operand[3 * k + 1] = product ? p->op[own[k]].a : -1;
-        operand[3 * k + 2] = product ? p->op[own[k]].b : -1;
+        operand[k] = own[k];
+        operand[LEFT + 2 * k] = product ? p->op[own[k]].a : -1;
+        operand[LEFT + 2 * k + 1] = product ? p->op[own[k]].b : -1;
     }
 }
 
@@ -43,15 +51,33 @@ static size_t *find_last_uses(const struct program *p, size_t ops, const bool *k
     return last;
 }
 
+/* The place of operation i: its own, or one that is free.  A constant is there from the beginning. */
+static int take_place(struct lanes_plan *plan, size_t i, const int *vacant, size_t *vacancies)
+{
+    const bool own = plan->program->op[i].kind == OP_CONSTANT || *vacancies == 0;
+    return plan->slot[i] = own ? (int)plan->slots++ : vacant[--*vacancies];
+}
+
+static void add_step(struct lanes_plan *plan, size_t i, const int operand[OPERANDS])
+{
+    const struct op *op = &plan->program->op[i];
+    struct lanes_step *s = &plan->step[plan->steps++];
+    *s = (struct lanes_step){.kind = op->kind, .input = op->input, .to = plan->slot[i]};
+    for (int k = 0; k < OPERANDS; k++)
+        s->of[k] = operand[k] >= 0 ? plan->slot[operand[k]] : k < LEFT ? 0 : -1;
+}
+
 struct lanes_plan lanes_plan_new(const struct program *p, size_t ops, const bool *kept)
 {
     struct lanes_plan plan = {.program = p, .ops = ops, .slot = new_array(ops, sizeof *plan.slot)};
     size_t *last = find_last_uses(p, ops, kept), vacancies = 0;
     int *vacant = new_array(ops, sizeof *vacant), operand[OPERANDS + 1];
+    plan.step = new_array(ops, sizeof *plan.step);
     for (size_t i = 0; i < ops; i++) {
-        const bool own = p->op[i].kind == OP_CONSTANT || vacancies == 0; /* a constant is there from the beginning */
-        plan.slot[i] = own ? (int)plan.slots++ : vacant[--vacancies];
+        take_place(&plan, i, vacant, &vacancies);
         find_operands(p, i, operand);
+        if (p->op[i].kind != OP_CONSTANT)
+            add_step(&plan, i, operand);
         operand[OPERANDS] = (int)i;
         for (int k = 0; k <= OPERANDS; k++)
             if (operand[k] >= 0 && last[operand[k]] == i) {
@@ -67,6 +93,7 @@ struct lanes_plan lanes_plan_new(const struct program *p, size_t ops, const bool
 void lanes_plan_free(struct lanes_plan *plan)
 {
     free(plan->slot);
+    free(plan->step);
 }
 
 static double low_constant(const fmpq *q, double high)
@@ -110,60 +137,47 @@ struct lanes *lanes_new(const struct lanes_plan *plan, struct lanes **low)
 /* ---- double ---- */
 
 /* Loops of their own: in a switch compilers unroll them before they vectorise. */
-static void product(const double *a, const double *b, double *restrict x)
+IN_WIDE void product(const double *a, const double *b, double *restrict x)
 {
     for (size_t l = 0; l < LANES; l++)
         x[l] = a[l] * b[l];
 }
 
-static void quotient(const double *a, const double *b, double *restrict x)
+IN_WIDE void quotient(const double *a, const double *b, double *restrict x)
 {
     for (size_t l = 0; l < LANES; l++)
         x[l] = a[l] / b[l];
 }
 
-/* a b + sign c */
-static void fused(const double *a, const double *b, double sign_product, const double *c, double sign, double *x)
+/* x = a + sign b, or a product and the other term as one fma(), as chance has it.  All three are written as one, since
+ * nobody can foretell a jump by chance: fma() with 1 is a sum. */
+IN_WIDE void contracted_sum(const struct lanes_step *s, uint64_t chance, double sign, const struct lanes *v, double *x)
+{
+    static const struct lanes one = {{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+    const bool left = chance == 1 && s->of[LEFT] >= 0, right = chance == 2 && s->of[RIGHT] >= 0;
+    const int first = left ? LEFT : right ? RIGHT : B;
+    const double *p = v[s->of[first]].at, *q = first == B ? one.at : v[s->of[first + 1]].at;
+    const double *rest = v[s->of[left ? B : A]].at, turn = left ? 1 : sign, turn_rest = left ? sign : 1;
+    for (size_t l = 0; l < LANES; l++)
+        x[l] = fma(turn * p[l], q[l], turn_rest * rest[l]);
+}
+
+IN_WIDE void sum(const double *a, const double *b, double sign, double *restrict x)
 {
     for (size_t l = 0; l < LANES; l++)
-        x[l] = fma(sign_product * a[l], b[l], sign * c[l]);
+        x[l] = a[l] + sign * b[l];
 }
 
-static void sum(const struct lanes_plan *plan, const struct op *op, uint64_t *contract, const struct lanes *v,
-                double *restrict x)
+WIDE void lanes_double(const struct lanes_plan *plan, const struct lanes *input, uint64_t *contract,
+                       struct lanes *value)
 {
-    const struct op *left = &plan->program->op[op->a], *right = &plan->program->op[op->b];
-    const int *slot = plan->slot;
-    const double *restrict a = v[slot[op->a]].at, *restrict b = v[slot[op->b]].at;
-    const double sign = op->kind == OP_ADD ? 1 : -1;
-    const uint64_t choice = contract ? random_next(contract) % 3 : 0;
-    if (choice == 1 && left->kind == OP_MUL)
-        fused(v[slot[left->a]].at, v[slot[left->b]].at, 1, b, sign, x);
-    else if (choice == 2 && right->kind == OP_MUL)
-        fused(v[slot[right->a]].at, v[slot[right->b]].at, sign, a, 1, x);
-    else
-        for (size_t l = 0; l < LANES; l++)
-            x[l] = a[l] + sign * b[l];
-}
-
-/* The place of an operand; of none, any. */
-static int place_of(const struct lanes_plan *plan, int op)
-{
-    return op >= 0 ? plan->slot[op] : 0;
-}
-
-void lanes_double(const struct lanes_plan *plan, const struct lanes *input, uint64_t *contract, struct lanes *value)
-{
-    for (size_t i = 0; i < plan->ops; i++) {
-        const struct op *op = &plan->program->op[i];
-        const double *restrict a = value[place_of(plan, op->a)].at, *restrict b = value[place_of(plan, op->b)].at;
-        double *restrict x = value[plan->slot[i]].at;
-        switch (op->kind) {
-        case OP_CONSTANT:
-            break;
+    for (const struct lanes_step *s = plan->step; s < plan->step + plan->steps; s++) {
+        const double *restrict a = value[s->of[A]].at, *restrict b = value[s->of[B]].at;
+        double *restrict x = value[s->to].at;
+        switch (s->kind) {
         case OP_INPUT:
             for (size_t l = 0; l < LANES; l++)
-                x[l] = input[op->input].at[l];
+                x[l] = input[s->input].at[l];
             break;
         case OP_NEG:
             for (size_t l = 0; l < LANES; l++)
@@ -171,7 +185,10 @@ void lanes_double(const struct lanes_plan *plan, const struct lanes *input, uint
             break;
         case OP_ADD:
         case OP_SUB:
-            sum(plan, op, contract, value, x);
+            if (contract)
+                contracted_sum(s, random_next(contract) % 3, s->kind == OP_ADD ? 1 : -1, value, x);
+            else
+                sum(a, b, s->kind == OP_ADD ? 1 : -1, x);
             break;
         case OP_MUL:
             product(a, b, x);
@@ -181,7 +198,7 @@ void lanes_double(const struct lanes_plan *plan, const struct lanes *input, uint
             break;
         default:
             for (size_t l = 0; l < LANES; l++)
-                x[l] = point_operation(op->kind, a[l], b[l]);
+                x[l] = point_operation(s->kind, a[l], b[l]);
         }
     }
 }
@@ -193,19 +210,19 @@ struct pair {
 };
 
 /* a + b where |a| >= |b| or a is 0 */
-static inline struct pair pair_of(double a, double b)
+IN_WIDE struct pair pair_of(double a, double b)
 {
     const double x = a + b;
     return (struct pair){x, b - (x - a)};
 }
 
-static inline struct pair pair_add(struct pair a, struct pair b)
+IN_WIDE struct pair pair_add(struct pair a, struct pair b)
 {
     const double x = a.x + b.x, other = x - a.x;
     return pair_of(x, (a.x - (x - other)) + (b.x - other) + (a.y + b.y));
 }
 
-static inline struct pair pair_multiply(struct pair a, struct pair b)
+IN_WIDE struct pair pair_multiply(struct pair a, struct pair b)
 {
     const double x = a.x * b.x, s = SPLITTER * a.x, t = SPLITTER * b.x;
     const double a1 = s - (s - a.x), b1 = t - (t - b.x), a2 = a.x - a1, b2 = b.x - b1;
@@ -213,26 +230,26 @@ static inline struct pair pair_multiply(struct pair a, struct pair b)
     return pair_of(x, rest + (a.x * b.y + a.y * b.x));
 }
 
-static inline struct pair pair_negative(struct pair a)
+IN_WIDE struct pair pair_negative(struct pair a)
 {
     return (struct pair){-a.x, -a.y};
 }
 
-static inline struct pair pair_divide(struct pair a, struct pair b)
+IN_WIDE struct pair pair_divide(struct pair a, struct pair b)
 {
     const double x = a.x / b.x;
     const struct pair rest = pair_add(a, pair_negative(pair_multiply((struct pair){x, 0}, b)));
     return pair_of(x, (rest.x + rest.y) / b.x);
 }
 
-static inline struct pair pair_root(struct pair a)
+IN_WIDE struct pair pair_root(struct pair a)
 {
     const double x = sqrt(a.x);
     const struct pair rest = pair_add(a, pair_negative(pair_multiply((struct pair){x, 0}, (struct pair){x, 0})));
     return x > 0 ? pair_of(x, (rest.x + rest.y) / (2 * x)) : (struct pair){x, 0};
 }
 
-static inline bool pair_below(struct pair a, struct pair b)
+IN_WIDE bool pair_below(struct pair a, struct pair b)
 {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
@@ -256,7 +273,7 @@ static struct pair pair_other(enum op_kind kind, struct pair a, struct pair b)
     }
 }
 
-void lanes_pairs(const struct lanes_plan *plan, const struct lanes *input, struct lanes *high, struct lanes *low)
+WIDE void lanes_pairs(const struct lanes_plan *plan, const struct lanes *input, struct lanes *high, struct lanes *low)
 {
 #define EACH(value)                                                                                                    \
     for (size_t l = 0; l < LANES; l++) {                                                                               \
@@ -265,34 +282,31 @@ void lanes_pairs(const struct lanes_plan *plan, const struct lanes *input, struc
         y[l] = z.y;                                                                                                    \
     }                                                                                                                  \
     break
-#define A ((struct pair){ax[l], ay[l]})
-#define B ((struct pair){bx[l], by[l]})
-    for (size_t i = 0; i < plan->ops; i++) {
-        const struct op *op = &plan->program->op[i];
-        const int a = place_of(plan, op->a), b = place_of(plan, op->b);
+#define X ((struct pair){ax[l], ay[l]})
+#define Y ((struct pair){bx[l], by[l]})
+    for (const struct lanes_step *s = plan->step; s < plan->step + plan->steps; s++) {
+        const int a = s->of[A], b = s->of[B];
         const double *restrict ax = high[a].at, *restrict ay = low[a].at;
         const double *restrict bx = high[b].at, *restrict by = low[b].at;
-        double *restrict x = high[plan->slot[i]].at, *restrict y = low[plan->slot[i]].at;
-        switch (op->kind) {
-        case OP_CONSTANT:
-            break;
+        double *restrict x = high[s->to].at, *restrict y = low[s->to].at;
+        switch (s->kind) {
         case OP_INPUT:
-            EACH(((struct pair){input[op->input].at[l], 0}));
+            EACH(((struct pair){input[s->input].at[l], 0}));
         case OP_NEG:
-            EACH(pair_negative(A));
+            EACH(pair_negative(X));
         case OP_ADD:
-            EACH(pair_add(A, B));
+            EACH(pair_add(X, Y));
         case OP_SUB:
-            EACH(pair_add(A, pair_negative(B)));
+            EACH(pair_add(X, pair_negative(Y)));
         case OP_MUL:
-            EACH(pair_multiply(A, B));
+            EACH(pair_multiply(X, Y));
         case OP_DIV:
-            EACH(pair_divide(A, B));
+            EACH(pair_divide(X, Y));
         default:
-            EACH(pair_other(op->kind, A, B));
+            EACH(pair_other(s->kind, X, Y));
         }
     }
 #undef EACH
-#undef A
-#undef B
+#undef X
+#undef Y
 }

@@ -14,12 +14,15 @@ struct lanes {
     double at[LANES];
 };
 
+struct lanes_step;
+
 /** Where the values of a program's first operations are kept.  A place is used again after a value's last use, so that
  *  they stay in the cache. */
 struct lanes_plan {
     const struct program *program; /* not owned */
-    size_t ops, slots;
-    int *slot; /* owned: by operation */
+    size_t ops, slots, steps;
+    int *slot;               /* owned: by operation */
+    struct lanes_step *step; /* owned: the operations but constants, with the places of what they take */
 };
 
 /** `kept`, indexed by operation: its value is asked for at the end. */

@@ -1,7 +1,7 @@
 /* Means, 99 % and maxima of errors; see errors.h. */
 #include "errors.h"
 
-#include "../common/simd.h"
+#include "../../codegen/base/simd.h"
 #include "frame.h"
 #include "lines_run.h"
 

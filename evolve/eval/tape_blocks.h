@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_TAPE_BLOCKS_H
 #define FOOTPOINT_TAPE_BLOCKS_H
 
+#include "../../codegen/base/simd.h"
 #include "../common/columns.h"
-#include "../common/simd.h"
 
 #include <math.h>
 
@@ -15,7 +15,7 @@
 #endif
 
 /* to = x gene y; y counts where the gene has two operands. */
-static inline __attribute__((always_inline)) void value_of(int gene, const double *x, const double *y, double *to)
+IN_WIDE void value_of(int gene, const double *x, const double *y, double *to)
 {
 #define VALUE(gene, operands, value)                                                                                   \
     case GENE_##gene:                                                                                                  \
@@ -34,8 +34,8 @@ static inline __attribute__((always_inline)) void value_of(int gene, const doubl
 }
 
 /* Slopes of the operands x and y of a gene; slope is that of the operation. */
-static inline __attribute__((always_inline)) void slope_of(int gene, const double *slope, const double *value,
-                                                           const double *x, const double *y, double *sx, double *sy)
+IN_WIDE void slope_of(int gene, const double *slope, const double *value, const double *x, const double *y, double *sx,
+                      double *sy)
 {
 #define SLOPE(gene, ...)                                                                                               \
     case GENE_##gene:                                                                                                  \

@@ -4,8 +4,8 @@
  *   99 %   the same with s the 99 % error, and beyond s, where outliers are let go, sqrt(1 + p - p s / |e|). */
 #include "fit_lines.h"
 
+#include "../../codegen/base/simd.h"
 #include "../common/decimal.h"
-#include "../common/simd.h"
 #include "../eval/errors.h"
 
 #include <gsl/gsl_errno.h>

@@ -3,7 +3,7 @@
  * 2 c sum(w r J z) + c^2 sum(w J^2 z^2), both answers summed. */
 #include "guide.h"
 
-#include "../common/simd.h"
+#include "../../codegen/base/simd.h"
 
 #include <math.h>
 #include <stdlib.h>

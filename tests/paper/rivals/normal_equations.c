@@ -2,7 +2,7 @@
 #include "normal_equations.h"
 
 #include "../../../codegen/base/base.h"
-#include "../../../evolve/common/simd.h"
+#include "../../../codegen/base/simd.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Polynomials over samples; see polynomials.h. */
 #include "polynomials.h"
 
-#include "../../../evolve/common/simd.h"
+#include "../../../codegen/base/simd.h"
 #include "normal_equations.h"
 
 #include <gsl/gsl_eigen.h>

@@ -10,6 +10,9 @@
 #define WIDE
 #endif
 
+/** A function that is compiled anew inside each WIDE one. */
+#define IN_WIDE static inline __attribute__((always_inline))
+
 /** Row i of a sum of products goes to lane i mod WIDE_LANES. */
 enum { WIDE_LANES = 8 };
 typedef double wide __attribute__((vector_size(WIDE_LANES * sizeof(double)), aligned(sizeof(double)), may_alias));
