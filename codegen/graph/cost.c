@@ -10,8 +10,8 @@
 #include "cost.h"
 
 #include "../genome/genes.h"
+#include "../genome/genome_reader.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -35,94 +35,67 @@ static const char *const key_name[KEYS] = {"mul", "add", "div", "sqrt", "compare
 struct cost_reader {
     const char *path;
     struct diag *d;
-    const char *word, *line_start;
-    size_t length; /* of the word; 0 at the end of a line */
-    int line;
+    struct words w;
 };
 
 /* The format may show the word. */
 static bool refuse(const struct cost_reader *r, const char *format)
 {
-    char shown[44];
-    snprintf(shown, sizeof shown, "%.*s%s", r->length > 40 ? 40 : (int)r->length, r->word, r->length > 40 ? "..." : "");
-    for (char *c = shown; *c; c++)
-        if (!isprint((unsigned char)*c))
-            *c = '?';
-    return diag_at(r->d, r->path, r->line, (int)(r->word - r->line_start) + 1, format, shown);
+    return word_fail(&r->w, format, r->path, r->d);
 }
 
-static bool next_word(struct cost_reader *r)
+/* Nothing may follow in the line. */
+static bool last_word(struct cost_reader *r, const char *format)
 {
-    r->word += r->length;
-    r->word += strspn(r->word, " \t\r");
-    r->length = strcspn(r->word, " \t\r\n#");
-    return r->length > 0;
-}
-
-/* First word of the next line that has one. */
-static bool next_line(struct cost_reader *r)
-{
-    while (!next_word(r)) {
-        r->word += strcspn(r->word, "\n");
-        if (!*r->word)
-            return false;
-        r->line_start = ++r->word;
-        r->line++;
-    }
-    return true;
-}
-
-static bool word_is(const struct cost_reader *r, const char *text)
-{
-    return r->length == strlen(text) && memcmp(r->word, text, r->length) == 0;
+    return !words_next(&r->w, true) || refuse(r, format);
 }
 
 static bool read_version(struct cost_reader *r)
 {
-    if (!next_word(r) || !word_is(r, "footpoint-costs"))
+    if (!words_next(&r->w, true) || !word_is(&r->w, "footpoint-costs"))
         return refuse(r, "not a cost file: the first word must be 'footpoint-costs'");
-    if (!next_word(r) || !word_is(r, "1"))
+    if (!words_next(&r->w, true) || !word_is(&r->w, "1"))
         return refuse(r, "format version '%s' is not supported (this program reads version 1)");
-    return !next_word(r) || refuse(r, "'%s' follows the version");
+    return last_word(r, "'%s' follows the version");
 }
 
 static bool read_cost(struct cost_reader *r, double value[KEYS], bool given[KEYS])
 {
-    char *rest;
+    char number[48], *rest;
     int k = 0;
-    while (k < KEYS && !word_is(r, key_name[k]))
+    while (k < KEYS && !word_is(&r->w, key_name[k]))
         k++;
     if (k == KEYS)
-        return refuse(r, "unknown key '%s'");
+        return refuse(r, memchr(r->w.word, '\0', r->w.length) ? "a NUL character ends the text early"
+                                                              : "unknown key '%s'");
     if (given[k])
         return refuse(r, "key '%s' is given twice");
     given[k] = true;
-    if (!next_word(r))
+    if (!words_next(&r->w, true))
         return refuse(r, "a number is missing");
-    value[k] = strtod(r->word, &rest);
-    if (rest != r->word + r->length || strspn(r->word, "+-.0123456789eE") < r->length)
+    if (!word_copy(&r->w, number, sizeof number) || strspn(number, "+-.0123456789eE") < r->w.length)
+        return refuse(r, "'%s' is not a decimal number");
+    value[k] = strtod(number, &rest);
+    if (*rest)
         return refuse(r, "'%s' is not a decimal number");
     if (!(value[k] >= 0 && value[k] <= MOST))
         return refuse(r, "cost '%s' is not between 0 and 1e9");
     if (k == CHAIN && value[k] != 0)
         return refuse(r, "'chain' is 0, not '%s': costs of the longest chain are no longer supported");
-    return !next_word(r) || refuse(r, "'%s' follows the number");
+    return last_word(r, "'%s' follows the number");
 }
 
-static bool read_costs(struct cost_reader *r, const char *end, double value[KEYS])
+static bool read_costs(struct cost_reader *r, double value[KEYS])
 {
     bool given[KEYS] = {false};
     if (!read_version(r))
         return false;
-    while (next_line(r))
+    while (words_next(&r->w, false))
         if (!read_cost(r, value, given))
             return false;
-    if (r->word != end)
-        return refuse(r, "a NUL character ends the text early");
     for (int k = 0; k < REQUIRED; k++)
         if (!given[k])
-            return diag_at(r->d, r->path, r->line, (int)(r->word - r->line_start) + 1, "key '%s' is missing",
-                           key_name[k]);
+            return diag_at(r->d, r->path, r->w.word_line, r->w.word_column, "key '%s' is missing", key_name[k]);
     return true;
 }
 
@@ -133,8 +106,8 @@ static bool read_model(const char *path, struct cost_model *m, struct diag *d)
     char *text = read_text(path, &size, d);
     if (!text)
         return false;
-    struct cost_reader r = {.path = path, .d = d, .word = text, .line_start = text, .line = 1};
-    const bool good = read_costs(&r, text + size, value);
+    struct cost_reader r = {path, d, words_of(text, size)};
+    const bool good = read_costs(&r, value);
     free(text);
     if (!good)
         return false;
