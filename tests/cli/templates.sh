@@ -36,6 +36,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
+        case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in quad4) files="$files quad4_proof quad4_steps quad4_answer" ;; *) files="$files answer" ;; esac
         files="$files arrays over"
         case $nearest in
@@ -59,12 +60,12 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             for word in PROMISE SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
             echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"
             echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
-            printf '#define %s\n' 'VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)x4;' 'SIZE 1' \
+            printf '#define %s\n' "VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)c; (void)x$others;" 'SIZE 1' \
                 'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' "START_detail_prove ${kind}_start"
             words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST"
             words="$words SEARCH_CALL STATEMENTS DENOMINATORS START_detail_prove STEPS WITH_PROMISE END_PROMISE WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
-            echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
+            [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
         fi
         for name in $files $calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done

@@ -8,48 +8,46 @@
 #include "header_gap.h"
 
 #include "../../base/text.h"
-#include "../../program/dialects.h"
 #include "../c_text.h"
 #include "../templates.h"
-#include "header_lines.h"
-#include "header_sizes.h"
-#include "header_vectors.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-static void print_body(const struct unit *u, const struct function *f, const struct vectors_found *w, FILE *out)
+/* The vectors and what they are made of. */
+static char *statements_text(const struct unit *u, const struct function *f, const struct vectors_found *v,
+                             struct printer **r)
 {
-    const char *kind = u->file->segment->name;
-    const bool twisted = u->file->segment->bilinear;
-    struct printer *r = c_print_needed(u, f, w->needed, out);
     struct memory *m = memory_open();
-    vectors_print(w, r, m->stream);
-    char *size = vectors_size(w, r), *least = sizes_least_name(u),
-         *ratio = new_format("ratio = %.17g, ", w->factor[1] / w->factor[0]);
-    fprintf(m->stream, "    const REAL size = %s;\n    const REAL %sper = %.17g, unit = %.17g;\n", size,
-            twisted ? ratio : "", 1.0 / w->factor[1], (twisted ? 4.0 : 1.0) / (w->factor[0] * w->factor[0]));
-    fprintf(m->stream, "    return footpoint_detail_%s_over(a, b, %sd, size, %sper, unit, xi, eta, %s, gap);\n", kind,
-            twisted ? "c, " : "", twisted ? "ratio, " : "", least);
+    *r = c_print_needed(u, f, v->needed, m->stream);
+    vectors_print(v, *r, m->stream);
     char *text = memory_close(m);
-    c_print(text, u->options.precision, out);
+    m = memory_open();
+    c_print(text, u->options.precision, m->stream);
     free(text);
-    free(ratio);
-    free(least);
-    free(size);
-    printer_free(r);
+    return memory_close(m);
+}
+
+struct printer *gap_add_words(struct words *w, const struct unit *u, const struct function *f,
+                              const struct vectors_found *v)
+{
+    struct printer *r;
+    words_add(w, "VECTOR_STATEMENTS", statements_text(u, f, v, &r));
+    words_add(w, "SIZE", vectors_size(v, r));
+    words_add(w, "RATIO", new_format("%.17g", v->factor[1] / v->factor[0]));
+    words_add(w, "PER", new_format("%.17g", 1.0 / v->factor[1]));
+    words_add(w, "UNIT", new_format("%.17g", (u->file->segment->bilinear ? 4.0 : 1.0) / (v->factor[0] * v->factor[0])));
+    return r;
 }
 
 void gap_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    struct vectors_found w;
-    vectors_find(&w, u, f);
-    char *head = new_format("%s_detail_gap", f->name);
-    c_print("\nFOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
-    lines_print_head(u, head, "REAL xi,REAL eta,REAL *gap", out);
-    fputs("{\n", out);
-    print_body(u, f, &w, out);
-    fputs("}\n", out);
-    free(head);
-    vectors_clear(&w);
+    struct words w = lines_words(u, f, NULL);
+    struct vectors_found v;
+    vectors_find(&v, u, f);
+    printer_free(gap_add_words(&w, u, f, &v));
+    fputc('\n', out);
+    templates_print_blocks(u->file->segment->bilinear ? "quad4_vectors_gap" : "tri3_vectors_gap", u->options.precision,
+                           w.word, NULL, out);
+    words_clear(&w);
+    vectors_clear(&v);
 }

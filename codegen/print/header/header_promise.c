@@ -3,8 +3,8 @@
 
 #include "../../base/text.h"
 #include "../../program/dialects.h"
-#include "../c_text.h"
 #include "../templates.h"
+#include "header_gap.h"
 #include "header_lines.h"
 #include "header_sizes.h"
 #include "header_vectors.h"
@@ -111,20 +111,6 @@ struct words promise_words(const struct unit *u, const struct function *f)
     return w;
 }
 
-/* The vectors, as the search has them. */
-static char *vectors_text(const struct unit *u, const struct function *f, const struct vectors_found *w,
-                          struct printer **r)
-{
-    struct memory *m = memory_open();
-    *r = c_print_needed(u, f, w->needed, m->stream);
-    vectors_print(w, *r, m->stream);
-    char *text = memory_close(m);
-    m = memory_open();
-    c_print(text, u->options.precision, m->stream);
-    free(text);
-    return memory_close(m);
-}
-
 static char *products_text(const struct vectors_found *w, struct printer *r)
 {
     struct memory *m = memory_open();
@@ -141,18 +127,13 @@ void promise_print(const struct unit *u, const struct function *f, FILE *out)
     if (!promise_exists(u) || !is_start(u, f))
         return;
     struct vectors_found v;
-    struct printer *r;
     struct words w = lines_words(u, f, f);
     vectors_find(&v, u, f);
     vectors_find_products(&v, f);
-    words_add(&w, "VECTOR_STATEMENTS", vectors_text(u, f, &v, &r));
-    words_add(&w, "SIZE", vectors_size(&v, r));
+    struct printer *r = gap_add_words(&w, u, f, &v);
     words_add(&w, "PRODUCT_LIST", products_text(&v, r));
-    words_add(&w, "RATIO", new_format("%.17g", v.factor[1] / v.factor[0]));
     words_add(&w, "OVER", new_format("%.17g", v.factor[0] / v.factor[1]));
-    words_add(&w, "PER", new_format("%.17g", 1.0 / v.factor[1]));
     words_add(&w, "UNITS", new_format("%g", ceil(v.product_rounding) + 10.0));
-    words_add(&w, "UNIT", new_format("%.17g", 4.0 / (v.factor[0] * v.factor[0])));
     words_add(&w, "TWIST", new_format("%d", v.twist));
     fputc('\n', out);
     templates_print_blocks("quad4_prove", u->options.precision, w.word, NULL, out);
