@@ -29,7 +29,7 @@ static size_t lowest(uint64_t set)
 
 static bool is_wild(rational scale, int power)
 {
-    return scale == ZERO || rational_bits(scale) * power > MOST_BITS;
+    return scale == ZERO || (scale > MINUS_EIGHT && rational_bits(scale) * power > MOST_BITS); /* most are +-1 to +-8 */
 }
 
 /* Scale of node n when it follows its operands; ZERO if it is wild.  An inverse keeps its numerator. */
