@@ -1,21 +1,21 @@
-/* The operators: for each its text in genomes, its value, and the slopes that its operands get of its own.  a and b are
- * the operands, v the value, s its slope.  Minima and maxima give b where one is not a number; x / 0 is what IEEE 754
- * says. */
+/* The operators: for each its text in genomes, its value, the slopes that its operands get of its own, and what it owes to the
+ * derivatives of its operands.  a and b are the operands, v the value, s its slope or, in genome text, the derivative of
+ * the operand at hand.  Minima and maxima give b where one is not a number; x / 0 is what IEEE 754 says. */
 #ifndef FOOTPOINT_GENES_H
 #define FOOTPOINT_GENES_H
 
 #include <stdbool.h>
 
-/* G(gene, text, value, slope of a, slope of b) */
+/* G(gene, text, value, slope of a, slope of b, derivative by a, by b, as genome text, of a quotient times b; or NULL) */
 #define CHOICES(G)                                                                                                     \
-    G(PDIV, "%", (b == 0 ? 1 : a / b), (b == 0 ? 0 : s / b), -(b == 0 ? 0 : s / b) * v)                                \
-    G(MIN, "min", (a < b ? a : b), (a < b ? s : 0), (a < b ? 0 : s))                                                   \
-    G(MAX, "max", (a > b ? a : b), (a > b ? s : 0), (a > b ? 0 : s))
+    G(PDIV, "%", (b == 0 ? 1 : a / b), (b == 0 ? 0 : s / b), -(b == 0 ? 0 : s / b) * v, NULL, NULL)                    \
+    G(MIN, "min", (a < b ? a : b), (a < b ? s : 0), (a < b ? 0 : s), NULL, NULL)                                       \
+    G(MAX, "max", (a > b ? a : b), (a > b ? s : 0), (a > b ? 0 : s), NULL, NULL)
 #define GENES_OF_TWO(G)                                                                                                \
-    G(ADD, "+", (a + b), s, s)                                                                                         \
-    G(SUB, "-", (a - b), s, -s)                                                                                        \
-    G(MUL, "*", (a * b), (s * b), (s * a))                                                                             \
-    G(DIV, "/", (a / b), (s / b), -(s / b) * v)                                                                        \
+    G(ADD, "+", (a + b), s, s, "s", "s")                                                                               \
+    G(SUB, "-", (a - b), s, -s, "s", "neg s")                                                                          \
+    G(MUL, "*", (a * b), (s * b), (s * a), "* b s", "* a s")                                                           \
+    G(DIV, "/", (a / b), (s / b), -(s / b) * v, "s", "neg * / a b s")                                                  \
     CHOICES(G)
 
 /* Functions of one number: G(gene, text, value, slope of a,
@@ -27,9 +27,9 @@
 #define UNARY(G)                                                                                                       \
     G(SQRT, "sqrt", sqrt(a), (0.5 * s / v), "/ s * 2 sqrt a", "sqrt", "sqrt($a0)", "\\sqrt{$a0}", true)                \
     G(ABS, "abs", fabs(a), (a < 0 ? -s : s), NULL, "fabs", "abs($a0)", "\\left|$a0\\right|", false)
-/* G(gene, text, value, slope of a, ...) */
+/* G(gene, text, value, slope of a, derivative, C, ...) */
 #define GENES_OF_ONE(G)                                                                                                \
-    G(NEG, "neg", -a, -s, NULL)                                                                                        \
+    G(NEG, "neg", -a, -s, "neg s", "-")                                                                                \
     UNARY(G)
 
 #define NUMBER(gene, ...) UNARY_##gene,
@@ -38,7 +38,7 @@ enum { UNARY(NUMBER) UNARIES };
 
 /** A function of one number, as its line says. */
 struct unary {
-    const char *text, *derivative, *c;
+    const char *text, *c;
     int root;      /* n: f(c a) = c^(1/n) f(a) for each c > 0 */
     int error;     /* of the function of C, in 2^-53 of the value, at most */
     bool rising;   /* it never falls; a root, priced as such */

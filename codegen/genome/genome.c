@@ -17,8 +17,7 @@ static const struct {
     GENES_OF_TWO(OF_TWO) GENES_OF_ONE(OF_ONE)};
 
 const struct unary unary_of[UNARIES] = {
-#define LINE(gene, text, value, slope, derivative, c, fortran, latex, root)                                            \
-    {text, derivative, c, root ? 2 : 1, root, root, !root},
+#define LINE(gene, text, value, slope, derivative, c, fortran, latex, root) {text, c, root ? 2 : 1, root, root, !root},
     UNARY(LINE)};
 
 int gene_arity(int gene)

@@ -37,66 +37,19 @@ static void put_all(struct text *t, const int *gene, size_t n)
         put(t, gene[i]);
 }
 
-static void put_slope(struct text *t, const struct operand *x)
-{
-    put_all(t, x->slope.gene, x->slope.n);
-}
-
-/* x y' */
-static void put_product(struct text *t, const struct operand *x, const struct operand *y)
-{
-    put(t, GENE_MUL);
-    put_all(t, x->gene, x->length);
-    put_slope(t, y);
-}
-
-static void add_slopes(struct text *t, int gene, const struct operand *x, const struct operand *y)
-{
-    if (x->slope.n && y->slope.n)
-        put(t, gene);
-    else if (y->slope.n && gene == GENE_SUB)
-        put(t, GENE_NEG);
-    put_slope(t, x);
-    put_slope(t, y);
-}
-
-static void multiply_slopes(struct text *t, const struct operand *x, const struct operand *y)
-{
-    if (x->slope.n && y->slope.n)
-        put(t, GENE_ADD);
-    if (x->slope.n)
-        put_product(t, y, x);
-    if (y->slope.n)
-        put_product(t, x, y);
-}
-
-/* (x' - (x / y) y') / y */
-static void divide_slopes(struct text *t, const struct operand *x, const struct operand *y)
-{
-    put(t, GENE_DIV);
-    if (y->slope.n) {
-        put(t, x->slope.n ? GENE_SUB : GENE_NEG);
-        put_slope(t, x);
-        put(t, GENE_MUL);
-        put(t, GENE_DIV);
-        put_all(t, x->gene, x->length);
-        put_all(t, y->gene, y->length);
-        put_slope(t, y);
-    } else
-        put_slope(t, x);
-    put_all(t, y->gene, y->length);
-}
-
-/* The text of a derivative, see genes.h. */
-static void put_derivative(const struct derivation *v, struct text *t, const char *text, const struct operand *x)
+/* What an operation of x and y owes to the derivative of one of them, `of`, by the text of genes.h. */
+static void put_derivative(const struct derivation *v, struct text *t, const char *text, const struct operand *x,
+                           const struct operand *y, const struct operand *of)
 {
     char word[16];
     for (size_t n; (n = strcspn(text, " ")) > 0; text += n + (text[n] == ' ')) {
         snprintf(word, sizeof word, "%.*s", (int)n, text);
         if (strcmp(word, "s") == 0)
-            put_slope(t, x);
+            put_all(t, of->slope.gene, of->slope.n);
         else if (strcmp(word, "a") == 0)
             put_all(t, x->gene, x->length);
+        else if (strcmp(word, "b") == 0)
+            put_all(t, y->gene, y->length);
         else
             put(t, gene_of_name(word) < 0 ? -1 - (int)genome_add_constant(v->r->file, word) : gene_of_name(word));
     }
@@ -106,29 +59,26 @@ static void put_derivative(const struct derivation *v, struct text *t, const cha
 static bool derive_operation(const struct derivation *v, int gene, const struct operand *x, const struct operand *y,
                              struct text *t)
 {
-    switch (gene) {
-    case GENE_ADD:
-    case GENE_SUB:
-        add_slopes(t, gene, x, y);
-        return true;
-    case GENE_MUL:
-        multiply_slopes(t, x, y);
-        return true;
-    case GENE_DIV:
-        divide_slopes(t, x, y);
-        return true;
-    case GENE_NEG:
-        put(t, GENE_NEG);
-        put_slope(t, x);
-        return true;
-    default: {
-        const char *text = gene < GENE_UNARY(0) ? NULL : unary_of[gene - GENE_UNARY(0)].derivative;
-        if (!text)
-            return diag_at(v->r->d, v->r->file->path, v->line, 1, "'%s' has no derivative everywhere", gene_name(gene));
-        put_derivative(v, t, text, x);
-        return true;
+#define OF_TWO(gene, text, value, slope_a, slope_b, by_a, by_b) [GENE_##gene] = {by_a, by_b},
+#define OF_ONE(gene, text, value, slope, by_a, ...) [GENE_##gene] = {by_a, ""},
+    static const char *const by[GENE_OPERATORS][2] = {GENES_OF_TWO(OF_TWO) GENES_OF_ONE(OF_ONE)};
+    const char *by_x = by[gene][0], *by_y = by[gene][1];
+    if (!by_x)
+        return diag_at(v->r->d, v->r->file->path, v->line, 1, "'%s' has no derivative everywhere", gene_name(gene));
+    if (gene == GENE_DIV)
+        put(t, GENE_DIV);
+    if (x->slope.n && y->slope.n) {
+        const bool minus = strncmp(by_y, "neg ", 4) == 0;
+        put(t, minus ? GENE_SUB : GENE_ADD);
+        by_y += minus ? 4 : 0;
     }
-    }
+    if (x->slope.n)
+        put_derivative(v, t, by_x, x, y, x);
+    if (y->slope.n)
+        put_derivative(v, t, by_y, x, y, y);
+    if (gene == GENE_DIV)
+        put_all(t, y->gene, y->length);
+    return true;
 }
 
 /* The gene of a symbol's derivative, 0 where that is 0. */

@@ -47,7 +47,7 @@ IN_WIDE void slope_of(int gene, const double *slope, const double *value, const 
         }                                                                                                              \
         break;
 #define SLOPE_OF_ONE(gene, text, v, slope_a, ...) SLOPE(gene, sx[k] = slope_a)
-#define SLOPE_OF_TWO(gene, text, v, slope_a, slope_b) SLOPE(gene, sx[k] = slope_a, sy[k] = slope_b)
+#define SLOPE_OF_TWO(gene, text, v, slope_a, slope_b, ...) SLOPE(gene, sx[k] = slope_a, sy[k] = slope_b)
     switch (gene) {
         GENES_OF_ONE(SLOPE_OF_ONE)
         GENES_OF_TWO(SLOPE_OF_TWO)
