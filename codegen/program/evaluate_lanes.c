@@ -137,6 +137,18 @@ struct lanes *lanes_new(const struct lanes_plan *plan, struct lanes **low)
 /* ---- double ---- */
 
 /* Loops of their own: in a switch compilers unroll them before they vectorise. */
+IN_WIDE void sum(const double *a, const double *b, double *restrict x)
+{
+    for (size_t l = 0; l < LANES; l++)
+        x[l] = a[l] + b[l];
+}
+
+IN_WIDE void difference(const double *a, const double *b, double *restrict x)
+{
+    for (size_t l = 0; l < LANES; l++)
+        x[l] = a[l] - b[l];
+}
+
 IN_WIDE void product(const double *a, const double *b, double *restrict x)
 {
     for (size_t l = 0; l < LANES; l++)
@@ -149,6 +161,13 @@ IN_WIDE void quotient(const double *a, const double *b, double *restrict x)
         x[l] = a[l] / b[l];
 }
 
+/* sign a b + sign_c c */
+IN_WIDE void fused(const double *a, const double *b, double sign, const double *c, double sign_c, double *restrict x)
+{
+    for (size_t l = 0; l < LANES; l++)
+        x[l] = fma(sign * a[l], b[l], sign_c * c[l]);
+}
+
 /* x = a + sign b, or a product and the other term as one fma(), as chance has it.  All three are written as one, since
  * nobody can foretell a jump by chance: fma() with 1 is a sum. */
 IN_WIDE void contracted_sum(const struct lanes_step *s, uint64_t chance, double sign, const struct lanes *v, double *x)
@@ -157,15 +176,7 @@ IN_WIDE void contracted_sum(const struct lanes_step *s, uint64_t chance, double 
     const bool left = chance == 1 && s->of[LEFT] >= 0, right = chance == 2 && s->of[RIGHT] >= 0;
     const int first = left ? LEFT : right ? RIGHT : B;
     const double *p = v[s->of[first]].at, *q = first == B ? one.at : v[s->of[first + 1]].at;
-    const double *rest = v[s->of[left ? B : A]].at, turn = left ? 1 : sign, turn_rest = left ? sign : 1;
-    for (size_t l = 0; l < LANES; l++)
-        x[l] = fma(turn * p[l], q[l], turn_rest * rest[l]);
-}
-
-IN_WIDE void sum(const double *a, const double *b, double sign, double *restrict x)
-{
-    for (size_t l = 0; l < LANES; l++)
-        x[l] = a[l] + sign * b[l];
+    fused(p, q, left ? 1 : sign, v[s->of[left ? B : A]].at, left ? sign : 1, x);
 }
 
 WIDE void lanes_double(const struct lanes_plan *plan, const struct lanes *input, uint64_t *contract,
@@ -187,8 +198,10 @@ WIDE void lanes_double(const struct lanes_plan *plan, const struct lanes *input,
         case OP_SUB:
             if (contract)
                 contracted_sum(s, random_next(contract) % 3, s->kind == OP_ADD ? 1 : -1, value, x);
+            else if (s->kind == OP_ADD)
+                sum(a, b, x);
             else
-                sum(a, b, s->kind == OP_ADD ? 1 : -1, x);
+                difference(a, b, x);
             break;
         case OP_MUL:
             product(a, b, x);
