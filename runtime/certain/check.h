@@ -33,16 +33,20 @@ static inline int number_outside(double x)
     return (number_bits(x) - ((uint64_t)511 << 52)) >> 62 != 0;
 }
 
-/** 1 if (xi,eta) is within FOOTPOINT_CHECK_WORST of a foot point, than which no point of the segment is nearer; 0 if
- *  that is not sure, if any number is not finite, or if the segment is too small or too large for its products. */
-static inline int footpoint_check(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                  const double xS[3], double xi, double eta)
+/* Scalar products at (xi,eta), in s = (1 + xi)/2 and t = (1 + eta)/2: there a and b are twice r_xi and r_eta, c is four
+ * times c3, and all of the above reads the same. */
+struct check {
+    double s, t, aa, bb, ad, bd, dd, ac, bc, cc, h12, determinant;
+};
+
+static inline void footpoint_check_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double xi, double eta, struct check *p)
 {
-    double aa = 0.0, ab = 0.0, bb = 0.0, ad = 0.0, bd = 0.0, dd = 0.0, ac = 0.0, bc = 0.0, cc = 0.0, cd = 0.0;
+    double aa = 0.0, ab = 0.0, bb = 0.0, ad = 0.0, bd = 0.0, dd = 0.0, ac = 0.0, bc = 0.0, cc = 0.0, cf = 0.0;
     const double s = 0.5 * (1.0 + xi), t = 0.5 * (1.0 + eta);
     for (int i = 0; i < 3; i++) {
-        const double e = xB[i] - xA[i], g = xC[i] - xD[i], f = xD[i] - xA[i], h = xC[i] - xB[i];
-        const double a = e + t * (g - e), b = f + s * (h - f), c = g - e, d = (xS[i] - xA[i]) - s * e - t * b;
+        const double e = xB[i] - xA[i], f = xS[i] - xA[i], c = (xC[i] - xD[i]) - e;
+        const double a = e + t * c, b = (xD[i] - xA[i]) + s * c, d = f - s * e - t * b;
         aa += a * a;
         ab += a * b;
         bb += b * b;
@@ -52,28 +56,63 @@ static inline int footpoint_check(const double xA[3], const double xB[3], const 
         ac += a * c;
         bc += b * c;
         cc += c * c;
-        cd += c * d;
+        cf += c * f;
     }
-    /* a and b are twice r_xi and r_eta, c is four times c3: in s and t, from 0 to 1, all of it reads the same. */
-    const double r = 0.5 * FOOTPOINT_CHECK_WORST, h12 = ab - cd, determinant = aa * bb - h12 * h12;
-    const double high = footpoint_check_larger(aa, bb) + fabs(h12), ac1 = fabs(ac), bc1 = fabs(bc), both = ac1 + bc1;
-    const double rounding = FOOTPOINT_CHECK_ROUNDING * high * (aa + bb + cc + dd);
-    const double room = r * (determinant - 4.0 * r * (both + cc * r) * high) - rounding;
-    const double step_s = fabs(bb * ad - h12 * bd), step_t = fabs(aa * bd - h12 * ad);
-    /* how far a shift by r may lower q */
-    const double shift = ac1 * bb + bc1 * aa + 2.0 * fabs(h12) * (both + cc) + 4.0 * both * both + cc * (aa + bb);
+    const double cd = cf - s * (ac - t * cc) - t * bc, h12 = ab - cd;
+    *p = (struct check){s, t, aa, bb, ad, bd, dd, ac, bc, cc, h12, aa * bb - h12 * h12};
+}
+
+/* |H| at most, and rounding errors of the determinant. */
+static inline double footpoint_check_high(const struct check *p)
+{
+    return footpoint_check_larger(p->aa, p->bb) + fabs(p->h12);
+}
+
+static inline double footpoint_check_rounding(const struct check *p)
+{
+    return FOOTPOINT_CHECK_ROUNDING * footpoint_check_high(p) * (p->aa + p->bb + p->cc + p->dd);
+}
+
+/* 1.: a foot point lies within FOOTPOINT_CHECK_WORST. */
+static inline int footpoint_check_near(const struct check *p)
+{
+    const double r = 0.5 * FOOTPOINT_CHECK_WORST, change = fabs(p->ac) + fabs(p->bc) + p->cc * r;
+    const double room = r * (p->determinant - 4.0 * r * change * footpoint_check_high(p)) - footpoint_check_rounding(p);
+    return (fabs(p->bb * p->ad - p->h12 * p->bd) <= room) & (fabs(p->aa * p->bd - p->h12 * p->ad) <= room);
+}
+
+/* 2.: no point of the segment is nearer than a foot point within r of s and t. */
+static inline int footpoint_check_nearest(const struct check *p, double r)
+{
+    const double s = p->s, t = p->t, both = fabs(p->ac) + fabs(p->bc);
     const double off = footpoint_check_larger(fabs(s - 0.5), fabs(t - 0.5)), reach = footpoint_check_larger(1.0, off);
-    const double least = determinant - (4.0 * r * shift + rounding) * reach;
-    const double qt = 2.0 * (bb * ac - h12 * bc), qs = 2.0 * (aa * bc - h12 * ac);
-    const int near = (step_s <= room) & (step_t <= room) & !number_outside(rounding * reach);
+    /* how far a shift by r may lower q */
+    const double shift = 4.0 * r * (both + p->cc) * (p->aa + p->bb + 2.0 * fabs(p->h12) + 4.0 * both);
+    const double margin = (shift + footpoint_check_rounding(p)) * reach, least = p->determinant - margin;
+    const double qt = 2.0 * (p->bb * p->ac - p->h12 * p->bc), qs = 2.0 * (p->aa * p->bc - p->h12 * p->ac);
     const int nearest = ((least - qt * t > 0.0) & (least + qt * (1.0 - t) > 0.0)) |
                         ((least - qs * s > 0.0) & (least + qs * (1.0 - s) > 0.0));
-    /* from an answer outside: the Hessian on the way to any point of the segment */
-    const double way_s = 0.5 + fabs(s - 0.5), way_t = 0.5 + fabs(t - 0.5);
-    const double least_aa = aa - 2.0 * ac1 * way_t, least_bb = bb - 2.0 * bc1 * way_s;
-    const double most_ab = fabs(h12) + 2.0 * (ac1 * way_s + bc1 * way_t + cc * way_s * way_t);
-    const int alone = (off <= 0.5) | ((least_aa > 0.0) & (least_aa * least_bb > 1.001 * most_ab * most_ab));
-    return near & nearest & alone;
+    return nearest & !number_outside(margin);
+}
+
+/* 3.: a foot point outside the segment hides no other. */
+static inline int footpoint_check_alone(const struct check *p)
+{
+    const double way_s = 0.5 + fabs(p->s - 0.5), way_t = 0.5 + fabs(p->t - 0.5), ac = fabs(p->ac), bc = fabs(p->bc);
+    const double least_aa = p->aa - 2.0 * ac * way_t, least_bb = p->bb - 2.0 * bc * way_s;
+    const double most_ab = fabs(p->h12) + 2.0 * (ac * way_s + bc * way_t + p->cc * way_s * way_t);
+    return ((way_s <= 1.0) & (way_t <= 1.0)) | ((least_aa > 0.0) & (least_aa * least_bb > 1.001 * most_ab * most_ab));
+}
+
+/** 1 if (xi,eta) is within FOOTPOINT_CHECK_WORST of a foot point, than which no point of the segment is nearer; 0 if
+ *  that is not sure, if any number is not finite, or if the segment is too small or too large for its products. */
+static inline int footpoint_check(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                  const double xS[3], double xi, double eta)
+{
+    struct check p;
+    footpoint_check_at(xA, xB, xC, xD, xS, xi, eta, &p);
+    return footpoint_check_near(&p) & footpoint_check_nearest(&p, 0.5 * FOOTPOINT_CHECK_WORST) &
+           footpoint_check_alone(&p);
 }
 
 #endif

@@ -1,8 +1,12 @@
-/* The closest point of a segment, with certainty: the iteration-free search; one step of Newton's method with the proof
- * of certify.c; and the test that no other point is nearer.  On ordinary meshes that is all.  Where a foot point is not
- * inside, the nearest point of the four edges is tried, with the same test.  Else all candidates are compared with
- * twice the digits: the nearest points of the edges, and all stationary points, a list that stationary.c proves
- * complete. */
+/* The closest point of a segment, with certainty: the search of the header, which proves its foot point, and the test of
+ * check.h that no other point is nearer.  For slave nodes over ordinary segments that is all.  Otherwise steps of Newton's
+ * method lead to a foot point inside, with the proof of certify.c, unless the header has proved that it lies outside; then
+ * the nearest point of the four edges is tried, each with the test that no other point is nearer.  Where all of this
+ * fails, all candidates are compared with twice the digits: the nearest points of the edges, and all stationary points, a
+ * list that stationary.c proves complete. */
+#include "robust.h"
+
+#include "convex.h"
 #include "stationary.h"
 
 #include "../../generated/footpoint_quad4.h"
@@ -15,6 +19,8 @@
 #define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
 #define SIZABLE 1e-20 /* |r_xi x r_eta|^2 over m^4: more than rounding makes of nodes on a line */
 #define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
+#define INSIDE (1.0 - 10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE) /* a foot point with |xi|, |eta| below is inside */
+#define BESIDE (1.0 + 10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE) /* one above is not */
 
 enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
 
@@ -272,21 +278,20 @@ static int is_behind(const double *const x[5], const struct bilinear *f, const d
     return footpoint_detail_quad4_behind(z, loc, is_on_edge(loc), NULL);
 }
 
-int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
-                     double loc[2], double *dist)
+/* Without the header's proof, or where that does not settle it. */
+static int closest_with_certainty(const double *const x[5], const struct robust_start *start, double loc[2],
+                                  double *dist)
 {
-    const double *const x[5] = {xA, xB, xC, xD, xS};
     struct bilinear f;
     struct answer answer;
-    int status = footpoint_bilinear_of(xA, xB, xC, xD, xS, &f);
+    int status = footpoint_bilinear_of(x[0], x[1], x[2], x[3], x[4], &f);
     if (status == FOOTPOINT_ERR_DEGENERATE)
-        return nearest_of_point(xA, xS, loc, dist);
+        return nearest_of_point(x[0], x[4], loc, dist);
     if (status != FOOTPOINT_OK)
         return status;
-    double xi = 0.0, eta = 0.0;
-    if (f.exponent == 0)
-        footpoint_quad4_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
-    if (!find_foot(&f, xi, eta, &answer) && !find_edge(&f, &answer))
+    const double *const at = start->loc;
+    const int beside = start->status == FOOTPOINT_OK && (fabs(at[0]) > BESIDE || fabs(at[1]) > BESIDE);
+    if ((beside || !find_foot(&f, at[0], at[1], &answer)) && !find_edge(&f, &answer))
         status = compare_all(x, &f, &answer);
     if (status != FOOTPOINT_NO_AREA && is_behind(x, &f, answer.loc))
         answer.dist = -answer.dist;
@@ -298,4 +303,63 @@ int footpoint_robust(const double xA[3], const double xB[3], const double xC[3],
     loc[1] = answer.loc[1];
     *dist = answer.dist;
     return status == FOOTPOINT_OK && is_on_edge(loc) ? FOOTPOINT_OUTSIDE : status;
+}
+
+static inline int is_inside(const struct robust_start *start)
+{
+    return start->status == FOOTPOINT_OK && fabs(start->loc[0]) < INSIDE && fabs(start->loc[1]) < INSIDE;
+}
+
+/* The distance at loc, with its sign. */
+static inline double distance_at(const double *const x[5], const struct convex *v, const double loc[2])
+{
+    const double s = 0.5 * (1.0 + loc[0]), t = 0.5 * (1.0 + loc[1]);
+    double a[3], b[3], d[3], normal[3];
+    for (int i = 0; i < 3; i++) {
+        const double ab = x[1][i] - x[0][i];
+        a[i] = ab + t * v->c[i];
+        b[i] = (x[3][i] - x[0][i]) + s * v->c[i];
+        d[i] = v->f[i] - s * ab - t * b[i];
+    }
+    vector_cross(a, b, normal);
+    return copysign(sqrt(vector_dot(d, d)), vector_dot(normal, d));
+}
+
+/* Writes the header's foot point if it is the closest point, as it is over ordinary segments. */
+static inline int is_settled(const double *const x[5], const struct convex *v, const struct robust_start *start,
+                             double loc[2], double *dist)
+{
+    if (!is_inside(start) || !convex_holds(v, 1.0))
+        return 0;
+    loc[0] = start->loc[0];
+    loc[1] = start->loc[1];
+    *dist = distance_at(x, v, loc);
+    return 1;
+}
+
+/* Of segments that the header's search is not asked about. */
+static const struct robust_start nothing = {FOOTPOINT_UNPROVED, {0.0, 0.0}, 0.0};
+
+int footpoint_robust_from(const double *const x[5], const struct robust_start *start, double loc[2], double *dist)
+{
+    struct convex v;
+    convex_of(x, &v);
+    if (!convex_is_ordinary(&v))
+        return closest_with_certainty(x, &nothing, loc, dist);
+    return is_settled(x, &v, start, loc, dist) ? FOOTPOINT_OK : closest_with_certainty(x, start, loc, dist);
+}
+
+int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                     double loc[2], double *dist)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    struct robust_start start = nothing;
+    struct convex v;
+    convex_of(x, &v);
+    if (convex_is_ordinary(&v)) {
+        start.status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, start.loc, &start.gap);
+        if (is_settled(x, &v, &start, loc, dist))
+            return FOOTPOINT_OK;
+    }
+    return closest_with_certainty(x, &start, loc, dist);
 }

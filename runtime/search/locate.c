@@ -2,6 +2,7 @@
 #include "locate.h"
 
 #include "../certain/check.h"
+#include "../certain/convex.h"
 
 #include "../../generated/footpoint_quad4.h"
 
@@ -37,15 +38,28 @@ int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const
     return sure ? FOOTPOINT_OK : status; /* the check is a proof, too */
 }
 
-/* What footpoint_locate_one does, straight on where nothing is out of the ordinary. */
+/* Whether no point of the segment is nearer than the foot point within the promise of (xi,eta). */
+static int is_nearest(const double *const *x, double xi, double eta)
+{
+    struct check p;
+    footpoint_check_at(x[0], x[1], x[2], x[3], x[4], xi, eta, &p);
+    return footpoint_check_nearest(&p, 0.5 * CONVEX_BEYOND * FOOTPOINT_QUAD4_ACCURATE_PROMISE) &
+           footpoint_check_alone(&p);
+}
+
+/* What footpoint_locate_one does, where the search proves its own answer; it lies less than CONVEX_BEYOND away then. */
 int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *gap)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    const uint64_t flaw = footpoint_quad4_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g);
-    if (flaw >> 63 || !footpoint_check(xA, xB, xC, xD, xS, xi, eta))
+    struct convex v;
+    if (footpoint_quad4_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
         return footpoint_locate_one(FOOTPOINT_ACCURATE, 1, x, loc, gap);
+    convex_of(x, &v);
+    const double reach = bilinear_larger(1.0, bilinear_larger(fabs(xi), fabs(eta)));
+    if (!convex_holds(&v, 1.001 * reach) && !is_nearest(x, xi, eta))
+        return FOOTPOINT_ERR_DOMAIN;
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
