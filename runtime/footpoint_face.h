@@ -74,6 +74,16 @@ int footpoint_face_closest(enum footpoint_face face, const double *x, double loc
  *          number, or of quad4: xS is farther away than 1e12 edges) */
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
+/** The same for n pairs of a slave node and a face, to the same bits, with AVX-512 or AVX2 where the machine has them.
+ *  @param[in]  xyz, seg, slave  as of footpoint_face_locate_pairs
+ *  @param[out] loc       n x 2: xi, eta of each pair; untouched where the status is < FOOTPOINT_OK
+ *  @param[out] distance  n; likewise
+ *  @param[out] region    n, or NULL; likewise
+ *  @param[out] status    n, or NULL: as footpoint_face_robust, FOOTPOINT_ERR_ARGUMENT where an index is out of range, too
+ *  @return how many pairs have a status other than FOOTPOINT_OK and FOOTPOINT_OUTSIDE */
+size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
+                                   const int *slave, double *loc, double *distance, int *region, int *status);
+
 /** The face that a slave node is closest to, of any number of them.
  *  @param[in]  xyz     coordinates by node index, mesh length
  *  @param[in]  seg     candidates x N node indices, from 0

@@ -1,5 +1,6 @@
 /* The functions of one kind of face, out of its generated headers: a table that faces.c chooses from.  A file of each kind
- * includes its headers and this one, and says KIND(quad8, full, 8): the kind, its most accurate search, how many nodes. */
+ * includes its headers and this one, and says KIND(quad8, full, 8, locate): the kind, its most accurate search, how many
+ * nodes, and the search that footpoint_face_robust begins with. */
 #ifndef FOOTPOINT_FACE_KIND_H
 #define FOOTPOINT_FACE_KIND_H
 
@@ -12,11 +13,13 @@
 #define X8 X6, x[6], x[7]
 #define X9 X8, x[8]
 
-#define KIND(kind, tier, count)                                                                                        \
-    static int locate(const double *const *x, const double *s, double *loc, double *gap)                               \
-    {                                                                                                                  \
-        return footpoint_##kind##_##tier(X##count, s, loc, gap);                                                       \
-    }                                                                                                                  \
+/* See face_table.h. */
+#ifndef PROMISE
+#define PROMISE 0.0
+#endif
+
+#define KIND(kind, tier, count, start)                                                                                 \
+    SEARCH(locate, kind, tier, count)                                                                                  \
     static int closest(const double *const *x, const double *s, double *loc, double *distance, int *region)            \
     {                                                                                                                  \
         return footpoint_##kind##_##tier##_closest(X##count, s, loc, distance, region);                                \
@@ -51,8 +54,9 @@
     {                                                                                                                  \
         return footpoint_##kind##_hessian(X##count, s, loc, gap, d_xi, d_eta, d_gap, d_normal, second);                \
     }                                                                                                                  \
-    BLOCKS_OF(kind, tier)                                                                                              \
-    const struct face footpoint_face_##kind = {{count, 0, locate, block},                                              \
+    const struct face footpoint_face_##kind = {{count, 0, locate, locate_block},                                       \
+                                               {count, 0, start, start##_block},                                       \
+                                               PROMISE,                                                                \
                                                closest,                                                                \
                                                nearest,                                                                \
                                                behind,                                                                 \

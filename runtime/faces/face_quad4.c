@@ -4,4 +4,5 @@
 
 #include "face_kind.h"
 
-KIND(quad4, full, 4)
+SEARCH(start, quad4, accurate, 4)
+KIND(quad4, full, 4, start)

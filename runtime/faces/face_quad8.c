@@ -4,4 +4,4 @@
 
 #include "face_kind.h"
 
-KIND(quad8, full, 8)
+KIND(quad8, full, 8, locate)

@@ -4,4 +4,4 @@
 
 #include "face_kind.h"
 
-KIND(quad9, full, 9)
+KIND(quad9, full, 9, locate)

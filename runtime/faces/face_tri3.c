@@ -2,6 +2,9 @@
 #include "../../generated/footpoint_tri3.h"
 #include "../../generated/footpoint_tri3_derivatives.h"
 
+#ifdef FOOTPOINT_TRI3_EXACT_PROMISE
+#define PROMISE FOOTPOINT_TRI3_EXACT_PROMISE
+#endif
 #include "face_kind.h"
 
-KIND(tri3, exact, 3)
+KIND(tri3, exact, 3, locate)

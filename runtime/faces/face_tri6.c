@@ -4,4 +4,4 @@
 
 #include "face_kind.h"
 
-KIND(tri6, accurate, 6)
+KIND(tri6, accurate, 6, locate)

@@ -1,5 +1,6 @@
 /* Faces of every kind; see footpoint_face.h. */
 #include "../certain/quadratic.h"
+#include "../certain/robust.h"
 #include "../certain/triangle.h"
 #include "../footpoint_face.h"
 #include "face_table.h"
@@ -78,36 +79,66 @@ static int region_of(int corners, const double loc[2])
 
 enum { MOST_BOXES = 20000 };
 
-static int closest_with_certainty(const struct face *f, enum footpoint_face face, const double *x, double loc[2],
-                                  double *distance)
+/* Whether the header's proof of a foot point puts it inside a plane triangle, where it is the closest point. */
+static int is_inside(const struct face *f, const struct robust_start *start)
+{
+    const double least = 4.0 * f->promise, u = start->loc[0], v = start->loc[1];
+    return f->promise > 0.0 && start->status == FOOTPOINT_OK && u > least && v > least && 1.0 - u - v > least;
+}
+
+static int closest_of_triangle(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
+                               double *distance)
+{
+    if (!is_inside(f, start))
+        return footpoint_triangle_closest(x, loc, distance);
+    loc[0] = start->loc[0];
+    loc[1] = start->loc[1];
+    *distance = fabs(start->gap);
+    return FOOTPOINT_OK;
+}
+
+static int closest_of_curved(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
+                             double *distance)
+{
+    const double middle = f->pairs.nodes == 6 ? 1.0 / 3.0 : 0.0, from[2] = {middle, middle};
+    int boxes = MOST_BOXES;
+    return footpoint_quadratic_closest(f->pairs.nodes, x, start->status >= FOOTPOINT_OK ? start->loc : from, loc,
+                                       distance, &boxes);
+}
+
+/* As footpoint_face_robust, from what f->start returned and wrote. */
+static int robust_from(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
+                       double *distance, int *region)
 {
     const struct rows r = rows_of(f, x);
-    const double middle = face == FOOTPOINT_TRI6 ? 1.0 / 3.0 : 0.0;
-    double start[2] = {middle, middle}, guess;
-    int boxes = MOST_BOXES;
-    if (face == FOOTPOINT_TRI3)
-        return footpoint_triangle_closest(x, loc, distance);
-    if (face == FOOTPOINT_QUAD4)
-        return footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, loc, distance);
-    (void)f->pairs.locate(r.x, r.s, start, &guess);
-    return footpoint_quadratic_closest(f->pairs.nodes, x, start, loc, distance, &boxes);
+    const int nodes = f->pairs.nodes, corners = nodes == 3 || nodes == 6 ? 3 : 4;
+    const double *const all[] = {x, x + 3, x + 6, x + 9, x + 12};
+    const int status = nodes == 3   ? closest_of_triangle(f, x, start, loc, distance)
+                       : nodes == 4 ? footpoint_robust_from(all, start, loc, distance)
+                                    : closest_of_curved(f, x, start, loc, distance);
+    if (status < FOOTPOINT_OK)
+        return status;
+    *region = region_of(corners, loc);
+    if (nodes != 4 && status != FOOTPOINT_NO_AREA)
+        *distance = copysign(*distance, f->behind(r.x, r.s, loc, *region > 0, NULL) ? -1.0 : 1.0);
+    return status == FOOTPOINT_OK && *region ? FOOTPOINT_OUTSIDE : status;
 }
 
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region)
 {
     const struct face *const f = face_of(face);
-    const int corners = face == FOOTPOINT_TRI3 || face == FOOTPOINT_TRI6 ? 3 : 4;
+    struct robust_start start = {FOOTPOINT_UNPROVED, {0.0, 0.0}, 0.0};
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
-    const int status = closest_with_certainty(f, face, x, loc, distance);
-    if (status < FOOTPOINT_OK)
+    const struct rows r = rows_of(f, x);
+    if (face == FOOTPOINT_QUAD4) {
+        const int status = footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, loc, distance);
+        *region = status >= FOOTPOINT_OK ? region_of(4, loc) : *region;
         return status;
-    *region = region_of(corners, loc);
-    if (status != FOOTPOINT_NO_AREA) {
-        const struct rows r = rows_of(f, x);
-        *distance = copysign(*distance, f->behind(r.x, r.s, loc, *region > 0, NULL) ? -1.0 : 1.0);
     }
-    return status == FOOTPOINT_OK && *region ? FOOTPOINT_OUTSIDE : status;
+    if (face != FOOTPOINT_TRI3 || f->promise > 0.0)
+        start.status = f->start.locate(r.x, r.s, start.loc, &start.gap);
+    return robust_from(f, x, &start, loc, distance, region);
 }
 
 int footpoint_face_place(enum footpoint_face face, const double *x, const double loc[2], double *phi, double *r_xi,
@@ -213,4 +244,31 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
     const struct face *const f = face_of(face);
     const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
     return footpoint_pairs_locate(f ? &f->pairs : NULL, &pairs, loc, gap, status);
+}
+
+struct robust_answers {
+    const struct face *face;
+    double *loc, *distance;
+    int *region;
+};
+
+static int finish_robust(const void *of, size_t pair, const double *x, int status, const double loc[2], double gap)
+{
+    const struct robust_answers *const to = of;
+    const int found = status >= FOOTPOINT_OK;
+    const struct robust_start start = {status, {found ? loc[0] : 0.0, found ? loc[1] : 0.0}, gap};
+    int region;
+    const int outcome = robust_from(to->face, x, &start, to->loc + 2 * pair, to->distance + pair, &region);
+    if (outcome >= FOOTPOINT_OK && to->region)
+        to->region[pair] = region;
+    return outcome;
+}
+
+size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
+                                   const int *slave, double *loc, double *distance, int *region, int *status)
+{
+    const struct face *const f = face_of(face);
+    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
+    const struct robust_answers to = {f, loc, distance, region};
+    return footpoint_pairs_finish(f ? &f->start : NULL, &pairs, finish_robust, &to, status);
 }

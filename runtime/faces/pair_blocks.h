@@ -1,13 +1,13 @@
-/* Blocks of pairs by the machine's own instructions, as batch/batch_lanes.c has them: BLOCKS_OF(quad8, full) makes
- * block(), out of footpoint_quad8_full_checked_n. */
+/* Blocks of pairs by the machine's own instructions, as batch/batch_lanes.c has them: SEARCH(locate, quad8, full, 8)
+ * makes locate(), of one pair, and locate_block(), out of footpoint_quad8_full_checked_n. */
 #ifndef FOOTPOINT_PAIR_BLOCKS_H
 #define FOOTPOINT_PAIR_BLOCKS_H
 
 #include "pairs.h"
 
-#define BLOCK_OF(kind, tier, set, attributes)                                                                          \
-    attributes static void block_##set(const double *const *columns, double *xi, double *eta, double *gap,             \
-                                       int *status)                                                                    \
+#define BLOCK_OF(name, kind, tier, set, attributes)                                                                    \
+    attributes static void name##_block_##set(const double *const *columns, double *xi, double *eta, double *gap,      \
+                                              int *status)                                                             \
     {                                                                                                                  \
         footpoint_##kind##_##tier##_checked_n(PAIRS_BLOCK, columns, xi, eta, gap, status);                             \
     }
@@ -21,22 +21,33 @@
 #define AVX2 __attribute__((flatten, target("avx2,fma")))
 
 /* Machines with neither do one pair at a time. */
-#define BLOCKS_OF(kind, tier)                                                                                          \
-    BLOCK_OF(kind, tier, avx2, AVX2)                                                                                   \
-    BLOCK_OF(kind, tier, avx512, AVX512)                                                                               \
-    static void block(const double *const *columns, double *xi, double *eta, double *gap, int *status)                 \
+#define BLOCKS_OF(name, kind, tier)                                                                                    \
+    BLOCK_OF(name, kind, tier, avx2, AVX2)                                                                             \
+    BLOCK_OF(name, kind, tier, avx512, AVX512)                                                                         \
+    static void name##_block(const double *const *columns, double *xi, double *eta, double *gap, int *status)          \
     {                                                                                                                  \
         if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))                                  \
-            block_avx512(columns, xi, eta, gap, status);                                                               \
+            name##_block_avx512(columns, xi, eta, gap, status);                                                        \
         else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))                                      \
-            block_avx2(columns, xi, eta, gap, status);                                                                 \
+            name##_block_avx2(columns, xi, eta, gap, status);                                                          \
         else                                                                                                           \
             for (int i = 0; i < PAIRS_BLOCK; i++)                                                                      \
                 status[i] = FOOTPOINT_ERR_UNPROVED;                                                                    \
     }
 #else
-#define BLOCKS_OF(kind, tier) BLOCK_OF(kind, tier, plain, )
-#define block block_plain
+#define BLOCKS_OF(name, kind, tier)                                                                                    \
+    BLOCK_OF(name, kind, tier, plain, )                                                                                \
+    static void name##_block(const double *const *columns, double *xi, double *eta, double *gap, int *status)          \
+    {                                                                                                                  \
+        name##_block_plain(columns, xi, eta, gap, status);                                                             \
+    }
 #endif
+
+#define SEARCH(name, kind, tier, vectors)                                                                              \
+    static int name(const double *const *x, const double *s, double *loc, double *gap)                                 \
+    {                                                                                                                  \
+        return footpoint_##kind##_##tier(X##vectors, s, loc, gap);                                                     \
+    }                                                                                                                  \
+    BLOCKS_OF(name, kind, tier)
 
 #endif

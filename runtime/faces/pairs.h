@@ -28,6 +28,15 @@ struct pairs {
 /* As footpoint_face_locate_pairs; kind NULL: there is none. */
 size_t footpoint_pairs_locate(const struct pairs_kind *kind, const struct pairs *p, double *loc, double *gap,
                               int *status);
+
+/* What becomes of pair number `pair`, x its vectors, from what kind->locate returned and wrote; returns a status. */
+typedef int pairs_finish(const void *of, size_t pair, const double *x, int status, const double loc[2], double gap);
+
+/* Finishes all pairs.
+ *  @param[out] status  n, or NULL: as finish, or FOOTPOINT_ERR_ARGUMENT where an index is out of range
+ *  @return how many statuses are neither FOOTPOINT_OK nor FOOTPOINT_OUTSIDE */
+size_t footpoint_pairs_finish(const struct pairs_kind *kind, const struct pairs *p, pairs_finish *finish,
+                              const void *of, int *status);
 #ifdef __GNUC__
 #pragma GCC visibility pop
 #endif

@@ -9,10 +9,7 @@
 #define X8 x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]
 
 #define PATCH(kind, tier)                                                                                              \
-    static int locate(const double *const *x, const double *s, double *loc, double *gap)                               \
-    {                                                                                                                  \
-        return footpoint_##kind##_##tier(X8, s, loc, gap);                                                             \
-    }                                                                                                                  \
+    SEARCH(locate, kind, tier, 8)                                                                                      \
     static int place(const double *const *x, const double *s, const double *loc, double *r, double *r_xi,              \
                      double *r_eta, double *normal, double *gap)                                                       \
     {                                                                                                                  \
@@ -25,7 +22,6 @@
         return footpoint_##kind##_gradients(X8, s, loc, r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n,       \
                                             d_eta_n, d_gap_n);                                                         \
     }                                                                                                                  \
-    BLOCKS_OF(kind, tier)                                                                                              \
-    const struct patch footpoint_patch_##kind = {{4, 4, locate, block}, place, differentiate};
+    const struct patch footpoint_patch_##kind = {{4, 4, locate, locate_block}, place, differentiate};
 
 #endif

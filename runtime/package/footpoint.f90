@@ -220,6 +220,18 @@ module footpoint
       integer(c_int) :: status
     end function
 
+    function footpoint_face_robust_pairs(face, n, xyz, nodes, seg, slave, loc, distance, region, status) bind(C) &
+        result(failed)
+      import :: c_int, c_size_t, c_double
+      integer(c_int), value :: face
+      integer(c_size_t), value :: n, nodes
+      real(c_double), intent(in) :: xyz(3, *)
+      integer(c_int), intent(in) :: seg(*), slave(*)
+      real(c_double), intent(inout) :: loc(2, *), distance(*)
+      integer(c_int), intent(inout) :: region(*), status(*)
+      integer(c_size_t) :: failed
+    end function
+
     function footpoint_face_select(face, xyz, candidates, seg, xS, chosen, loc, distance, region) bind(C) result(status)
       import :: c_int, c_size_t, c_double
       integer(c_int), value :: face

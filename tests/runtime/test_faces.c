@@ -198,6 +198,52 @@ static void pairs_are_single_ones(void **state)
     }
 }
 
+/* With faces pulled out of shape, far slave nodes and what has no answer. */
+static void robust_pairs_are_single_ones(void **state)
+{
+    static const size_t counts[] = {0, 1, 31, 32, 33, PAIRS};
+    static struct mesh m;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const int nodes = footpoint_face_nodes(face);
+        double loc[2 * PAIRS], distance[PAIRS];
+        int region[PAIRS], status[PAIRS];
+        fill(&m, face);
+        for (size_t k = 0; k < m.nodes; k += 7)
+            m.xyz[3 * k + k % 3] += 0.5;
+        for (size_t i = 0; i < PAIRS; i += 3)
+            m.xyz[3 * (size_t)m.slave[i] + i % 2] += 1.5;
+        m.seg[nodes * 3 + 1] = -1;
+        m.slave[40] = (int)m.nodes;
+        m.xyz[3 * m.seg[nodes * 5] + 2] = (double)NAN;
+        for (int k = 0; k < nodes; k++) /* without area */
+            m.seg[nodes * 7 + k] = m.seg[nodes * 8];
+        for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+            size_t bad = 0;
+            for (size_t i = 0; i < PAIRS; i++)
+                loc[2 * i] = distance[i] = region[i] = -99;
+            const size_t failed = footpoint_face_robust_pairs(face, counts[c], m.xyz, m.nodes, m.seg, m.slave, loc,
+                                                              distance, region, status);
+            for (size_t i = 0; i < counts[c]; i++) {
+                double x[C], one[2] = {-99, loc[2 * i + 1]}, d = -99;
+                int where = -99, good = i != 3 && i != 40;
+                for (int k = 0; good && k <= nodes; k++)
+                    memcpy(x + 3 * k, m.xyz + 3 * (k < nodes ? m.seg[(size_t)nodes * i + (size_t)k] : m.slave[i]),
+                           3 * sizeof *x);
+                assert_int_equal(status[i],
+                                 good ? footpoint_face_robust(face, x, one, &d, &where) : FOOTPOINT_ERR_ARGUMENT);
+                expect_same(one, loc + 2 * i, 2);
+                expect_same(&d, distance + i, 1);
+                assert_int_equal(region[i], where);
+                bad += status[i] != FOOTPOINT_OK && status[i] != FOOTPOINT_OUTSIDE;
+            }
+            assert_int_equal(failed, bad);
+        }
+        assert_int_equal(
+            footpoint_face_robust_pairs(face, 3, m.xyz, m.nodes, m.seg, m.slave, loc, distance, NULL, NULL), 0);
+    }
+}
+
 static void the_nearest_face_is_chosen(void **state)
 {
     static struct mesh m;
@@ -367,6 +413,8 @@ static void statuses(void **state)
         assert_int_equal(footpoint_face_hessian(no, x, loc, NULL, NULL, NULL, NULL, NULL, x), FOOTPOINT_ERR_ARGUMENT);
         assert_int_equal(footpoint_face_locate_pairs(no, 1, x, 2, none, none, loc, &gap, &status), 1);
         assert_int_equal(status, FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_robust_pairs(no, 1, x, 2, none, none, loc, &gap, NULL, &status), 1);
+        assert_int_equal(status, FOOTPOINT_ERR_ARGUMENT);
     }
     for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
         uint64_t stream = 1;
@@ -407,10 +455,15 @@ static void far_foot_points_are_found(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(foot_points_are_right),      cmocka_unit_test(far_foot_points_are_found),
-        cmocka_unit_test(nothing_is_closer),          cmocka_unit_test(pairs_are_single_ones),
-        cmocka_unit_test(the_nearest_face_is_chosen), cmocka_unit_test(robust_is_closest),
-        cmocka_unit_test(robust_is_sure_or_says_so),  cmocka_unit_test(statuses),
+        cmocka_unit_test(foot_points_are_right),
+        cmocka_unit_test(far_foot_points_are_found),
+        cmocka_unit_test(nothing_is_closer),
+        cmocka_unit_test(pairs_are_single_ones),
+        cmocka_unit_test(the_nearest_face_is_chosen),
+        cmocka_unit_test(robust_is_closest),
+        cmocka_unit_test(robust_is_sure_or_says_so),
+        cmocka_unit_test(robust_pairs_are_single_ones),
+        cmocka_unit_test(statuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
