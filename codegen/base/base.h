@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#define FOOTPOINT_VERSION "0.2.0"
+#define FOOTPOINT_VERSION "0.3.0"
 
 /** Exit codes of every program. */
 enum exit_code { EXIT_DONE = 0, EXIT_INPUT = 1, EXIT_USAGE = 2, EXIT_SYSTEM = 3 };

@@ -5,7 +5,7 @@ bench=$BIN/footpoint-bench
 scene=tests/scenes/small.scene
 
 expect 'help' 0 '*' '' "$bench" --help
-expect 'version' 0 'footpoint-bench 0.2.0' '' "$bench" --version
+expect 'version' 0 'footpoint-bench 0.3.0' '' "$bench" --version
 expect 'an argument too many' 2 '' "footpoint-bench: unexpected argument 'x'" "$bench" x
 expect 'unknown instruction set' 2 '' "footpoint-bench: error: no methods for 'z80' here" "$bench" --isa z80
 expect 'no rounds' 2 '' "footpoint-bench: error: --rounds 0 is out of range" "$bench" --rounds 0

@@ -4,7 +4,7 @@ calibrate=$BIN/footpoint-calibrate
 nothing='footpoint-calibrate:'
 
 expect 'help' 0 '*' '' "$calibrate" --help
-expect 'version' 0 'footpoint-calibrate 0.2.0' '' "$calibrate" --version
+expect 'version' 0 'footpoint-calibrate 0.3.0' '' "$calibrate" --version
 expect 'unknown option' 2 '' "$nothing unknown option or missing value: --fast (try --help)" "$calibrate" --fast
 expect 'no file name' 2 '' "$nothing unknown option or missing value: -o (try --help)" "$calibrate" -o
 expect 'unexpected argument' 2 '' "$nothing unexpected argument: costs (try --help)" "$calibrate" costs

@@ -99,7 +99,7 @@ resealed() { # resealed SED: $work/bad with other facts and a good seal
     sum=$(sha256sum "$work/bad")
     { printf '%s\n' "${sum%% *}"; tail -c +$((${#first} + 2 + facts + lengths + 65)) "$work/good"; } >> "$work/bad"
 }
-resealed 's/^version .*/version 9/'; refused 'another version' 1 "$work/bad: error: checkpoint of version 9; this is 0.2.0"
+resealed 's/^version .*/version 9/'; refused 'another version' 1 "$work/bad: error: checkpoint of version 9; this is 0.3.0"
 resealed 's/^islands 3/islands 2/'; refused 'other islands' 1 "$work/bad: error: checkpoint lacks islands"
 resealed "s/^population $population/population 50/"; refused 'other states' 1 "$work/bad: error: island 0 of the checkpoint is malformed"
 resealed 's/^islands 3/islands x/'; refused 'no number' 2 "footpoint-evolve: error: --islands needs a whole number, not 'x'"

@@ -9,7 +9,7 @@ scene() { sed "$1" tests/scenes/small.scene > "$work/s.scene"; }
 refused() { expect "$1" 1 '' "$2" "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1; }
 
 expect 'help' 0 '*' '' "$evolve" --help
-expect 'version' 0 'footpoint-evolve 0.2.0' '' "$evolve" --version
+expect 'version' 0 'footpoint-evolve 0.3.0' '' "$evolve" --version
 expect 'no scene' 2 '' 'footpoint-evolve: error: --scene is missing; see --help' "$evolve"
 expect 'unknown option' 2 '' "footpoint-evolve: error: unknown option '--speed'; see --help" "$evolve" --speed
 expect 'no islands' 2 '' 'footpoint-evolve: error: --islands 0 is out of range' "$evolve" --scene quad4 --islands 0

@@ -26,9 +26,9 @@ find "$include" -name '*.h' | grep -vxF -e "$include/footpoint_batch.h" -e "$inc
 
 # ---- the library ----
 functions_of "$include"/*.h "$include"/footpoint/footpoint-*.h > "$work/declared"
-nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_1$/\1/p' | sort > "$work/exported"
+nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_2$/\1/p' | sort > "$work/exported"
 logged 'the library exports what its headers declare' diff "$work/declared" "$work/exported"
-nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_1$' > "$work/log"
+nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_2$' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'and nothing else'
 nm -g --defined-only "$lib/libfootpoint.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_/' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'the archive has no other names'
@@ -57,7 +57,7 @@ if command -v pkg-config > /dev/null; then
     expect 'pkg-config knows the version' 0 "$("$BIN/footpoint-codegen" --version | grep -oE '[0-9.]+$')" '' \
         pkg-config --modversion footpoint
     logged 'C, shared' $CC -std=c99 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags --libs footpoint) -lm
-    readelf -d "$work/use" | grep -q 'NEEDED.*libfootpoint\.so\.1'; report $((! $?)) 'which asks for the ABI by number'
+    readelf -d "$work/use" | grep -q 'NEEDED.*libfootpoint\.so\.2'; report $((! $?)) 'which asks for the ABI by number'
     expect 'and answers' 0 "$answer" '' env LD_LIBRARY_PATH="$installed/lib" "$work/use"
     logged 'C, static' $CC -std=c11 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags footpoint) \
         "$installed/lib/libfootpoint.a" -lm

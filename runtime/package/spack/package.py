@@ -12,7 +12,7 @@ class Footpoint(MakefilePackage):
     manual_download = True
     license("MIT")
 
-    version("0.2.0")
+    version("0.3.0")
 
     variant("openmp", default=False, description="Threads share the batches")
 

@@ -6,7 +6,7 @@ scene=tests/scenes/small.scene
 error='footpoint-perceptron: error:'
 
 expect 'help' 0 '*' '' "$perceptron" --help
-expect 'version' 0 'footpoint-perceptron 0.2.0' '' "$perceptron" --version
+expect 'version' 0 'footpoint-perceptron 0.3.0' '' "$perceptron" --version
 expect 'no scene' 2 '' "$error --scene is missing; see --help" "$perceptron"
 expect 'no output' 2 '' "$error --output is missing; see --help" "$perceptron" --scene $scene
 expect 'unknown option' 2 '' "$error unknown option '--speed'; see --help" "$perceptron" --speed

@@ -7,7 +7,7 @@ mpirun="mpirun --oversubscribe"
 scene=tests/scenes/small.scene
 
 expect 'help' 0 '*' '' "$pga" --help
-expect 'version' 0 'footpoint-pga 0.2.0' '' "$pga" --version
+expect 'version' 0 'footpoint-pga 0.3.0' '' "$pga" --version
 expect 'no scene' 2 '' 'footpoint-pga: error: --scene is missing; see --help' "$pga"
 expect 'no output' 2 '' 'footpoint-pga: error: --output is missing; see --help' "$pga" --scene $scene
 expect 'unknown option' 2 '' "footpoint-pga: error: unknown option '--speed'; see --help" "$pga" --speed
