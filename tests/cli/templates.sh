@@ -32,7 +32,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             echo "#define $name $is"
             words="$words $name"
         done
-        closest="inward ${nearest}_nearest fan closest_again closest_arrays"
+        closest="inward ${nearest}_nearest fan closest_again closest_arrays closest_surface closest_of"
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
@@ -41,11 +41,18 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         files="$files arrays over"
         case $nearest in
         '') ;;
-        curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls closest_calls" ;;
-        *) files="$files $closest ${nearest}_along along_again along_calls closest_calls" ;;
+        curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls" ;;
+        *) files="$files $closest ${nearest}_along along_again along_calls" ;;
         esac
         files="straight $files" calls='at checked arrays_calls over_calls'
-        [ "$kind" != quad4 ] || calls="nearest nearest_shorter quad4_prove $calls"
+        case $nearest in
+        '') ;;
+        quad4)
+            files="$files quad4_sole quad4_close quad4_repair_closest quad4_closest_arrays"
+            calls="nearest nearest_shorter quad4_prove quad4_approach $calls quad4_closest_calls"
+            ;;
+        *) calls="$calls closest_calls" ;;
+        esac
         if [ $kind = face ]; then # functions at a place of it
             files='place_detail place_calls place_joined' calls=
             for word in ROW SET_ROW REQUIRE GAP_LAST GAP_AMONG_ROWS; do echo "#define WITH_$word"; echo "#define END_$word"; done
@@ -61,16 +68,18 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"
             echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
             printf '#define %s\n' "VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)c; (void)x$others;" 'SIZE 1' \
-                'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' "START_detail_prove ${kind}_start"
+                'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' "START_detail_prove ${kind}_start" \
+                "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail"
             words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST"
-            words="$words SEARCH_CALL STATEMENTS DENOMINATORS START_detail_prove STEPS WITH_PROMISE END_PROMISE WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            words="$words SEARCH_CALL STATEMENTS DENOMINATORS START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
+            echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"
         fi
         for name in $files $calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in quad4_sure contract contract_closest contract_promise contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in quad4_sure contract contract_closest contract_closest_promise contract_promise contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

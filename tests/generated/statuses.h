@@ -37,7 +37,7 @@ FUNCTIONS(WRAP)
     {                                                                                                                  \
         int region = 99;                                                                                               \
         const int status = name(ARGUMENTS, loc, gap, &region);                                                         \
-        return (region == 99) == (status != FOOTPOINT_OK) ? status : 99;                                               \
+        return (region == 99) == (status < FOOTPOINT_OK) ? status : 99;                                                \
     }
 CLOSEST(WRAP_CLOSEST)
 #define ROW_CLOSEST(name) {#name, call_##name, NULL},

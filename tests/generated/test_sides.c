@@ -112,7 +112,7 @@ static void add_middles(const struct function *f, double x[MOST][3])
 
 /* ---- asking ---- */
 
-/* The sign that a header, or the library, gives; 0: no answer. */
+/* The sign that a header, or the library, returns, proved or not; 0: no answer. */
 static int sign_of(const struct function *f, const struct patch *p, int library)
 {
     const double *x[SECTORS * MOST];
@@ -129,7 +129,7 @@ static int sign_of(const struct function *f, const struct patch *p, int library)
         status = footpoint_face_select(f->face, xyz[0], (size_t)p->faces, seg, p->xs, &which, loc, &dist, &region);
     else
         status = f->of((size_t)p->faces, x, p->xs, loc, &dist, &region, &which);
-    return status != FOOTPOINT_OK ? 0 : dist < 0 ? -1 : 1;
+    return status < FOOTPOINT_OK ? 0 : dist < 0 ? -1 : 1;
 }
 
 static void ask(const struct function *f, const struct patch *p, int truth, const char *what, double h)

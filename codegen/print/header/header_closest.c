@@ -9,6 +9,7 @@
 #include "../../base/text.h"
 #include "../templates.h"
 #include "header_lines.h"
+#include "header_promise.h"
 
 #include <stdlib.h>
 
@@ -17,30 +18,51 @@ bool closest_exists(const struct unit *u)
     return u->file->order == CORNERS_ANY && !*u->file->segment->normals;
 }
 
-void closest_print_helpers(const struct unit *u, FILE *out)
+/* What is nearest, where that is proved and where it is not. */
+static void print_nearest(const struct unit *u, FILE *out)
 {
-    const enum precision precision = u->options.precision;
+    static const char *const proved[] = {
+        "inward", "fan", "closest_surface", "quad4_sole", "quad4_close", "quad4_repair_closest", "quad4_closest_arrays",
+        NULL};
     const struct segment_kind *k = u->file->segment;
     const bool straight = lines_straight(u);
-    char *own_nearest = new_format("%s_nearest", k->name);
-    const char *nearest = straight ? own_nearest : k->triangle ? "curved_triangle_nearest" : "curved_quad_nearest";
-    const char *const names[] = {"inward", nearest, "fan", "closest_again", "closest_arrays", NULL};
-    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"side", "corner", "closest", NULL}, precision,
-                    NULL, out);
-    templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
-                    (const char *const[]){straight ? "edge" : "curve", NULL}, precision, NULL, out);
+    char *own = new_format("%s_nearest", k->name);
+    const char *const names[] = {"inward",
+                                 straight      ? own
+                                 : k->triangle ? "curved_triangle_nearest"
+                                               : "curved_quad_nearest",
+                                 "fan",
+                                 "closest_again",
+                                 "closest_arrays",
+                                 "closest_surface",
+                                 "closest_of",
+                                 NULL};
+    if (!promise_exists(u))
+        templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
+                        (const char *const[]){straight ? "edge" : "curve", NULL}, u->options.precision, NULL, out);
     if (k->bilinear)
         lines_print_templates(u, NULL, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
-    lines_print_templates(u, NULL, "NEAREST", names, out);
-    free(own_nearest);
+    lines_print_templates(u, NULL, "NEAREST", promise_exists(u) ? proved : names, out);
+    free(own);
+}
+
+void closest_print_helpers(const struct unit *u, FILE *out)
+{
+    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"side", "corner", "closest", NULL},
+                    u->options.precision, NULL, out);
+    print_nearest(u, out);
 }
 
 void closest_print_contract(const struct unit *u, FILE *out)
 {
-    lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_closest", NULL}, out);
+    const char *name = promise_exists(u) ? "contract_closest_promise" : "contract_closest";
+    lines_print_templates(u, NULL, NULL, (const char *const[]){name, NULL}, out);
 }
 
 void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    lines_print_templates(u, f, NULL, (const char *const[]){"closest_calls", NULL}, out);
+    struct words w = promise_words(u, f);
+    templates_print(NULL, (const char *const[]){promise_exists(u) ? "quad4_closest_calls" : "closest_calls", NULL},
+                    u->options.precision, w.word, out);
+    words_clear(&w);
 }

@@ -137,6 +137,8 @@ void promise_print(const struct unit *u, const struct function *f, FILE *out)
     words_add(&w, "TWIST", new_format("%d", v.twist));
     fputc('\n', out);
     templates_print_blocks("quad4_prove", u->options.precision, w.word, NULL, out);
+    fputc('\n', out);
+    templates_print_blocks("quad4_approach", u->options.precision, w.word, NULL, out);
     words_clear(&w);
     printer_free(r);
     vectors_clear(&v);

@@ -1,0 +1,28 @@
+/* What the functions of closed segments do where they prove their answers, said once for all genomes. */
+
+/* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
+ *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, EDGES.
+ *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
+ *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
+ *           within 1e-9 of the border of that.  So dist exceeds the least distance by NAME_PROMISE times half the sum
+ *           of the edges at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
+ *           longest edge, and another, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
+ *           point that descents have found; so are all answers under -ffast-math.  Where two nodes are one point, xi or eta
+ *           may be any number of the edge between them.
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
+ *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
+ *           behind only by more than a small angle, 1e-12, and by more than rounding: a node beside a flat segment, in its
+ *           plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of
+ *           has dist < 0 for all segments there.
+ *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if the segment has no area; and
+ *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than the longest edge is long.
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[SEGMENT_VECTORS i] and on, such as a
+ *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
+ *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
+ *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
+ *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
+ *           are the same if their coordinates are.  FOOTPOINT_UNPROVED also if a segment whose answer is not proved may be
+ *           nearer.  Where errors of loc could hide which of two segments is nearer, both are found to rounding.  Segments
+ *           without an answer are passed over; if all are, the status is that of the last one, and FOOTPOINT_ERR_DOMAIN if
+ *           n = 0. */

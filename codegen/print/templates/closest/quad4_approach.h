@@ -1,0 +1,13 @@
+/* From a search's xi and eta to the closest point of the closed segment, with its proof, of values that the search
+ * has. */
+
+FOOTPOINT_PART int NAME_detail_approach(NODE_PARAMETERS, REAL promise, int lanes, REAL xi, REAL eta,
+                                        REAL at[3], int *region)
+{
+    VECTOR_STATEMENTS
+    const REAL products[9] = {PRODUCT_LIST};
+    const footpoint_detail_quad4_vectors vectors = {a,    b, c, d, OVER, SIZE, UNITS * 1.12e-16,
+                                                    TWIST};
+    return footpoint_detail_quad4_close(products, &vectors, promise, RATIO * PER, lanes, xi, eta,
+                                        at, region);
+}

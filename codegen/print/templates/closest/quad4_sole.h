@@ -1,0 +1,92 @@
+/* The proof that the closest point of a closed bilinear segment lies near a given one. */
+
+/* What the proof needs at (u,v) of r = c0 + xi a + eta b + xi eta c, all times one number: products of r_xi, r_eta,
+ * c and D = xS - r, two letters each: uu = r_xi . r_xi, uc = r_xi . c, ...; slopes f = r_xi . D and g = r_eta . D;
+ * and dd = D . D. */
+typedef struct {
+    REAL u, v, uu, uv, vv, uc, vc, cc, dc, f, g, dd;
+} footpoint_detail_quad4_local;
+
+/* Bounds over the whole segment: wide >= |r_xi|^2, high >= |r_eta|^2; rounding errors of slopes, off_f and off_g;
+ * and of the determinant that footpoint_detail_quad4_least_det returns. */
+typedef struct {
+    REAL wide, high, off_f, off_g, off_det;
+} footpoint_detail_quad4_bounds;
+
+/* a if x > 0, b otherwise, and the less of two numbers; NaN raises no exception. */
+FOOTPOINT_PART REAL footpoint_detail_pick(REAL x, REAL a, REAL b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(x, 0.0) ? a : b;
+#else
+    return x > 0.0 ? a : b;
+#endif
+}
+
+FOOTPOINT_PART REAL footpoint_detail_least(REAL a, REAL b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(b, a) ? a : b;
+#else
+    return a < b ? a : b;
+#endif
+}
+
+/* How fast half the square of the distance grows from an edge of u, of slope f, into the segment; 0 inside.  *falls:
+ * how fast it may fall, f being off by `off`. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_grows(REAL u, REAL f, REAL off, REAL *falls)
+{
+    const REAL outward = footpoint_detail_pick(1.0 - fabs(u), -fabs(f), u * f);
+    *falls = footpoint_detail_greater(off - outward, 0.0);
+    return footpoint_detail_greater(outward, 0.0);
+}
+
+/* How far from u a point may be for all that: `promise`, and within the region, or 1e-9. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_reach(REAL u, REAL promise)
+{
+    return footpoint_detail_least(promise, footpoint_detail_greater(1.0 - fabs(u), 1e-9));
+}
+
+/* A number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
+ * slopes. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_least_det(const footpoint_detail_quad4_local *q,
+                                                     REAL grows)
+{
+    const REAL bent = footpoint_detail_greater(fabs(q->dc) - 0.5 * grows, 0.0);
+    const REAL mixed = q->uv - copysign(bent, q->dc), det = q->uu * q->vv - mixed * mixed;
+    const REAL by_t = 2.0 * (q->vv * q->uc - mixed * q->vc);
+    const REAL by_s = 2.0 * (q->uu * q->vc - mixed * q->uc);
+    return det - footpoint_detail_least(fabs(by_t) + by_t * q->v, fabs(by_s) + by_s * q->u);
+}
+
+/* The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
+ * `promise` of (u,v), in xi and in eta, and in the same region unless it is within 1e-9 of that region's border.  f,
+ * g: how fast half the square of the distance may fall, see footpoint_detail_quad4_grows; least_det: Q.
+ *
+ * Let phi be half the square of the distance.  With a = r_xi and b = r_eta at (u,v)
+ *   phi(u + s, v + t) - phi(u,v) = -s f - t g - s t D . c + |s (a + t c) + t b|^2 / 2.
+ * At an edge s has one sign: there -s f is |s| times the slope outwards, if that is positive.  Elsewhere it is at
+ * least -|s f|. As |s|, |t| <= 2, slopes outwards are worth |s t| `grows` / 2, which takes as much from |D . c|; so
+ *   phi(u + s, v + t) - phi >= (s^2 A + 2 s t K + t^2 B) / 2 - |s| f - |t| g,
+ * A = |a + t c|^2, B = b . b, K = mixed + t b . c.  If A B - K^2 >= Q > 0 for all t from -1 - v to 1 - v, then, with
+ * wide >= A and high >= B, the form of s sqrt(wide) and t sqrt(high) has a trace of at most 2 and a determinant of
+ * at least Q / (wide high), half of which its eigenvalues exceed.  So with x = Q / (4 high), y = Q / (4 wide), the
+ * difference is at least (x s^2 - |s| f) + (y t^2 - |t| g), f and g being as above.  It is > 0 for all |s| > p if p
+ * (x p - f) > g^2 / (4 y), and likewise for |t| > p' of its own.  Then no point is as near as (u,v) but within p and
+ * p' of it, and the closest point, which exists, is there.  The same with s and t exchanged.  Of the quadratic A B -
+ * K^2 the term of t^2 is >= 0 and may be left out.
+ *
+ * Rounding: slopes are off by off_f and off_g, Q by off_det; 0.999 leaves for what follows more than it can lose. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_sole(const footpoint_detail_quad4_local *q,
+                                                     const footpoint_detail_quad4_bounds *r,
+                                                     REAL promise, REAL f, REAL g, REAL least_det)
+{
+    const REAL det = least_det - (r->off_det + REAL_MIN);
+    REAL room, other;
+    room = footpoint_detail_quad4_reach(q->u, promise) * det;
+    other = footpoint_detail_quad4_reach(q->v, promise) * det;
+    room = room * (0.999 * room - 4.0 * (r->high * f)) - 4.0 * (r->wide * r->high) * (g * g);
+    other = other * (0.999 * other - 4.0 * (r->wide * g)) - 4.0 * (r->wide * r->high) * (f * f);
+    return footpoint_detail_bits(det) | footpoint_detail_bits(room) | footpoint_detail_bits(other) |
+           footpoint_detail_infinite(room + other) | footpoint_detail_fast();
+}
