@@ -1,7 +1,8 @@
 // ArborX: a callback for BVH queries of slave nodes among boxes of four-node faces, that keeps the nearest face of
 // each slave node.  On a device, too: one thread has all candidates of a query.  Slave nodes are numbered by what is
 // attached to their predicates, faces by their place in the tree.  A face has an answer for slave nodes no farther from
-// it than its longest edge is long, others are passed over.
+// it than its longest edge is long, others are passed over.  An answer that is not proved counts, too, with the nearest
+// point that was found: see `unproved`.
 #ifndef FOOTPOINT_REPLACE_ARBORX
 #define FOOTPOINT_REPLACE_ARBORX
 
@@ -19,6 +20,7 @@ struct footpoint_nearest_face {
     double *distance; // to the nearest face so far; mesh length, >= 0
     int *face;        // its number; untouched where none with an answer is within that distance
     double (*loc)[2]; // xi, eta, in [-1,1]
+    int *unproved;    // set to 1 where a face without proof may be the nearest; untouched otherwise; or null
 
     template <class Query> KOKKOS_FUNCTION void operator()(const Query &query, int j) const
     {
@@ -26,9 +28,13 @@ struct footpoint_nearest_face {
         const int *const f = faces[j];
         double at[2], away = 0.;
         int region = 0;
-        if (footpoint_quad4_accurate_closest(nodes[f[0]], nodes[f[1]], nodes[f[2]], nodes[f[3]], nodes[slaves[i]], at,
-                                             &away, &region) != FOOTPOINT_OK ||
-            !(fabs(away) < distance[i]))
+        const int status = footpoint_quad4_accurate_closest(nodes[f[0]], nodes[f[1]], nodes[f[2]], nodes[f[3]],
+                                                            nodes[slaves[i]], at, &away, &region);
+        if (status < FOOTPOINT_OK)
+            return;
+        if (status == FOOTPOINT_UNPROVED && unproved)
+            unproved[i] = 1;
+        if (!(fabs(away) < distance[i]))
             return;
         distance[i] = fabs(away);
         face[i] = j;

@@ -196,7 +196,7 @@ static int nearest[CASES];
 
 static void arborx()
 {
-    const footpoint_nearest_face f = {&nodes[0][0], faces, slaves, distance, nearest, at};
+    const footpoint_nearest_face f = {&nodes[0][0], faces, slaves, distance, nearest, at, nullptr};
     for (int i = 0; i < CASES; i++) {
         distance[i] = 1e300;
         f(query{i}, i);

@@ -303,7 +303,7 @@ static void arborx_test()
         nodes[5][k] = face[2][k] + (k == 0 ? 2 : 0);
     }
     slave_at(0.3, -0.6, -0.05, nodes[6]);
-    const footpoint_nearest_face nearest = {nodes, faces, slaves, distance, which, loc};
+    const footpoint_nearest_face nearest = {nodes, faces, slaves, distance, which, loc, nullptr};
     nearest(Query{0}, 0);
     check("ArborX: the other face", which[0] == 0 && distance[0] > 0.1 && near(loc[0][0], -1));
     nearest(Query{0}, 1);
