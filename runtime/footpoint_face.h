@@ -49,12 +49,14 @@ int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[
 size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                                    const int *slave, double *loc, double *gap, int *status);
 
-/** The closest point of the face, its edges and corners included, as NAME_closest of generated/: points of edges are
- *  right to the rounding of their distances; inside it is the foot point, unless one of an edge is nearer.
+/** The closest point of the face, its edges and corners included, as NAME_closest of generated/: of quad4 it is proved;
+ *  of other kinds points of edges are right to the rounding of their distances, and inside it is the foot point, unless
+ *  one of an edge is nearer.
  *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face, see "Signs" in footpoint.h
  *  @param[out] region    where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; of a triangle
  *                        1 to 3 and 4 to 6
- *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long */
+ *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long; of quad4 with all
+ *          written FOOTPOINT_NOT_UNIQUE (another point is as near) and FOOTPOINT_UNPROVED (the nearest point found) */
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
 /** Finds the closest point of the face with certainty, whatever the face and the slave node: of tri3 in closed form, of
