@@ -6,6 +6,7 @@
 #include "header_arrays.h"
 #include "header_closest.h"
 #include "header_lines.h"
+#include "header_promise.h"
 #include "header_sizes.h"
 
 #include <stdlib.h>
@@ -25,18 +26,32 @@ static void print_kind(const struct unit *u, FILE *out)
     lines_print_templates(u, NULL, "SEARCH", (const char *const[]){k->name, k->bilinear ? NULL : "gap", NULL}, out);
 }
 
+/* Proofs, and answers where the quick way does not tell. */
+static void print_answers(const struct unit *u, FILE *out)
+{
+    const enum precision precision = u->options.precision;
+    const bool bilinear = u->file->segment->bilinear && precision == PRECISION_DOUBLE, curved = promise_curved(u);
+    char *terms = new_format("curved_%s", u->file->segment->name);
+    if (bilinear || curved)
+        templates_print("FOOTPOINT_DETAIL_BOUNDS", (const char *const[]){"bounds", NULL}, precision, NULL, out);
+    if (curved)
+        templates_print("FOOTPOINT_DETAIL_LOCAL", (const char *const[]){"curved_local", NULL}, precision, NULL, out);
+    lines_print_templates(
+        u, NULL, "ANSWER",
+        curved     ? (const char *const[]){terms, "curved_proof", "curved_repair", "answer_proved", NULL}
+        : bilinear ? (const char *const[]){"quad4_proof", "quad4_steps", "quad4_repair", "answer_proved", NULL}
+                   : (const char *const[]){"answer", NULL},
+        out);
+    free(terms);
+}
+
 void helpers_print(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
     templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
     print_kind(u, out);
     templates_print("FOOTPOINT_DETAIL_AGAIN", (const char *const[]){"again", NULL}, precision, NULL, out);
-    const struct segment_kind *k = u->file->segment;
-    lines_print_templates(u, NULL, "ANSWER",
-                          k->bilinear && precision == PRECISION_DOUBLE
-                              ? (const char *const[]){"quad4_proof", "quad4_steps", "quad4_answer", NULL}
-                              : (const char *const[]){"answer", NULL},
-                          out);
+    print_answers(u, out);
     arrays_print_helpers(u, out);
     if (u->file->order != CORNERS_ANY)
         templates_print("FOOTPOINT_DETAIL_CORNERS", (const char *const[]){"corners", NULL}, precision, NULL, out);

@@ -21,9 +21,16 @@ static const struct {
                 {"balanced", 1e-3}, {"fine", 1e-5},   {"precise", 1e-7}, {"accurate", 1e-10}};
 static const double finest = 1e-12;
 
+bool promise_curved(const struct unit *u)
+{
+    const struct segment_kind *k = u->file->segment;
+    return u->options.precision == PRECISION_DOUBLE && !*k->normals && !lines_straight(u);
+}
+
 bool promise_exists(const struct unit *u)
 {
-    return u->options.precision == PRECISION_DOUBLE && u->file->order == CORNERS_ANY && u->file->segment->bilinear;
+    return promise_curved(u) ||
+           (u->options.precision == PRECISION_DOUBLE && u->file->order == CORNERS_ANY && u->file->segment->bilinear);
 }
 
 double promise_of(const struct unit *u, const struct function *f)
@@ -84,12 +91,20 @@ static const struct function *start_of(const struct unit *u, const struct functi
 
 const struct function *promise_start(const struct unit *u, const struct function *f)
 {
-    return promise_exists(u) ? start_of(u, f) : f;
+    return promise_exists(u) && !promise_curved(u) ? start_of(u, f) : f;
+}
+
+/* How many steps of a curved face come before the first that is proved: from there on most are. */
+static int curved_steps(const struct unit *u, double promise)
+{
+    return promise < 0.99e-7 ? 2 : promise < (u->file->segment->triangle ? 0.99e-3 : 0.99e-2) ? 1 : 0;
 }
 
 /* How many steps NAME takes in a loop over arrays, where all pairs take as many. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
+    if (promise_curved(u))
+        return curved_steps(u, promise_of(u, f));
     const double e = usual_error(start_of(u, f));
     return e < 0.2 * NEAR && e * e * e < 0.01 * promise_of(u, f) ? 1 : 2;
 }
@@ -124,7 +139,7 @@ static char *products_text(const struct vectors_found *w, struct printer *r)
 
 void promise_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    if (!promise_exists(u) || !is_start(u, f))
+    if (!promise_exists(u) || promise_curved(u) || !is_start(u, f))
         return;
     struct vectors_found v;
     struct words w = lines_words(u, f, f);

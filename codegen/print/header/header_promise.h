@@ -4,8 +4,12 @@
 
 #include "header_lines.h"
 
-/** Whether functions of a unit prove their answers: in double, of bilinear segments with corners in any order. */
+/** Whether functions of a unit prove their answers: in double, of faces of six to nine nodes, or of bilinear segments with
+ *  corners in any order. */
 bool promise_exists(const struct unit *u);
+
+/** Returns true if they do so by a step of the polynomial surface, the same of all functions; see "curved_proof" of the templates. */
+bool promise_curved(const struct unit *u);
 
 /** The largest error of xi and eta, relative to max(1, |xi|, |eta|), that FOOTPOINT_OK of a function allows; 0: it has no
  *  proof. */

@@ -108,8 +108,9 @@ void search_print_bare(const struct unit *u, const struct function *f, FILE *out
 
 void search_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    const bool proves = promise_exists(u), shares = !proves && vectors_shared(u, f);
-    const struct block blocks[] = {{"PROMISE", proves, NULL},
+    const bool proves = promise_exists(u), curved = promise_curved(u), shares = !proves && vectors_shared(u, f);
+    const struct block blocks[] = {{"PROMISE", proves && !curved, NULL},
+                                   {"CURVED", curved, NULL},
                                    {"SHARED_GAP", shares, NULL},
                                    {"OWN_GAP", !proves && !shares, NULL},
                                    {NULL, 0, NULL}};

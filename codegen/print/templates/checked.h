@@ -3,12 +3,20 @@
 FOOTPOINT_PART REAL_BITS NAME_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi,
                                              REAL *eta, REAL *gap)
 {
-    REAL_BITS flaw = SEARCH_CALL;
+    REAL_BITS flaw;
+    WITH_CURVED
+    if (way != 1)
+        return footpoint_detail_KIND_curved(x, PROMISE, STEPS, !way, LEAST_SIZE, xi, eta, gap);
+    END_CURVED
+    flaw = SEARCH_CALL;
     WITH_PROMISE
     if (way == 1)
         return flaw | footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
     return START_detail_prove(VECTOR_ROWS, PROMISE, way ? 0 : STEPS, xi, eta, gap);
     END_PROMISE
+    WITH_CURVED
+    return flaw | footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
+    END_CURVED
     WITH_SHARED_GAP
     if (way == 1)
         flaw |= footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);

@@ -1,36 +1,5 @@
 /* The proof of a Newton step from vectors: dearer, and finer on long faces. */
 
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
-{
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (REAL_BITS)1 << REAL_TOP;
-#else
-    return 0;
-#endif
-}
-
-/* The greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
-{
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
-#else
-    return a > b ? a : b;
-#endif
-}
-
-/* The sum of the absolute values, and the largest. */
-FOOTPOINT_PART REAL footpoint_detail_sum(const REAL a[3])
-{
-    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
-}
-
-FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
 /* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
  * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *

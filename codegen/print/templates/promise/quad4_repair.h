@@ -1,4 +1,4 @@
-/* Answers that are proved, or repaired. */
+/* Steps of four-node faces where the quick ones prove nothing. */
 
 /* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
  * NULL, the step of Gauss and Newton from there, which leads downhill. */
@@ -98,46 +98,5 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promis
     }
     *xi = at[0];
     *eta = at[1];
-    return status;
-}
-
-/* Of more edges or less than 2^this a product of the search may leave its range. */
-#define FOOTPOINT_DETAIL_ORDINARY 32
-
-/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
-FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
-                                                 const REAL *const *x, int nodes, REAL promise,
-                                                 REAL loc[2], REAL *gap)
-{
-    int status, exponent = 0, i;
-    REAL y[VECTORS][3], xi, eta, g;
-    const REAL *z[VECTORS];
-    REAL_BITS doubt;
-    if (!(promise > 0.0))
-        return footpoint_detail_again(search, x, nodes, VECTORS, loc, gap);
-    status = footpoint_detail_scale(x, NODES, VECTORS, y, &exponent);
-    if (status != FOOTPOINT_OK)
-        return status;
-    doubt = search(x, 2, 0.0, &xi, &eta, &g);
-    if (doubt >> REAL_TOP) {
-        for (i = 0; i < VECTORS; i++)
-            z[i] = y[i];
-        if (nodes > 0 &&
-            (exponent > FOOTPOINT_DETAIL_ORDINARY || exponent < -FOOTPOINT_DETAIL_ORDINARY))
-            doubt = search(z, 2, 0.0, &xi, &eta, &g);
-        if (doubt >> REAL_TOP) {
-            if (search(nodes > 0 ? z : x, 1, 0.0, &xi, &eta, &g) >> REAL_TOP)
-                return FOOTPOINT_ERR_DEGENERATE;
-            status = footpoint_detail_quad4_repair(y, promise, &xi, &eta);
-            doubt = footpoint_detail_quad4_gap(z, xi, eta, 1e-6, &g);
-        }
-        g = ldexp(g, exponent);
-        if ((doubt | footpoint_detail_infinite(g)) >> REAL_TOP)
-            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
-    }
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = g;
     return status;
 }

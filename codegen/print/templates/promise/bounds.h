@@ -1,0 +1,35 @@
+/* What proofs of all kinds are made of. */
+
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (REAL_BITS)1 << REAL_TOP;
+#else
+    return 0;
+#endif
+}
+
+/* The greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* The sum of the absolute values, and the largest. */
+FOOTPOINT_PART REAL footpoint_detail_sum(const REAL a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
+{
+    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
+}
+
+/* Of more edges or less than 2^this a product of the search may leave its range. */
+#define FOOTPOINT_DETAIL_ORDINARY 32

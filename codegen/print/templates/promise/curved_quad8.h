@@ -1,0 +1,83 @@
+/* The quadrilateral with mid-side nodes as a polynomial of (xi,eta). */
+
+/* r = r0 + xi e + eta f + xi^2 a / 2 + xi eta b + eta^2 c / 2 + xi^2 eta g / 2 + xi eta^2 h / 2, d = xS - r0; `size`, the root of
+ * the sum of the squares of the halves of the edges.  Rounding: differences are off by a unit, e to h by 3. */
+typedef struct {
+    REAL e[3], f[3], a[3], b[3], c[3], g[3], h[3], d[3], size;
+} footpoint_detail_quad8_terms;
+
+FOOTPOINT_PART void footpoint_detail_quad8_expand(const REAL *const *x,
+                                                  footpoint_detail_quad8_terms *t)
+{
+    REAL squares = 0.0;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL ae = x[0][i] - x[4][i], be = x[1][i] - x[4][i], bf = x[1][i] - x[5][i];
+        const REAL cf = x[2][i] - x[5][i], cg = x[2][i] - x[6][i], dg = x[3][i] - x[6][i];
+        const REAL dh = x[3][i] - x[7][i], ah = x[0][i] - x[7][i];
+        const REAL ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
+        t->e[i] = 0.5 * (x[5][i] - x[7][i]);
+        t->f[i] = 0.5 * (x[6][i] - x[4][i]);
+        t->a[i] = 0.5 * (ab + cd);
+        t->b[i] = 0.25 * ((x[0][i] - x[1][i]) + (x[2][i] - x[3][i]));
+        t->c[i] = 0.5 * (bc + da);
+        t->g[i] = 0.5 * (cd - ab);
+        t->h[i] = 0.5 * (bc - da);
+        t->d[i] = 0.5 * ((x[8][i] - x[5][i]) + (x[8][i] - x[7][i]) + t->a[i]);
+        squares += ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah;
+    }
+    t->size = sqrt(squares);
+}
+
+/* r - r0 - p e - q f at (p,q), from the middle. */
+FOOTPOINT_PART void footpoint_detail_quad8_arc(const footpoint_detail_quad8_terms *t, REAL p,
+                                               REAL q, REAL w[3])
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        w[i] = p * (0.5 * p * (t->a[i] + q * t->g[i]) + q * (t->b[i] + 0.5 * q * t->h[i])) +
+               0.5 * (q * q) * t->c[i];
+}
+
+/* Tangents and second derivatives at (p,q), and d = xS - r. */
+FOOTPOINT_PART void footpoint_detail_quad8_local(const footpoint_detail_quad8_terms *t, REAL p,
+                                                 REAL q, footpoint_detail_local *l)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL pg = p * t->g[i], qh = q * t->h[i];
+        const REAL m = t->e[i] + q * (t->b[i] + 0.5 * qh), n = t->f[i] + p * (t->b[i] + 0.5 * pg);
+        l->uu[i] = t->a[i] + q * t->g[i];
+        l->uv[i] = t->b[i] + pg + qh;
+        l->vv[i] = t->c[i] + p * t->h[i];
+        l->u[i] = m + p * l->uu[i];
+        l->v[i] = n + q * l->vv[i];
+        l->d[i] = t->d[i] - p * (m + 0.5 * (p * l->uu[i])) - q * (t->f[i] + 0.5 * (q * t->c[i]));
+    }
+}
+
+/* A bound, over `size`, on |r - (F + H) / 2|, |r_xi| and |r_eta|, and when 1.8 times as large on second derivatives, |xi| and |eta|
+ * being x and y, of sums of absolute values, too: a, c, e, f, g, h are at most as long as `size`, b half as long. */
+FOOTPOINT_PART REAL footpoint_detail_quad8_growth(REAL x, REAL y)
+{
+    return (1.0 + x + 0.5 * (x * x)) * (1.0 + y + 0.5 * (y * y));
+}
+
+/* As tightly, a bound on |r - r0|, and 0.4 for d at the middle. */
+FOOTPOINT_PART REAL footpoint_detail_quad8_spread(REAL x, REAL y)
+{
+    return 0.4 + (x + y) * (1.0 + 0.5 * (x * y)) + 0.5 * (x * x + y * y + x * y);
+}
+
+/* Bounds of |r_xi xi eta| twice + |r_xi eta eta|, and with xi and eta exchanged. */
+FOOTPOINT_PART void footpoint_detail_quad8_third(const footpoint_detail_quad8_terms *t, REAL x,
+                                                 REAL y, REAL third[2])
+{
+    const REAL g = footpoint_detail_sum(t->g), h = footpoint_detail_sum(t->h);
+    (void)x, (void)y;
+    third[0] = 2.0 * g + h;
+    third[1] = g + 2.0 * h;
+}

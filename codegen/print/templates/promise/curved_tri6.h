@@ -1,0 +1,77 @@
+/* The triangle with mid-side nodes as a polynomial of (xi,eta), about A. */
+
+/* With u and v, (xi,eta) less the middle's, r = r0 + u e + v f + u^2 a / 2 + u v b + v^2 c / 2, d = xS - r0; `size`, the root of the
+ * sum of the squares of differences that bound e to c.  Rounding: differences are off by a unit, e to c by 5. */
+typedef struct {
+    REAL e[3], f[3], a[3], b[3], c[3], d[3], size;
+} footpoint_detail_tri6_terms;
+
+FOOTPOINT_PART void footpoint_detail_tri6_expand(const REAL *const *x,
+                                                 footpoint_detail_tri6_terms *t)
+{
+    const REAL third = 1.0 / 3.0;
+    REAL squares = 0.0;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL ad = x[0][i] - x[3][i], bd = x[1][i] - x[3][i], ef = x[4][i] - x[5][i];
+        const REAL af = x[0][i] - x[5][i], cf = x[2][i] - x[5][i], ed = x[4][i] - x[3][i];
+        const REAL to = (x[6][i] - x[3][i]) + (x[6][i] - x[4][i]) + (x[6][i] - x[5][i]);
+        t->e[i] = third * ((x[1][i] - x[0][i]) + 4.0 * ef);
+        t->f[i] = third * ((x[2][i] - x[0][i]) + 4.0 * ed);
+        t->a[i] = 4.0 * (ad + bd);
+        t->b[i] = 4.0 * (ad + ef);
+        t->c[i] = 4.0 * (af + cf);
+        t->d[i] = third * (to + third * (ad + (x[1][i] - x[4][i]) + cf));
+        squares += ad * ad + bd * bd + ef * ef + af * af + cf * cf + ed * ed;
+    }
+    t->size = sqrt(squares);
+}
+
+/* r - r0 - p e - q f at (p,q), from the middle. */
+FOOTPOINT_PART void footpoint_detail_tri6_arc(const footpoint_detail_tri6_terms *t, REAL p, REAL q,
+                                              REAL w[3])
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        w[i] = p * (0.5 * (p * t->a[i]) + q * t->b[i]) + 0.5 * (q * q) * t->c[i];
+}
+
+/* Tangents and second derivatives at (p,q), and d = xS - r. */
+FOOTPOINT_PART void footpoint_detail_tri6_local(const footpoint_detail_tri6_terms *t, REAL p,
+                                                REAL q, footpoint_detail_local *l)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL m = p * t->a[i] + q * t->b[i], n = p * t->b[i] + q * t->c[i];
+        l->uu[i] = t->a[i];
+        l->uv[i] = t->b[i];
+        l->vv[i] = t->c[i];
+        l->u[i] = t->e[i] + m;
+        l->v[i] = t->f[i] + n;
+        l->d[i] = t->d[i] - p * (t->e[i] + 0.5 * m) - q * (t->f[i] + 0.5 * n);
+    }
+}
+
+/* A bound, over `size`, on |r - D|, |r_xi| and |r_eta|, and when 1.8 times as large on second derivatives, |u| and |v| being x and
+ * y, of sums of absolute values, too: e and f are at most the root of 2, a to c that of 32 times as long as `size`. */
+FOOTPOINT_PART REAL footpoint_detail_tri6_growth(REAL x, REAL y)
+{
+    return (1.0 + (x + y)) * (3.2 + 2.9 * (x + y));
+}
+
+/* As tightly, a bound on |r - r0|, and 0.4 for d at the middle. */
+FOOTPOINT_PART REAL footpoint_detail_tri6_spread(REAL x, REAL y)
+{
+    return 0.4 + (x + y) * (1.42 + 2.83 * (x + y));
+}
+
+/* Bounds of third derivatives; there are none. */
+FOOTPOINT_PART void footpoint_detail_tri6_third(const footpoint_detail_tri6_terms *t, REAL x,
+                                                REAL y, REAL third[2])
+{
+    (void)t, (void)x, (void)y;
+    third[0] = third[1] = 0.0;
+}
