@@ -5,8 +5,8 @@
  * corners counter-clockwise seen from where slave nodes come, then the middles of edges from AB on, then the middle.  A
  * triangle has 0 <= xi, eta and xi + eta <= 1, a quadrilateral xi and eta in [-1,1].
  *
- * Statuses and the rest as in footpoint.h; what footpoint_locate proves of four-node segments, nobody proves here, but
- * closest points footpoint_face_robust does.  With d_gap, d_normal and hessian, footpoint_element_normal and
+ * Statuses and the rest as in footpoint.h.  footpoint_face_locate proves its foot points (but for tri3, where they are exact),
+ * footpoint_face_robust its closest points.  With d_gap, d_normal and hessian, footpoint_element_normal and
  * footpoint_element_friction give force and tangent of a contact element. */
 #ifndef FOOTPOINT_FACE_INCLUDED
 #define FOOTPOINT_FACE_INCLUDED
@@ -32,17 +32,19 @@ enum footpoint_face {
 /** 3, 6, 4, 8, 9; or 0: no such face. */
 int footpoint_face_nodes(enum footpoint_face face);
 
-/** Foot point of a slave node, as footpoint_locate.
+/** Foot point of a slave node.  FOOTPOINT_OK: a minimum of the distance to the whole surface is proved to lie within 1e-12 (tri6:
+ *  1e-10) of xi and eta, or of |xi| or |eta| times that if it is greater than 1; it need not be the closest point of the face.
  *  @param[out] loc  {xi, eta}; not clamped to the face
  *  @param[out] gap  mesh length, along the face's unit normal there; > 0 open
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
+ *  @return FOOTPOINT_OK, FOOTPOINT_UNPROVED (outputs are written, nothing is proved), FOOTPOINT_ERR_NOT_FINITE,
+ *          FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
 int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[2], double *gap);
 
 /** The same for n pairs of a slave node and a face, to the same bits, with AVX-512 or AVX2 where the machine has them.
  *  @param[in]  xyz     nodes x 3, mesh length
  *  @param[in]  seg     n x N node indices, from 0
  *  @param[in]  slave   n node indices
- *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is not FOOTPOINT_OK
+ *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is < 0
  *  @param[out] gap     n; likewise
  *  @param[out] status  n, or NULL: as footpoint_face_locate, FOOTPOINT_ERR_ARGUMENT where an index is out of range, too
  *  @return how many pairs have a status other than FOOTPOINT_OK */
