@@ -18,6 +18,14 @@ struct weight {
     size_t terms;
 };
 
+/* Factors that a circle of sums was multiplied by, in vain, since the last move that stands. */
+struct tried {
+    long kept; /* moves that stood then */
+    size_t n;
+    rational factor[SCALING_MOST_FACTORS];
+    double work[SCALING_MOST_FACTORS];
+};
+
 /* State of the search: the schedule's scales are those of the move under way, `best` the best so far.  An output counts
  * as a node beyond the graph's.  Sets are bits, indexed by place in the order. */
 struct scaling {
@@ -29,6 +37,8 @@ struct scaling {
     bool *plain;             /* owned: by node, all of these are 1 or -1 */
     size_t *place;           /* owned: by node, its place in the order */
     int *twin;               /* owned: by node, the next of the sums like it, in a circle */
+    int *circle;             /* owned: by node, the first of these */
+    struct tried *tried;     /* owned: by first of a circle, what was tried on all of it */
     size_t *first_user;      /* owned: user[first_user[n]] to user[first_user[n + 1] - 1] are those of node n */
     int *user;               /* owned */
     bool *moves;             /* owned: by node, the move begins with its scale; false between moves */

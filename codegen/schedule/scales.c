@@ -263,6 +263,30 @@ static void find_factors(struct scaling *x, int n)
     add_user_factors(x, n, DEPTH);
 }
 
+/* Tries a factor on all sums like n, unless it was tried on another one of them and nothing has changed since. */
+static void try_circle(struct scaling *x, int n, rational factor)
+{
+    struct tried *t = &x->tried[x->circle[n]];
+    const double before = x->work;
+    size_t i = 0;
+    if (t->kept != x->kept)
+        *t = (struct tried){.kept = x->kept};
+    while (i < t->n && t->factor[i] != factor)
+        i++;
+    if (i < t->n) {
+        x->work += t->work[i];
+        return;
+    }
+    begin_move(x, n);
+    for (int twin = x->twin[n]; twin != n; twin = x->twin[twin])
+        begin_move(x, twin);
+    try_factor(x, factor);
+    if (t->n < MOST_FACTORS) {
+        t->factor[t->n] = factor;
+        t->work[t->n++] = x->work - before;
+    }
+}
+
 /* A node is tried again only if something has changed. */
 static void improve_node(struct scaling *x, size_t position)
 {
@@ -274,12 +298,8 @@ static void improve_node(struct scaling *x, size_t position)
     for (size_t i = 0; i < x->factors; i++) {
         begin_move(x, n);
         try_factor(x, x->factor[i]);
-        if (x->twin[n] == n)
-            continue;
-        begin_move(x, n);
-        for (int twin = x->twin[n]; twin != n; twin = x->twin[twin])
-            begin_move(x, twin);
-        try_factor(x, x->factor[i]);
+        if (x->twin[n] != n)
+            try_circle(x, n, x->factor[i]);
     }
     x->failed[position] = x->kept == kept ? kept : 0;
 }
@@ -365,7 +385,7 @@ static void find_twins(struct scaling *x)
         const int n = s->order[i];
         const struct node *node = &s->dag->node[n];
         size_t k = 0;
-        x->twin[n] = n;
+        x->twin[n] = x->circle[n] = n;
         for (size_t e = 0; e < node->edges; e++)
             if (level[n] <= level[node->edge[e].node])
                 level[n] = level[node->edge[e].node] + 1;
@@ -375,6 +395,7 @@ static void find_twins(struct scaling *x)
             continue;
         if (k == circles)
             first[circles++] = n;
+        x->circle[n] = first[k];
         x->twin[n] = x->twin[first[k]];
         x->twin[first[k]] = n;
     }
@@ -400,6 +421,8 @@ static struct scaling *scaling_new(struct schedule *s)
     x->plain = new_array(nodes, sizeof *x->plain);
     x->place = new_array(nodes, sizeof *x->place);
     x->twin = new_array(nodes, sizeof *x->twin);
+    x->circle = new_array(nodes, sizeof *x->circle);
+    x->tried = new_array(nodes, sizeof *x->tried);
     x->moves = new_array(nodes, sizeof *x->moves);
     x->dirty = new_array(x->words, sizeof *x->dirty);
     x->changed = new_array(nodes, sizeof *x->changed);
@@ -435,6 +458,8 @@ static void scaling_free(struct scaling *x)
     free(x->plain);
     free(x->place);
     free(x->twin);
+    free(x->circle);
+    free(x->tried);
     free(x->first_user);
     free(x->user);
     free(x->moves);
