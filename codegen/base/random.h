@@ -27,4 +27,10 @@ static inline uint64_t random_next(uint64_t *seed)
     return random_mix(*seed += RANDOM_STRIDE);
 }
 
+/** A number in [0,1) of random bits. */
+static inline double random_fraction(uint64_t bits)
+{
+    return (double)(bits >> 11) * 0x1p-53;
+}
+
 #endif

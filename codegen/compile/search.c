@@ -422,11 +422,6 @@ static void mutate(struct form_search *s, struct candidate *c, const struct reco
     policy_choose(&c->policy, (struct choice){d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
 }
 
-static double uniform(struct form_search *s)
-{
-    return (double)(random_next(&s->random) >> 11) * 0x1p-53;
-}
-
 /* Simulated annealing from a candidate until so much work is done; it becomes the best that was met. */
 static void anneal(struct form_search *s, struct candidate *best, double hot, double until)
 {
@@ -441,7 +436,7 @@ static void anneal(struct form_search *s, struct candidate *best, double hot, do
         for (uint64_t moves = 1 + random_next(&s->random) % 3; moves > 0; moves--)
             mutate(s, trial, &record);
         evaluate(s, trial, &next, at.estimate + SLACK * s->options->cost.mul);
-        if (trial->cost > at.cost - heat * log(1 - uniform(s)))
+        if (trial->cost > at.cost - heat * log(1 - random_fraction(random_next(&s->random))))
             continue;
         copy_candidate(&at, trial);
         const struct record swap = record;

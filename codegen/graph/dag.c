@@ -5,21 +5,12 @@
 #include "../base/random.h"
 #include "unary.h"
 
-#include <flint/nmod_vec.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { POOL = 4096, MOST_POWER = 64 /* products of a higher power stay factors of their own */ };
-
-static nmod_t modulus(int k)
-{
-    static nmod_t m[PRIMES];
-    if (m[k].n == 0)
-        nmod_init(&m[k], rational_prime[k]);
-    return m[k];
-}
 
 void edges_add(struct edges *list, rational coef, int node, int power)
 {
@@ -220,8 +211,9 @@ struct value dag_sum(struct dag *g, struct edges *terms)
         for (size_t i = 0; i < terms->n; i++) {
             const struct edge *e = &terms->edge[i];
             for (int k = 0; k < PRIMES; k++)
-                mark[k] = nmod_add(mark[k], nmod_mul(rational_mod(e->coef, k), g->node[e->node].mark[k], modulus(k)),
-                                   modulus(k));
+                mark[k] =
+                    nmod_add(mark[k], nmod_mul(rational_mod(e->coef, k), g->node[e->node].mark[k], rational_modulus[k]),
+                             rational_modulus[k]);
         }
         if (terms->n == 1)
             v = value_of(lead, terms->edge[0].node);
@@ -244,7 +236,7 @@ static int invert_node(struct dag *g, int node)
     struct edge e = {ONE, node, 1};
     const struct edges list = {&e, 1, 1};
     for (int k = 0; k < PRIMES; k++)
-        mark[k] = nmod_inv(g->node[node].mark[k], modulus(k));
+        mark[k] = nmod_inv(g->node[node].mark[k], rational_modulus[k]);
     const int made = make(g, NODE_INVERSE, 0, &list, mark);
     note_replaced(g, made, NODE_INVERSE, &list);
     return made;
@@ -336,8 +328,9 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors)
     for (size_t i = 0; i < kept.n; i++)
         for (int k = 0; k < PRIMES; k++)
             mark[k] = nmod_mul(
-                mark[k], nmod_pow_ui(g->node[kept.edge[i].node].mark[k], (mp_limb_t)kept.edge[i].power, modulus(k)),
-                modulus(k));
+                mark[k],
+                nmod_pow_ui(g->node[kept.edge[i].node].mark[k], (mp_limb_t)kept.edge[i].power, rational_modulus[k]),
+                rational_modulus[k]);
     if (coef == ZERO)
         v = value_of(ZERO, 0);
     else if (kept.n == 1 && kept.edge[0].power == 1)
@@ -436,7 +429,7 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
     for (int k = 0; k < PRIMES; k++) {
         uint64_t part[2] = {0, 0};
         for (size_t i = 0; i < list.n; i++)
-            part[i] = nmod_mul(rational_mod(edge[i].coef, k), g->node[edge[i].node].mark[k], modulus(k));
+            part[i] = nmod_mul(rational_mod(edge[i].coef, k), g->node[edge[i].node].mark[k], rational_modulus[k]);
         const uint64_t low = part[0] < part[1] || !commutes ? part[0] : part[1], high = part[0] ^ part[1] ^ low;
         mark[k] = random_of(low ^ random_of(high ^ random_of((uint64_t)kind * 3 + (uint64_t)k))) % rational_prime[k];
     }

@@ -4,11 +4,11 @@
 #include "../base/index_table.h"
 #include "../base/random.h"
 
-#include <flint/nmod_vec.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 const mp_limb_t rational_prime[PRIMES] = {1152921504606846883UL, 1152921504606846697UL};
+nmod_t rational_modulus[PRIMES];
 
 struct known {
     fmpq_t value;
@@ -48,6 +48,8 @@ void rational_start(void)
         return;
     atexit(forget);
     memo = new_array(MEMO, sizeof *memo);
+    for (int k = 0; k < PRIMES; k++)
+        nmod_init(&rational_modulus[k], rational_prime[k]);
     for (int i = 0; i < 9; i++) /* in the order of the enumeration */
         rational_from_si((long[]){0, 1, -1, 2, -2, 4, -4, 8, -8}[i]);
 }
@@ -73,18 +75,11 @@ static rational intern(const fmpq *q, const mp_limb_t residue[PRIMES])
     return (rational)n_known++;
 }
 
-static nmod_t modulus(int k)
-{
-    nmod_t m;
-    nmod_init(&m, rational_prime[k]);
-    return m;
-}
-
 rational rational_intern(const fmpq *q)
 {
     mp_limb_t residue[PRIMES];
     for (int k = 0; k < PRIMES; k++) {
-        const nmod_t m = modulus(k);
+        const nmod_t m = rational_modulus[k];
         residue[k] = nmod_mul(fmpz_fdiv_ui(fmpq_numref(q), rational_prime[k]),
                               nmod_inv(fmpz_fdiv_ui(fmpq_denref(q), rational_prime[k]), m), m);
     }
@@ -150,8 +145,8 @@ static rational combine(rational a, rational b, bool sum)
     (sum ? fmpq_add : fmpq_mul)(q, known[a].value, known[b].value);
     mp_limb_t residue[PRIMES]; /* without an inverse of the denominator */
     for (int k = 0; k < PRIMES; k++)
-        residue[k] = sum ? nmod_add(known[a].residue[k], known[b].residue[k], modulus(k))
-                         : nmod_mul(known[a].residue[k], known[b].residue[k], modulus(k));
+        residue[k] = sum ? nmod_add(known[a].residue[k], known[b].residue[k], rational_modulus[k])
+                         : nmod_mul(known[a].residue[k], known[b].residue[k], rational_modulus[k]);
     const rational r = intern(q, residue);
     fmpq_clear(q);
     *m = (struct result){a, b, r, sum, true};

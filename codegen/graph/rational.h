@@ -4,6 +4,7 @@
 #define FOOTPOINT_RATIONAL_H
 
 #include <flint/fmpq.h>
+#include <flint/nmod_vec.h>
 #include <stdbool.h>
 
 typedef int rational;
@@ -13,6 +14,8 @@ enum { ZERO, ONE, MINUS_ONE, TWO, MINUS_TWO, FOUR, MINUS_FOUR, EIGHT, MINUS_EIGH
 /** Primes below 2^60, modulo which values are compared. */
 enum { PRIMES = 2 };
 extern const mp_limb_t rational_prime[PRIMES];
+/** Arithmetic modulo these, from rational_start() on. */
+extern nmod_t rational_modulus[PRIMES];
 
 /** Makes the table, once; to be called before anything else here. */
 void rational_start(void);

@@ -3,15 +3,7 @@
  * is in use elsewhere, by residues at the random points: so more may be noted than is gone. */
 #include "dag.h"
 
-#include <flint/nmod_vec.h>
 #include <stdlib.h>
-
-static nmod_t modulus(int k)
-{
-    nmod_t m;
-    nmod_init(&m, rational_prime[k]);
-    return m;
-}
 
 void dag_lose(struct dag *g, int node)
 {
@@ -29,7 +21,7 @@ static void add_removal(struct removals *list, const struct dag *g, const struct
 {
     struct removal r = {.root = root};
     for (int k = 0; k < PRIMES; k++)
-        r.mark[k] = nmod_mul(rational_mod(e->coef, k), g->node[e->node].mark[k], modulus(k));
+        r.mark[k] = nmod_mul(rational_mod(e->coef, k), g->node[e->node].mark[k], rational_modulus[k]);
     APPEND(list->removal, list->n, list->room) = r;
 }
 
@@ -119,7 +111,7 @@ static bool is_multiple(const struct removal *a, const struct removal *b)
         if (b->mark[k] == 0)
             return false;
         else
-            ratio[k] = nmod_div(a->mark[k], b->mark[k], modulus(k));
+            ratio[k] = nmod_div(a->mark[k], b->mark[k], rational_modulus[k]);
     return a->root == b->root && rational_reconstruct(ratio, &c) && (!a->root || rational_sign(c) > 0);
 }
 

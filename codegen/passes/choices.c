@@ -22,7 +22,7 @@ const struct choice *policy_find(const struct policy *p, uint64_t key)
 
 double policy_random(const struct policy *p, uint64_t mark)
 {
-    return (double)(random_of(mark ^ random_of(p->seed)) >> 11) * 0x1p-53;
+    return random_fraction(random_of(mark ^ random_of(p->seed)));
 }
 
 bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t group)

@@ -132,12 +132,6 @@ void region_inputs(const struct region *r, const double *at, double *input)
     free(own);
 }
 
-/* Uniform in 0..1. */
-static double draw_fraction(uint64_t *seed)
-{
-    return (double)(random_next(seed) >> 11) * 0x1p-53;
-}
-
 /* Uniform in the range, and random to the last bit also where that is near 0. */
 double region_draw_coordinate(const struct region *r, size_t variable, uint64_t *seed, int bits)
 {
@@ -145,8 +139,8 @@ double region_draw_coordinate(const struct region *r, size_t variable, uint64_t 
     if (!interval_finite(range))
         range = (struct interval){-1, 1};
     const double half = 0.5 * range.hi - 0.5 * range.lo;
-    double x = range.lo + half * (2 * draw_fraction(seed));
-    x += half * (draw_fraction(seed) * 0x1p-51);
+    double x = range.lo + half * (2 * random_fraction(random_next(seed)));
+    x += half * (random_fraction(random_next(seed)) * 0x1p-51);
     if (bits > 0 && half > 0) {
         const double step = ldexp(1, ilogb(half) - bits);
         x = step > 0 ? nearbyint(x / step) * step : x;

@@ -97,7 +97,7 @@ static void propose_anywhere(struct sampler *s, const double *from)
     static const double keep[] = {0, 0.5, 0.8, 0.95};
     for (int l = 0; l < LANES; l++)
         for (size_t k = 0; k < s->region->known->variables; k++) {
-            const bool kept = (double)(random_next(&s->random) >> 11) * 0x1p-53 < keep[l & 3];
+            const bool kept = random_fraction(random_next(&s->random)) < keep[l & 3];
             s->point[l][k] = kept ? from[k] : region_draw_coordinate(s->region, k, &s->random, 0);
         }
 }

@@ -28,7 +28,7 @@ static unsigned long get(void *state)
 
 static double get_double(void *state)
 {
-    return (double)(next(state) >> 11) * 0x1p-53;
+    return random_fraction(next(state));
 }
 
 static const gsl_rng_type splitmix64 = {.name = "splitmix64",
