@@ -46,6 +46,9 @@ endif
 ifneq ($(FROM),)
 $(call demand,FROM,$(call one_of,FROM,scratch),scratch or nothing)
 endif
+# Where what is made of a scene given by its path goes: a folder of the command line, else the scene's.
+out := $(if $(filter command,$(firstword $(origin OUT))),$(OUT))
+is_own = $(if $(filter evolve/scenes/%,$(1)),,$(if $(findstring /,$(1))$(filter %.scene,$(1)),$(1)))
 ifneq ($(OPENMP),)
 $(call demand,OPENMP,$(call one_of,OPENMP,0 1),0 or 1)
 endif
@@ -181,8 +184,9 @@ GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
 FACES   := bezier gregory quad4 quad8 quad9 tri3 tri6
 DERIVATIVES := $(FACES:%=generated/footpoint_%_derivatives.h)
 # Those in double, and one's own where SCENE names it, are what the bench and its tests call.
-OWN     := $(filter-out $(SHIPPED),$(basename $(notdir $(SCENE))))
-METHODS := $(wildcard $(GENERATED) $(foreach scene,$(OWN),$(call header_of,$(scene))))
+beside  = $(or $(out),$(patsubst %/,%,$(dir $(1))))/$(notdir $(call header_of,$(basename $(notdir $(1)))))
+header_for = $(if $(call is_own,$(1)),$(call beside,$(1)),$(call header_of,$(basename $(notdir $(1)))))
+METHODS := $(wildcard $(sort $(GENERATED) $(foreach scene,$(SCENE),$(call header_for,$(scene)))))
 DOUBLES := $(if $(METHODS),$(shell awk '/^ . precision: double/ { print FILENAME }' $(METHODS)))
 
 all: codegen runtime evolve calibrate-program ## build the tools and the runtime library
@@ -261,7 +265,7 @@ $(eval $(call line,$(OBJ)/isas,ISAS))
 $(eval $(call line,$(OBJ)/methods,DOUBLES))
 
 $(OBJ)/methods.h: $(DOUBLES) $(OBJ)/methods Makefile
-	$(Q)for h in $(DOUBLES); do echo "#include \"$$PWD/$$h\""; done > $@
+	$(Q)for h in $(abspath $(DOUBLES)); do echo "#include \"$$h\""; done > $@
 
 $(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/bench/methods.awk Makefile
 	$(Q)awk -f tests/bench/methods.awk $(DOUBLES) > $@
@@ -270,7 +274,7 @@ $(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/bench/methods.awk Makefile
 CALLED := $(filter-out $(foreach scene,$(filter blocks-% bricks-% paper-% punch-% whole-%,$(SHIPPED)),$(call header_of,$(scene))),$(DOUBLES))
 
 $(OBJ)/calls.h: $(CALLED) $(OBJ)/methods Makefile
-	$(Q)for h in $(CALLED) $(DERIVATIVES); do echo "#include \"$$PWD/$$h\""; done > $@
+	$(Q)for h in $(abspath $(CALLED) $(DERIVATIVES)); do echo "#include \"$$h\""; done > $@
 
 $(OBJ)/calls.inc: $(CALLED) $(OBJ)/methods tests/bench/calls.awk Makefile
 	$(Q)awk -f tests/bench/calls.awk $(CALLED) > $@
@@ -345,8 +349,8 @@ SCENES := $(patsubst evolve/scenes/%.scene,%,$(sort $(wildcard evolve/scenes/*.s
 MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe --bind-to none \
           --mca odls_base_sigkill_timeout 5
 
-regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch
-	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) SEED=$(SEED) FROM=$(FROM) \
+regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= (a path: one's own, beside it or in OUT=) RANKS= GENERATIONS= SEED= FROM=scratch
+	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) SEED=$(SEED) FROM=$(FROM) OUT='$(out)' \
 	    sh evolve/regenerate.sh $(or $(SCENE),$(SCENES))
 	$(if $(SCENE),,$(Q)BIN=$(BIN) GENERATIONS=$(GENERATIONS) sh evolve/regenerate.sh --derivatives $(FACES))
 	$(if $(SCENE),,$(Q)$(emit_perceptrons))

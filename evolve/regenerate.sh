@@ -1,12 +1,15 @@
 #!/bin/sh
 # regenerate.sh SCENE...: the main job.  Evolve each scene from its committed genomes, then emit the headers that were not
 # emitted from these genomes, or all if GENERATIONS is 0.  Several scenes are done side by side, as many as there are ranks.
+# A scene given by its name is the tree's.  A scene given by a path is somebody's own: genomes and header stand beside it, or
+# in the folder OUT.  Genomes take the place of those before when a run has ended; an interrupted run changes nothing.
 # regenerate.sh --derivatives FACE...: emit the headers of derivatives, as above.  Reads BIN, MPIRUN (without -n), RANKS,
-# GENERATIONS, SEED and FROM (scratch, or nothing) from the environment; `make regenerate` calls it.  What a scene's run
+# GENERATIONS, SEED, OUT and FROM (scratch, or nothing) from the environment; `make regenerate` calls it.  What a scene's run
 # says is in $BIN/regenerate/NAME.log, if there are several.
 progress() { printf '%s\n' "$*" >&2; }
 
-# emit GENOMES HEADER [SCENE whose samples single precision is measured on]: the header, and the test points of searches in double
+# emit GENOMES HEADER [SCENE whose samples single precision is measured on]: the header, and in the tree the test points of
+# searches in double
 emit() {
     if [ "$GENERATIONS" -gt 0 ] && grep -q "sha256: $(sha256sum < "$1" | cut -d ' ' -f 1)" "$2" 2> /dev/null; then
         echo "$2 is as it was"
@@ -16,7 +19,7 @@ emit() {
     if grep -q '^note precision float' "$1"; then
         samples=$BIN/$(basename "$1").samples
         "$BIN/footpoint-evolve" --scene "$3" --samples "$samples" || return
-    elif ! grep -q '^face ' "$1"; then
+    elif ! grep -q '^face ' "$1" && [ "${2%/*}" = generated ]; then
         points=tests/generated/points/$(basename "$2" .h)_points.h
     fi
     "$BIN/footpoint-codegen" --allow-poles ${samples:+--samples "$samples"} ${points:+--points "$points"} "$1" -o "$2" || return
@@ -24,12 +27,37 @@ emit() {
     echo "$2"
 }
 
+is_own() { case $1 in evolve/scenes/*) return 1 ;; */* | *.scene) return 0 ;; esac; return 1; }
+
+# What a run says comes first, its verdict last.
+is_verdict='^use footpoint_\|^nothing found '
 regenerate() { # regenerate SCENE RANKS
     name=$(basename "$1" .scene)
+    header=footpoint_$(echo "$name" | tr - _).h
+    genomes=evolve/genomes/$name.gen start=''
+    if is_own "$1"; then
+        folder=${OUT:-$(dirname "$1")}
+        mkdir -p "$folder" || return 3
+        genomes=$folder/$name.gen header=$folder/$header
+        if [ -z "$FROM" ] && [ -e "$genomes" ]; then start=$genomes; fi
+    else
+        header=generated/$header
+    fi
+    mkdir -p "$BIN/regenerate" || return 3
+    new=$BIN/regenerate/$name.gen found=$BIN/regenerate/$name.found
+    rm -f "$new"
     # shellcheck disable=SC2086
-    $MPIRUN -n "$2" "$BIN/footpoint-evolve" --scene "$1" --generations "$GENERATIONS" --seed "$SEED" \
-        ${FROM:+--from-scratch} || return
-    emit "evolve/genomes/$name.gen" "generated/footpoint_$(echo "$name" | tr - _).h" "$1"
+    $MPIRUN -n "$2" "$BIN/footpoint-evolve" --scene "$1" --generations "$GENERATIONS" --seed "$SEED" -o "$new" \
+        ${FROM:+--from-scratch} ${start:+--start "$start"} > "$found"
+    status=$?
+    grep -v "$is_verdict" "$found"
+    if [ $status -ne 0 ]; then
+        [ ! -e "$new" ] || progress "$name: interrupted; genomes and header stand as they were, what was found is in $new"
+        return $status
+    fi
+    mv "$new" "$genomes" && emit "$genomes" "$header" "$1" || return
+    grep "$is_verdict" "$found" > "$found.verdict" && sh evolve/verdict.sh "$found.verdict" "$header" "$BIN/regenerate/$name.times"
+    rm -rf "$found" "$found.verdict" "$BIN/regenerate/$name.times"
 }
 
 if [ "$1" = --one ]; then # regenerate.sh --one SCENE RANKS: one of several

@@ -89,7 +89,7 @@ if git ls-files > "$work/files" 2> /dev/null; then
         expect "all of $folder is installed" 0 '' '' diff "$work/kept" "$work/put"
     done
     for left in tests/example/impact tests/example/slide tests/example/press tests/example/out/energy.csv tests/example/plates.inp \
-        evolve/genomes/plates-quad4.gen generated/footpoint_plates_quad4.h example.h example.f90 example.txt; do
+        tests/example/plates-quad4.gen tests/example/plates-quad4.svg tests/example/footpoint_plates_quad4.h example.h example.f90 example.txt; do
         git check-ignore -q $left; report $((! $?)) "git ignores $left"
     done
 else

@@ -32,14 +32,8 @@ run_with() { # run_with HEADER FUNCTION PROGRAM: compile the example and run it;
         "$(value 'local search, ns' '(NF-2)') ns a pair, $(value 'local search, ns' '(NF-1)') times"
 }
 
-# A tree to make it in, so that nothing is left in this one.
-tree=$work/tree root=$PWD
-mkdir "$tree"
-cp -a Makefile evolve generated tests "$tree"
-for shared in build codegen runtime; do ln -s "$root/$shared" "$tree/$shared"; done
-
 # ---- before: the header for ordinary meshes, and its function of an error below 1e-7 ----
-general=$root/generated/footpoint_quad4.h
+general=$PWD/generated/footpoint_quad4.h
 run_with "$general" footpoint_quad4_precise before
 precise=$(banner "$general" footpoint_quad4_precise)
 holds 'whose banner states an error below 1e-7' "$precise < 1e-7 && $(banner "$general" footpoint_quad4_fine) > 1e-7"
@@ -50,11 +44,12 @@ mkdir "$work/mine"
 cp tests/example/plates-quad4.scene "$work/mine/"
 status=$(git status --porcelain 2> /dev/null)
 logged 'make regenerate' \
-    make -s -C "$tree" regenerate SCENE="$work/mine/plates-quad4.scene" GENERATIONS=20 CC="$CC"
+    make -s regenerate SCENE="$work/mine/plates-quad4.scene" GENERATIONS=20 CC="$CC"
 grep -h 'segments are\|times less error\|right to rounding' "$work/log" | sed 's/^/# /'
 [ "$(grep -c 'times less error' "$work/log")" -ge 3 ]; report $((! $?)) 'three functions have less error than those of quad4'
 [ "$(grep -c 'right to rounding as before' "$work/log")" -ge 2 ]; report $((! $?)) 'two have no more than rounding, for less'
-own=$tree/generated/footpoint_plates_quad4.h
+own=$work/mine/footpoint_plates_quad4.h
+tail -n 1 "$work/log" | grep -q '^use footpoint_plates_quad4_'; report $((! $?)) 'the last line names a function to use'
 [ -e "$own" ]; report $((! $?)) 'the header is there'
 [ "$status" = "$(git status --porcelain 2> /dev/null)" ]; report $((! $?)) 'and the source tree as it was'
 
