@@ -34,11 +34,11 @@ is_verdict='^use footpoint_\|^nothing found '
 regenerate() { # regenerate SCENE RANKS
     name=$(basename "$1" .scene)
     header=footpoint_$(echo "$name" | tr - _).h
-    genomes=evolve/genomes/$name.gen start=''
+    genomes=evolve/genomes/$name.gen start='' page=''
     if is_own "$1"; then
         folder=${OUT:-$(dirname "$1")}
         mkdir -p "$folder" || return 3
-        genomes=$folder/$name.gen header=$folder/$header
+        genomes=$folder/$name.gen header=$folder/$header page=$BIN/regenerate/$name.svg
         if [ -z "$FROM" ] && [ -e "$genomes" ]; then start=$genomes; fi
     else
         header=generated/$header
@@ -48,13 +48,14 @@ regenerate() { # regenerate SCENE RANKS
     rm -f "$new"
     # shellcheck disable=SC2086
     $MPIRUN -n "$2" "$BIN/footpoint-evolve" --scene "$1" --generations "$GENERATIONS" --seed "$SEED" -o "$new" \
-        ${FROM:+--from-scratch} ${start:+--start "$start"} > "$found"
+        ${FROM:+--from-scratch} ${start:+--start "$start"} ${page:+--page "$page"} > "$found"
     status=$?
     grep -v "$is_verdict" "$found"
     if [ $status -ne 0 ]; then
         [ ! -e "$new" ] || progress "$name: interrupted; genomes and header stand as they were, what was found is in $new"
         return $status
     fi
+    [ ! -e "$page" ] || mv "$page" "$folder/$name.svg" || return
     mv "$new" "$genomes" && emit "$genomes" "$header" "$1" || return
     grep "$is_verdict" "$found" > "$found.verdict" && sh evolve/verdict.sh "$found.verdict" "$header" "$BIN/regenerate/$name.times"
     rm -rf "$found" "$found.verdict" "$BIN/regenerate/$name.times"

@@ -498,7 +498,8 @@ static bool write_found(const struct call *call, const struct problem *p, const 
     archive_table(a, stdout);
     if (o->front && o->generations > 0)
         archive_front_table(a, stdout);
-    run_verdict(call, p, heldout);
+    if (!run_verdict(call, p, heldout, d))
+        return false;
     if (fflush(stdout) != 0)
         return diag_system(d, "standard output", "cannot write");
     *d = (struct diag){.code = out->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */

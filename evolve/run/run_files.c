@@ -72,8 +72,10 @@ bool run_files_suit(const struct call *call, const struct scene *scene, const st
                                     {"--checkpoint", o->checkpoint, true, CHECKPOINTS},
                                     {"--resume", o->resume, false, CHECKPOINTS},
                                     {"--front", o->front, true, NONE},
+                                    {"--page", o->page, true, NONE},
                                     {"--log", o->log, true, NONE},
                                     {"--seeds", o->seeds, false, NONE}};
     return scene_files_apart("footpoint-evolve", o->root, scene, file, sizeof file / sizeof *file, d) &&
-           outfile_probe(f->output, d) && outfile_probe(o->checkpoint, d) && outfile_probe(o->front, d);
+           outfile_probe(f->output, d) && outfile_probe(o->checkpoint, d) && outfile_probe(o->front, d) &&
+           outfile_probe(o->page, d);
 }

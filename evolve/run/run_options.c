@@ -58,6 +58,8 @@ static const struct option_row rows[] = {
              "validation samples of all that are no dearer (default: 0, all of the front)"},
     {"print-scene", 0, OPTION_OWN, AT(print_scene), "KIND", .read = read_kind,
      .help = "only print a scene of random faces of that kind, quad4, say, with every key explained"},
+    {"page", 0, OPTION_TEXT, AT(page), "FILE", .role = KEPT,
+     .help = "write a picture (SVG): errors by function and gap beside those of the kind of face, shapes of the faces"},
     {"samples", 0, OPTION_TEXT, AT(samples), "FILE", .help = "only write the samples held out, for codegen"},
     {"generations", 0, OPTION_WHOLE, AT(generations), "N", 0, 100000000, .role = KEPT,
      .help = "0: only measure and write (default: 200)"},

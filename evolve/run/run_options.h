@@ -13,7 +13,7 @@ enum cost_model { COST_THROUGHPUT, COST_PAPER }; /* as codegen's --cost */
 struct evolve_options {
     const char *scene, *root, *start, *output; /* not owned, as are all texts; NULL: not given */
     const char *checkpoint, *resume, *log;
-    const char *seeds, *front, *samples;
+    const char *seeds, *front, *samples, *page;
     const struct segment_kind *print_scene; /* NULL: not asked for */
     bool from_scratch, quiet, benchmark;
     uint64_t seed;

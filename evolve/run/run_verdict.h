@@ -4,8 +4,8 @@
 
 #include "run_parts.h"
 
-/** Prints the verdict on samples held out, whatever genomes the run began with; nothing of runs without generations, and of
- *  scenes that are called as their kind. */
-void run_verdict(const struct call *call, const struct problem *p, const struct heldout *heldout);
+/** Prints the verdict on samples held out, whatever genomes the run began with, and writes the page that the options ask for;
+ *  nothing of scenes that are called as their kind, and no verdict of runs without generations.  False with *d filled. */
+bool run_verdict(const struct call *call, const struct problem *p, const struct heldout *heldout, struct diag *d);
 
 #endif

@@ -1,4 +1,5 @@
-# A scene of one's own, given by a path: genomes and header stand beside it, or in a folder; the tree stays as it is.
+# A scene of one's own, given by a path: genomes, header and page stand beside it, or in a folder; the tree stays as it is.  The last
+# word of a run is which functions to use, beside those that ship; fresh samples confirm it, and no band of |gap| is worse.
 . tests/cli/expect.inc
 export OMPI_MCA_btl_base_warn_component_unused=0
 state() { find evolve generated tests/generated -type f -newer "$work/begun" | sort; }
@@ -11,7 +12,7 @@ cp tests/meshes/tetra4.inp "$work/mine/"
 echo 'training = 10; heldout = 10; mesh: { file = "tetra4.inp"; };' > "$work/mine/faces-1.scene"
 touch "$work/begun"
 expect 'a scene beside its mesh' 0 '*' '*' regenerate sh evolve/regenerate.sh "$work/mine/faces-1.scene"
-[ -s "$work/mine/faces-1.gen" ] && [ -s "$work/mine/footpoint_faces_1.h" ]; report $((! $?)) 'genomes and header are there, too'
+[ -s "$work/mine/faces-1.gen" ] && [ -s "$work/mine/footpoint_faces_1.h" ] && [ -s "$work/mine/faces-1.svg" ]; report $((! $?)) 'genomes, header and page are there, too'
 expect 'a second run begins there' 0 "*" '*' regenerate sh evolve/regenerate.sh "$work/mine/faces-1.scene"
 grep -q "footpoint_faces_1.h is as it was" "$work/stdout"; report $((! $?)) 'and emits nothing anew'
 expect 'OUT=' 0 '*' '*' regenerate OUT="$work/other" sh evolve/regenerate.sh "$work/mine/faces-1.scene"
@@ -30,3 +31,42 @@ report $((! $?)) 'an interrupted run says that it was'
 [ "$(cat "$work/mine/long.gen")" = before ] && [ ! -e "$work/mine/footpoint_long.h" ]; report $((! $?)) 'and changes nothing'
 state > "$work/after"
 expect 'the tree is as it was' 0 '' '' cat "$work/after"
+
+# ---- the verdict ----
+evolve=$BIN/footpoint-evolve
+awk -v what=wavy -f tests/meshes/own.awk > "$work/own.inp"
+own_scene() { echo "training = $1; heldout = 4000; seed = $2; mesh: { file = \"own.inp\"; };"; }
+own_scene 2000 1 > "$work/mine.scene"
+own_scene 4000 7 > "$work/fresh.scene"
+bred() { "$evolve" --quiet --islands 1 --population 100 "$@"; }
+expect 'a run' 0 '*' '*' bred --scene "$work/mine.scene" --generations 2 -o "$work/mine.gen" --page "$work/mine.svg"
+cp "$work/stdout" "$work/said"
+! grep -q '^front' "$work/said"; report $((! $?)) 'has no list of fronts, which --front asks for'
+sed '1,/^full /d' "$work/said" > "$work/last"
+n=$(wc -l < "$work/last")
+[ "$n" -ge 1 ] && [ "$n" -le 5 ] && ! grep -qv '^use footpoint_mine_[a-z0-9]*: error [0-9.e-]* at cost [0-9]*; footpoint_quad4_[a-z0-9]* has [0-9.e-]* at [0-9]*$' \
+    "$work/last"; report $((! $?)) 'ends in a verdict of five lines at most'
+grep -q '^use footpoint_mine_balanced: ' "$work/last"; report $((! $?)) 'which names a function that is better'
+
+grep -q '>footpoint_mine_\.\.\.<' "$work/mine.svg" && grep -q '>footpoint_quad4_\.\.\.<' "$work/mine.svg" && grep -q '>warp, degrees<' "$work/mine.svg"
+report $((! $?)) 'the page has both, and the shapes of the faces'
+[ "$(grep -c '<rect [^>]*fill="hsl' "$work/mine.svg")" = 72 ]; report $((! $?)) 'a cell for each function and band'
+
+# Errors on samples of another seed, by what measures and writes: the training column of the table.
+for from in "$work/mine.gen" evolve/genomes/quad4.gen; do
+    bred --scene "$work/fresh.scene" --generations 0 --start "$from" -o "$work/again.gen" > "$work/table" 2> /dev/null
+    awk '$4 == "->" { print $1, $5 }' "$work/table" > "$work/errors.$(basename "$from")"
+    awk '/^genome / { name = $2 } /^note gaps_both/ { for (i = 8; i <= NF; i++) if ($i ~ /^[0-9.]+e-[0-9]+,?$/ && $(i - 1) != "to") print name, $i + 0 }' \
+        "$work/again.gen" > "$work/bands.$(basename "$from")"
+done
+awk 'FILENAME ~ /errors.mine/ { own[$1] = $2; next } FILENAME ~ /errors.quad4/ { old[$1] = $2; next }
+    { t = $2; sub(/^footpoint_mine_/, "", t); sub(/:$/, "", t); n++
+      if (own[t] > 2 * $4 + 1e-16 || $4 > 2 * own[t] + 1e-16 || old[t] > 2 * $10 + 1e-16 || $10 > 2 * old[t] + 1e-16) { bad++; print "# " $0, own[t], old[t] } }
+    END { exit !(n > 0 && bad == 0) }' "$work/errors.mine.gen" "$work/errors.quad4.gen" "$work/last"
+report $((! $?)) 'fresh samples confirm its errors'
+[ -s "$work/bands.mine.gen" ] && paste "$work/bands.mine.gen" "$work/bands.quad4.gen" |
+    awk '$1 != $3 || $2 > 1.1 * $4 + 1e-15 { bad++; print "# " $0 } END { exit bad > 0 }'
+report $((! $?)) 'and no band of |gap| is worse'
+
+expect 'a run from scratch' 0 '*' '*' bred --scene "$work/mine.scene" --generations 1 --from-scratch --population 20 -o "$work/scratch.gen"
+tail -n 1 "$work/stdout" | grep -q 'footpoint_quad4'; report $((! $?)) 'is compared with what ships, too'
