@@ -325,16 +325,16 @@ static inline double distance_at(const double *const x[5], const struct convex *
     return copysign(sqrt(vector_dot(d, d)), vector_dot(normal, d));
 }
 
-/* Writes the header's foot point if it is the closest point, as it is over ordinary segments. */
-static inline int is_settled(const double *const x[5], const struct convex *v, const struct robust_start *start,
-                             double loc[2], double *dist)
+/* Where the header's foot point is the closest point, as it is over ordinary segments, writes that. */
+static inline int finish(const double *const x[5], const struct convex *v, int is_convex, int is_plump,
+                         const struct robust_start *start, double loc[2], double *dist)
 {
-    if (!is_inside(start) || !convex_holds(v, 1.0))
-        return 0;
+    if (!is_convex || !is_inside(start))
+        return closest_with_certainty(x, start, loc, dist);
     loc[0] = start->loc[0];
     loc[1] = start->loc[1];
-    *dist = distance_at(x, v, loc);
-    return 1;
+    *dist = is_plump ? start->gap : distance_at(x, v, loc);
+    return FOOTPOINT_OK;
 }
 
 /* Of segments that the header's search is not asked about. */
@@ -346,7 +346,7 @@ int footpoint_robust_from(const double *const x[5], const struct robust_start *s
     convex_of(x, &v);
     if (!convex_is_ordinary(&v))
         return closest_with_certainty(x, &nothing, loc, dist);
-    return is_settled(x, &v, start, loc, dist) ? FOOTPOINT_OK : closest_with_certainty(x, start, loc, dist);
+    return finish(x, &v, convex_holds(&v, 1.0), convex_is_plump(&v), start, loc, dist);
 }
 
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
@@ -356,10 +356,9 @@ int footpoint_robust(const double xA[3], const double xB[3], const double xC[3],
     struct robust_start start = nothing;
     struct convex v;
     convex_of(x, &v);
-    if (convex_is_ordinary(&v)) {
-        start.status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, start.loc, &start.gap);
-        if (is_settled(x, &v, &start, loc, dist))
-            return FOOTPOINT_OK;
-    }
-    return closest_with_certainty(x, &start, loc, dist);
+    if (!convex_is_ordinary(&v))
+        return closest_with_certainty(x, &nothing, loc, dist);
+    const int is_convex = convex_holds(&v, 1.0), is_plump = convex_is_plump(&v);
+    start.status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, start.loc, &start.gap);
+    return finish(x, &v, is_convex, is_plump, &start, loc, dist);
 }
