@@ -270,6 +270,8 @@ static int is_behind(const double *const x[5], const struct bilinear *f, const d
 {
     const double *z[5];
     double y[5][3];
+    if (f->exponent == 0)
+        return footpoint_detail_quad4_behind(x, loc, is_on_edge(loc), NULL);
     for (int k = 0; k < 5; k++) {
         for (int i = 0; i < 3; i++)
             y[k][i] = ldexp(x[k][i], -f->exponent);

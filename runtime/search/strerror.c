@@ -10,7 +10,7 @@ const char *footpoint_strerror(int status)
         TEXT(FOOTPOINT_OUTSIDE) = "on the edge of the segment, or beyond it",
         TEXT(FOOTPOINT_NOT_UNIQUE) = "several points are equally good",
         TEXT(FOOTPOINT_NO_AREA) = "the segment has no area",
-        TEXT(FOOTPOINT_UNPROVED) = "the answer could not be proved",
+        TEXT(FOOTPOINT_UNPROVED) = "an answer that is not proved",
         TEXT(FOOTPOINT_ERR_NOT_FINITE) = "a coordinate is not finite",
         TEXT(FOOTPOINT_ERR_DEGENERATE) = "the segment is degenerate",
         TEXT(FOOTPOINT_ERR_DOMAIN) = "outside the domain",

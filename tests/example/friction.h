@@ -28,7 +28,7 @@ struct foot {
 
 static void check(int status)
 {
-    if (status < FOOTPOINT_OK) {
+    if (status != FOOTPOINT_OK) {
         fprintf(stderr, "press: %s\n", footpoint_strerror(status));
         exit(1);
     }

@@ -29,7 +29,7 @@ contains
 
   subroutine check(status)
     integer, intent(in) :: status
-    if (status < FOOTPOINT_OK) error stop 'press: no foot point'
+    if (status /= FOOTPOINT_OK) error stop 'press: no foot point'
   end subroutine
 
   subroutine place(kind, y, at)
