@@ -372,6 +372,7 @@ $(BIN)/tests/test_headers: $(OBJ)/tests/generated/header_functions.o
 $(BIN)/tests/test_promise: $(OBJ)/tests/generated/header_functions.o
 $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)))
 $(BIN)/tests/test_promise_curved: $(OBJ)/tests/generated/header_functions.o $(OBJ)/tests/hard/draw.o
+$(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(foreach test,$(test_main),$(eval $(BIN)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
 $(TESTS): $(OBJ)/support.a $(OBJ)/paper.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
 	@mkdir -p $(@D)

@@ -5,8 +5,9 @@
  * corners counter-clockwise seen from where slave nodes come, then the middles of edges from AB on, then the middle.  A
  * triangle has 0 <= xi, eta and xi + eta <= 1, a quadrilateral xi and eta in [-1,1].
  *
- * Statuses and the rest as in footpoint.h.  footpoint_face_locate proves its foot points (but for tri3, where they are exact),
- * footpoint_face_robust its closest points.  With d_gap, d_normal and hessian, footpoint_element_normal and
+ * Statuses and the rest as in footpoint.h.  footpoint_face_locate proves its foot points, footpoint_face_robust and
+ * footpoint_face_robust_pairs their closest points: call these unless you know your faces.  With d_gap, d_normal and
+ * hessian, footpoint_element_normal and
  * footpoint_element_friction give force and tangent of a contact element. */
 #ifndef FOOTPOINT_FACE_INCLUDED
 #define FOOTPOINT_FACE_INCLUDED
@@ -44,7 +45,7 @@ int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[
  *  @param[in]  xyz     nodes x 3, mesh length
  *  @param[in]  seg     n x N node indices, from 0
  *  @param[in]  slave   n node indices
- *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is < 0
+ *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is < FOOTPOINT_OK
  *  @param[out] gap     n; likewise
  *  @param[out] status  n, or NULL: as footpoint_face_locate, FOOTPOINT_ERR_ARGUMENT where an index is out of range, too
  *  @return how many pairs have a status other than FOOTPOINT_OK */

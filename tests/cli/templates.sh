@@ -41,6 +41,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         quad4) files="$files bounds quad4_proof quad4_steps quad4_repair answer_proved" ;;
         tri6) files="$files curved_local curved_tri6 curved_proof curved_repair answer_proved" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved" ;;
+        tri3) files="$files tri3_answer" ;;
         *) files="$files answer" ;;
         esac
         files="$files arrays over"
@@ -69,18 +70,19 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             echo 'REAL_BITS face_search_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi, REAL *eta, REAL *gap);'
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
         else
-            for word in PROMISE CURVED SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
+            for word in PROMISE EXACT_PROMISE CURVED SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
             echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"
             echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
             printf '#define %s\n' "VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)c; (void)x$others;" 'SIZE 1' \
                 'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' "START_detail_prove ${kind}_start" \
-                "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail"
+                "EXACT_prove ${kind}_exact" "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail"
             words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST"
-            words="$words SEARCH_CALL STATEMENTS DENOMINATORS START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
             case $kind in tri6 | quad8 | quad9) ;; *) echo "REAL_BITS footpoint_detail_${kind}_curved(const REAL *const *x, REAL promise, int bare, int fixed, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
             echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"
+            echo "REAL_BITS ${kind}_exact(const REAL *const *x, REAL promise, REAL *xi, REAL *eta);"
         fi
         for name in $files $calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done

@@ -40,7 +40,8 @@ static void print_answers(const struct unit *u, FILE *out)
         u, NULL, "ANSWER",
         curved     ? (const char *const[]){terms, "curved_proof", "curved_repair", "answer_proved", NULL}
         : bilinear ? (const char *const[]){"quad4_proof", "quad4_steps", "quad4_repair", "answer_proved", NULL}
-                   : (const char *const[]){"answer", NULL},
+        : promise_is_exact(u) ? (const char *const[]){"tri3_answer", NULL}
+                              : (const char *const[]){"answer", NULL},
         out);
     free(terms);
 }

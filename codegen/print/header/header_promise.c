@@ -33,10 +33,16 @@ bool promise_exists(const struct unit *u)
            (u->options.precision == PRECISION_DOUBLE && u->file->order == CORNERS_ANY && u->file->segment->bilinear);
 }
 
+bool promise_is_exact(const struct unit *u)
+{
+    return u->options.precision == PRECISION_DOUBLE && u->file->order == CORNERS_ANY &&
+           strcmp(u->file->segment->name, "tri3") == 0;
+}
+
 double promise_of(const struct unit *u, const struct function *f)
 {
     if (!promise_exists(u))
-        return 0.0;
+        return promise_is_exact(u) ? finest : 0.0;
     for (size_t i = 0; i < sizeof promises / sizeof *promises; i++)
         if (strcmp(promises[i].name, f->genome->name) == 0)
             return promises[i].promise;
@@ -46,7 +52,7 @@ double promise_of(const struct unit *u, const struct function *f)
 /* The macro that says it. */
 static char *promise_text(const struct unit *u, const struct function *f)
 {
-    if (!promise_exists(u))
+    if (promise_of(u, f) == 0.0)
         return new_format("0.0");
     char *capitals = new_capitals(f->name), *name = new_format("%s_PROMISE", capitals);
     free(capitals);
@@ -56,7 +62,7 @@ static char *promise_text(const struct unit *u, const struct function *f)
 void promise_define(const struct unit *u, const struct function *f, FILE *out)
 {
     char *name = promise_text(u, f);
-    if (promise_exists(u))
+    if (promise_of(u, f) > 0.0)
         fprintf(out, "#define %s %g /* the largest error of xi and eta behind FOOTPOINT_OK */\n\n", name,
                 promise_of(u, f));
     free(name);
@@ -122,6 +128,7 @@ struct words promise_words(const struct unit *u, const struct function *f)
     struct words w = lines_words(u, f, promise_start(u, f));
     words_add(&w, "PROMISE", promise_text(u, f));
     words_add(&w, "START", new_format("%s", promise_start(u, f)->name));
+    words_add(&w, "EXACT", new_format("footpoint_detail_%s", u->file->segment->name));
     words_add(&w, "STEPS", new_format("%d", promise_steps(u, f)));
     return w;
 }

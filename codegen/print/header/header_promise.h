@@ -11,6 +11,9 @@ bool promise_exists(const struct unit *u);
 /** Returns true if they do so by a step of the polynomial surface, the same of all functions; see "curved_proof" of the templates. */
 bool promise_curved(const struct unit *u);
 
+/** Whether functions of a unit prove answers that are exact but for rounding: in double, of plane triangles. */
+bool promise_is_exact(const struct unit *u);
+
 /** The largest error of xi and eta, relative to max(1, |xi|, |eta|), that FOOTPOINT_OK of a function allows; 0: it has no
  *  proof. */
 double promise_of(const struct unit *u, const struct function *f);

@@ -9,6 +9,10 @@ FOOTPOINT_PART REAL_BITS NAME_detail_checked(const REAL *const *x, int way, REAL
         return footpoint_detail_KIND_curved(x, PROMISE, STEPS, !way, LEAST_SIZE, xi, eta, gap);
     END_CURVED
     flaw = SEARCH_CALL;
+    WITH_EXACT_PROMISE
+    if (way != 1)
+        flaw |= EXACT_prove(x, PROMISE, xi, eta);
+    END_EXACT_PROMISE
     WITH_PROMISE
     if (way == 1)
         return flaw | footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);

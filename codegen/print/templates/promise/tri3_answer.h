@@ -1,0 +1,84 @@
+/* Answers of plane triangles that are proved, whatever search they come from. */
+
+/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (REAL_BITS)1 << REAL_TOP;
+#else
+    return 0;
+#endif
+}
+
+/* A step of Newton's method from (xi,eta) to the foot point of a plane triangle, where it leads but for rounding.  The highest bit of
+ * what it returns is not set if the foot point is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+ *
+ * Let e be the unit of rounding, u, v and w the edges AB, AC and AS.  Coordinates of d = w - xi u - eta v are off by 4 e T, T = |w| +
+ * |xi u| + |eta v|, so that f = u . d is off by 9 e |u| . T, and g = v . d by 9 e |v| . T, sums of any order.  Products of edges are off
+ * by 5 e uu, 5 e vv and 5 e m, m >= |u . v|, and the determinant by 24 e uu vv, which is 3e-9 of it at most: so the 1e-8 f and
+ * 1e-8 g cover Cramer's rule, and 1.01 what bounds are rounded by. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_prove(const REAL *const *x, REAL promise, REAL *xi,
+                                                     REAL *eta)
+{
+    const REAL p = *xi, q = *eta, unit = 1.12e-16;
+    REAL uu = 0.0, uv = 0.0, vv = 0.0, m = 0.0, f = 0.0, g = 0.0, ut = 0.0, vt = 0.0;
+    REAL det, per, s, t, off_f, off_g, first, second, greater, room, other;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL u = x[1][i] - x[0][i], v = x[2][i] - x[0][i], w = x[3][i] - x[0][i];
+        const REAL d = w - p * u - q * v, all = fabs(w) + fabs(p * u) + fabs(q * v);
+        uu += u * u;
+        uv += u * v;
+        vv += v * v;
+        m += fabs(u * v);
+        f += u * d;
+        g += v * d;
+        ut += fabs(u) * all;
+        vt += fabs(v) * all;
+    }
+    det = uu * vv - uv * uv;
+    per = 1.0 / det;
+    s = (vv * f - uv * g) * per;
+    t = (uu * g - uv * f) * per;
+    off_f = 9.0 * unit * ut + 1e-8 * fabs(f);
+    off_g = 9.0 * unit * vt + 1e-8 * fabs(g);
+    *xi = p + s;
+    *eta = q + t;
+    first = vv * off_f + m * off_g;
+    second = uu * off_g + m * off_f;
+    greater = 0.5 * (fabs(*xi) + fabs(*eta) + fabs(fabs(*xi) - fabs(*eta)));
+    room = 0.999 * promise * (0.5 * (1.0 + greater + fabs(1.0 - greater)));
+    other = room - 1.01 * per * second;
+    room -= 1.01 * per * first;
+    return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
+           footpoint_detail_bits(det - 1e-6 * (uu * vv)) |
+           footpoint_detail_infinite(room + other + *xi + *eta) | footpoint_detail_tri3_fast();
+}
+
+/* The answer where a search is not good beyond doubt: the same in a unit of length in which the triangle is about 1 long. */
+FOOTPOINT_COLD int footpoint_detail_tri3_answer(footpoint_detail_search *search,
+                                                const REAL *const *x, int nodes, REAL promise,
+                                                REAL loc[2], REAL *gap)
+{
+    REAL y[VECTORS][3], xi, eta, g;
+    const REAL *z[VECTORS];
+    int exponent = 0, i, unproved;
+    const int status = footpoint_detail_scale(x, nodes, VECTORS, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < VECTORS; i++)
+        z[i] = y[i];
+    if (search(z, 1, 0.0, &xi, &eta, &g) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
+    unproved = (int)(footpoint_detail_tri3_prove(z, promise, &xi, &eta) >> REAL_TOP);
+    if (footpoint_detail_tri3_gap(z, xi, eta, 1e-6, &g) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
+    g = ldexp(g, exponent);
+    if (footpoint_detail_infinite(g) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return unproved ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
+}
