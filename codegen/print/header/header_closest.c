@@ -37,12 +37,12 @@ static void print_nearest(const struct unit *u, FILE *out)
                                  "closest_surface",
                                  "closest_of",
                                  NULL};
-    if (!promise_exists(u))
+    if (promise_kind_of(u) != PROMISE_BILINEAR)
         templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
                         (const char *const[]){straight ? "edge" : "curve", NULL}, u->options.precision, NULL, out);
     if (k->bilinear)
         lines_print_templates(u, NULL, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
-    lines_print_templates(u, NULL, "NEAREST", promise_exists(u) ? proved : names, out);
+    lines_print_templates(u, NULL, "NEAREST", promise_kind_of(u) == PROMISE_BILINEAR ? proved : names, out);
     free(own);
 }
 
@@ -55,14 +55,16 @@ void closest_print_helpers(const struct unit *u, FILE *out)
 
 void closest_print_contract(const struct unit *u, FILE *out)
 {
-    const char *name = promise_exists(u) ? "contract_closest_promise" : "contract_closest";
+    const char *name = promise_kind_of(u) == PROMISE_BILINEAR ? "contract_closest_promise" : "contract_closest";
     lines_print_templates(u, NULL, NULL, (const char *const[]){name, NULL}, out);
 }
 
 void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
     struct words w = promise_words(u, f);
-    templates_print(NULL, (const char *const[]){promise_exists(u) ? "quad4_closest_calls" : "closest_calls", NULL},
-                    u->options.precision, w.word, out);
+    templates_print(
+        NULL,
+        (const char *const[]){promise_kind_of(u) == PROMISE_BILINEAR ? "quad4_closest_calls" : "closest_calls", NULL},
+        u->options.precision, w.word, out);
     words_clear(&w);
 }

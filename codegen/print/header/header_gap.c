@@ -13,6 +13,15 @@
 
 #include <stdlib.h>
 
+/* A text with the words of a precision; takes it over. */
+static char *worded(const struct unit *u, char *text)
+{
+    struct memory *m = memory_open();
+    c_print(text, u->options.precision, m->stream);
+    free(text);
+    return memory_close(m);
+}
+
 /* The vectors and what they are made of. */
 static char *statements_text(const struct unit *u, const struct function *f, const struct vectors_found *v,
                              struct printer **r)
@@ -20,11 +29,7 @@ static char *statements_text(const struct unit *u, const struct function *f, con
     struct memory *m = memory_open();
     *r = c_print_needed(u, f, v->needed, m->stream);
     vectors_print(v, *r, m->stream);
-    char *text = memory_close(m);
-    m = memory_open();
-    c_print(text, u->options.precision, m->stream);
-    free(text);
-    return memory_close(m);
+    return worded(u, memory_close(m));
 }
 
 struct printer *gap_add_words(struct words *w, const struct unit *u, const struct function *f,
@@ -32,7 +37,7 @@ struct printer *gap_add_words(struct words *w, const struct unit *u, const struc
 {
     struct printer *r;
     words_add(w, "VECTOR_STATEMENTS", statements_text(u, f, v, &r));
-    words_add(w, "SIZE", vectors_size(v, r));
+    words_add(w, "SIZE", worded(u, vectors_size(v, r)));
     words_add(w, "RATIO", new_format("%.17g", v->factor[1] / v->factor[0]));
     words_add(w, "PER", new_format("%.17g", 1.0 / v->factor[1]));
     words_add(w, "UNIT", new_format("%.17g", (u->file->segment->bilinear ? 4.0 : 1.0) / (v->factor[0] * v->factor[0])));

@@ -30,7 +30,9 @@ static void print_kind(const struct unit *u, FILE *out)
 static void print_answers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
-    const bool bilinear = u->file->segment->bilinear && precision == PRECISION_DOUBLE, curved = promise_curved(u);
+    const bool bilinear = u->file->segment->bilinear && precision == PRECISION_DOUBLE;
+    const enum promise_kind promise = promise_kind_of(u);
+    const bool curved = promise == PROMISE_CURVED;
     char *terms = new_format("curved_%s", u->file->segment->name);
     if (bilinear || curved)
         templates_print("FOOTPOINT_DETAIL_BOUNDS", (const char *const[]){"bounds", NULL}, precision, NULL, out);
@@ -40,8 +42,8 @@ static void print_answers(const struct unit *u, FILE *out)
         u, NULL, "ANSWER",
         curved     ? (const char *const[]){terms, "curved_proof", "curved_repair", "answer_proved", NULL}
         : bilinear ? (const char *const[]){"quad4_proof", "quad4_steps", "quad4_repair", "answer_proved", NULL}
-        : promise_is_exact(u) ? (const char *const[]){"tri3_answer", NULL}
-                              : (const char *const[]){"answer", NULL},
+        : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}
+                                    : (const char *const[]){"answer", NULL},
         out);
     free(terms);
 }

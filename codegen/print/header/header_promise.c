@@ -21,28 +21,23 @@ static const struct {
                 {"balanced", 1e-3}, {"fine", 1e-5},   {"precise", 1e-7}, {"accurate", 1e-10}};
 static const double finest = 1e-12;
 
-bool promise_curved(const struct unit *u)
+enum promise_kind promise_kind_of(const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
-    return u->options.precision == PRECISION_DOUBLE && !*k->normals && !lines_straight(u);
-}
-
-bool promise_exists(const struct unit *u)
-{
-    return promise_curved(u) ||
-           (u->options.precision == PRECISION_DOUBLE && u->file->order == CORNERS_ANY && u->file->segment->bilinear);
-}
-
-bool promise_is_exact(const struct unit *u)
-{
-    return u->options.precision == PRECISION_DOUBLE && u->file->order == CORNERS_ANY &&
-           strcmp(u->file->segment->name, "tri3") == 0;
+    const bool any = u->file->order == CORNERS_ANY;
+    if (u->options.precision != PRECISION_DOUBLE || *k->normals)
+        return PROMISE_NONE;
+    if (!lines_straight(u))
+        return PROMISE_CURVED;
+    return !any ? PROMISE_NONE : k->bilinear ? PROMISE_BILINEAR : PROMISE_LINEAR;
 }
 
 double promise_of(const struct unit *u, const struct function *f)
 {
-    if (!promise_exists(u))
-        return promise_is_exact(u) ? finest : 0.0;
+    if (promise_kind_of(u) == PROMISE_NONE)
+        return 0.0;
+    if (promise_kind_of(u) == PROMISE_LINEAR)
+        return finest;
     for (size_t i = 0; i < sizeof promises / sizeof *promises; i++)
         if (strcmp(promises[i].name, f->genome->name) == 0)
             return promises[i].promise;
@@ -97,7 +92,7 @@ static const struct function *start_of(const struct unit *u, const struct functi
 
 const struct function *promise_start(const struct unit *u, const struct function *f)
 {
-    return promise_exists(u) && !promise_curved(u) ? start_of(u, f) : f;
+    return promise_kind_of(u) == PROMISE_BILINEAR ? start_of(u, f) : f;
 }
 
 /* How many steps of a curved face come before the first that is proved: from there on most are. */
@@ -109,7 +104,7 @@ static int curved_steps(const struct unit *u, double promise)
 /* How many steps NAME takes in a loop over arrays, where all pairs take as many. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
-    if (promise_curved(u))
+    if (promise_kind_of(u) == PROMISE_CURVED)
         return curved_steps(u, promise_of(u, f));
     const double e = usual_error(start_of(u, f));
     return e < 0.2 * NEAR && e * e * e < 0.01 * promise_of(u, f) ? 1 : 2;
@@ -146,7 +141,7 @@ static char *products_text(const struct vectors_found *w, struct printer *r)
 
 void promise_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    if (!promise_exists(u) || promise_curved(u) || !is_start(u, f))
+    if (promise_kind_of(u) != PROMISE_BILINEAR || !is_start(u, f))
         return;
     struct vectors_found v;
     struct words w = lines_words(u, f, f);

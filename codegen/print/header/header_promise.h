@@ -4,15 +4,12 @@
 
 #include "header_lines.h"
 
-/** Whether functions of a unit prove their answers: in double, of faces of six to nine nodes, or of bilinear segments with
- *  corners in any order. */
-bool promise_exists(const struct unit *u);
+/* How functions of a unit prove their answers, in double: of plane triangles, which are exact but for rounding; of bilinear
+ * segments with corners in any order, by steps from what bred programs find; of faces of six to nine nodes, by steps of
+ * their polynomial surface.  Others prove nothing. */
+enum promise_kind { PROMISE_NONE, PROMISE_LINEAR, PROMISE_BILINEAR, PROMISE_CURVED };
 
-/** Returns true if they do so by a step of the polynomial surface, the same of all functions; see "curved_proof" of the templates. */
-bool promise_curved(const struct unit *u);
-
-/** Whether functions of a unit prove answers that are exact but for rounding: in double, of plane triangles. */
-bool promise_is_exact(const struct unit *u);
+enum promise_kind promise_kind_of(const struct unit *u);
 
 /** The largest error of xi and eta, relative to max(1, |xi|, |eta|), that FOOTPOINT_OK of a function allows; 0: it has no
  *  proof. */

@@ -89,7 +89,7 @@ static void print_sure(const struct unit *u, const struct function *f, const cha
 void search_print_contract(const struct unit *u, FILE *out)
 {
     lines_print_templates(u, NULL, NULL, (const char *const[]){"contract", NULL}, out);
-    if (promise_exists(u) || promise_is_exact(u))
+    if (promise_kind_of(u) != PROMISE_NONE)
         lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_promise", NULL}, out);
     if (closest_exists(u))
         closest_print_contract(u, out);
@@ -108,10 +108,15 @@ void search_print_bare(const struct unit *u, const struct function *f, FILE *out
 
 void search_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    const bool proves = promise_exists(u), curved = promise_curved(u), shares = !proves && vectors_shared(u, f);
-    const struct block blocks[] = {{"PROMISE", proves && !curved, NULL},         {"CURVED", curved, NULL},
-                                   {"EXACT_PROMISE", promise_is_exact(u), NULL}, {"SHARED_GAP", shares, NULL},
-                                   {"OWN_GAP", !proves && !shares, NULL},        {NULL, 0, NULL}};
+    const enum promise_kind promise = promise_kind_of(u);
+    const bool steps = promise == PROMISE_BILINEAR || promise == PROMISE_CURVED,
+               shares = !steps && vectors_shared(u, f);
+    const struct block blocks[] = {{"PROMISE", promise == PROMISE_BILINEAR, NULL},
+                                   {"CURVED", promise == PROMISE_CURVED, NULL},
+                                   {"EXACT_PROMISE", promise == PROMISE_LINEAR, NULL},
+                                   {"SHARED_GAP", shares, NULL},
+                                   {"OWN_GAP", !steps && !shares, NULL},
+                                   {NULL, 0, NULL}};
     char *vectors = lines_vectors(u);
     struct words w = promise_words(u, f);
     words_add(&w, "SEARCH_CALL", call_text(u, f));
