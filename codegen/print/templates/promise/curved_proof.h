@@ -53,6 +53,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
                                                     REAL promise, REAL *p, REAL *q)
 {
     const REAL unit = 1.12e-16, ball = 0.125, x = fabs(*p), y = fabs(*q);
+    const REAL middle = footpoint_detail_KIND_middle();
     footpoint_detail_local r;
     footpoint_detail_newton n;
     REAL third[2], mixed, step, far, off, h, room, other;
@@ -87,7 +88,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
         h = footpoint_detail_greater(n.r22 * l1 + mixed * l2, mixed * l1 + n.r11 * l2) * n.per *
             (step + 2.0 * off);
     }
-    room = footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*p), fabs(*q)));
+    room = footpoint_detail_greater(fabs(*p + middle), fabs(*q + middle));
+    room = footpoint_detail_greater(1.0, room);
     room = 0.999 * promise * room - (0.72 * h * step + 1.2 * off);
     other = 3000.0 * unit * n.per * (far * far) * (footpoint_detail_greater(n.r11, n.r22) + mixed);
     other = 0.249 - (h + other);
