@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <sha256.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,6 +81,30 @@ void *new_array(size_t n, size_t size)
     if (!p)
         out_of_memory(n, size);
     return p;
+}
+
+struct arena_array {
+    struct arena_array *before;
+    max_align_t item[];
+};
+
+void *arena_array(struct arena *a, size_t n, size_t size)
+{
+    if (n > (SIZE_MAX - sizeof *a->last) / size)
+        out_of_memory(n, size);
+    struct arena_array *array = new_array(1, sizeof *array + n * size);
+    array->before = a->last;
+    a->last = array;
+    return array->item;
+}
+
+void arena_free(struct arena *a)
+{
+    while (a->last) {
+        struct arena_array *array = a->last;
+        a->last = array->before;
+        free(array);
+    }
 }
 
 void grow_array(void *array, size_t n, size_t *room, size_t size)

@@ -42,6 +42,15 @@ int text_word(const char *text, const char *const *words);
 /** Zeroed array of n elements; on lack of memory prints one line and exits with EXIT_SYSTEM. Free with free(). */
 void *new_array(size_t n, size_t size);
 
+/** Arrays that are freed together. */
+struct arena {
+    struct arena_array *last; /* owned, with those before it */
+};
+
+/** The same as new_array(), in an arena, which arena_free() empties. */
+void *arena_array(struct arena *a, size_t n, size_t size);
+void arena_free(struct arena *a);
+
 /** Grow *array (n elements used, *room allocated) so that one more fits; exits like new_array. */
 void grow_array(void *array, size_t n, size_t *room, size_t size);
 

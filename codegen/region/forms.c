@@ -70,7 +70,7 @@ static void choose_operations(struct forms *w, const int *target, size_t targets
             w->required[p->output[i]] = true;
             w->needs += need(&c, p->output[i]);
         }
-    w->needed = new_array(w->needs, sizeof *w->needed);
+    w->needed = arena_array(&w->arena, w->needs, sizeof *w->needed);
     for (size_t i = 0, n = 0; i < p->ops; i++)
         if (c.needed[i])
             w->needed[n++] = (int)i;
@@ -100,19 +100,19 @@ struct forms *forms_new(const struct known *x, const int *target, size_t targets
     struct forms *w = new_array(1, sizeof *w);
     const size_t rows = 2 * x->program->ops + FORMS_HANDS;
     *w = (struct forms){.known = x};
-    w->required = new_array(rows, sizeof *w->required);
-    w->twin = new_array(rows, sizeof *w->twin);
-    w->ratio = new_array(rows, sizeof *w->ratio);
+    w->required = arena_array(&w->arena, rows, sizeof *w->required);
+    w->twin = arena_array(&w->arena, rows, sizeof *w->twin);
+    w->ratio = arena_array(&w->arena, rows, sizeof *w->ratio);
     choose_operations(w, target, targets);
     choose_twins(w);
     w->affine = x->variables > 0 && rows <= MOST_SLOPES / x->variables;
-    w->range = new_array(rows, sizeof *w->range);
-    w->centre = new_array(rows, sizeof *w->centre);
-    w->radius = new_array(rows, sizeof *w->radius);
-    w->mass = new_array(rows, sizeof *w->mass);
-    w->slope = new_array(w->affine ? rows * x->variables : 0, sizeof *w->slope);
-    w->middle = new_array(x->variables, sizeof *w->middle);
-    w->half = new_array(x->variables, sizeof *w->half);
+    w->range = arena_array(&w->arena, rows, sizeof *w->range);
+    w->centre = arena_array(&w->arena, rows, sizeof *w->centre);
+    w->radius = arena_array(&w->arena, rows, sizeof *w->radius);
+    w->mass = arena_array(&w->arena, rows, sizeof *w->mass);
+    w->slope = arena_array(&w->arena, w->affine ? rows * x->variables : 0, sizeof *w->slope);
+    w->middle = arena_array(&w->arena, x->variables, sizeof *w->middle);
+    w->half = arena_array(&w->arena, x->variables, sizeof *w->half);
     return w;
 }
 
@@ -120,16 +120,6 @@ void forms_free(struct forms *w)
 {
     if (!w)
         return;
-    free(w->needed);
-    free(w->twin);
-    free(w->ratio);
-    free(w->required);
-    free(w->range);
-    free(w->centre);
-    free(w->radius);
-    free(w->mass);
-    free(w->slope);
-    free(w->middle);
-    free(w->half);
+    arena_free(&w->arena);
     free(w);
 }

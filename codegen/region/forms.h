@@ -15,6 +15,7 @@ enum { FORMS_DEPTH = 3 };
 enum { FORMS_HANDS = 4 };
 
 struct forms {
+    struct arena arena;        /* of all that is owned */
     const struct known *known; /* not owned */
     int *needed; /* owned: operations that the targets and requires of use to these depend on, ascending */
     size_t needs;

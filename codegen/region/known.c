@@ -166,9 +166,9 @@ static void read_ranges(struct known *x, const struct genome_file *f, const bool
 {
     x->lo = _fmpq_vec_init((slong)f->inputs);
     x->hi = _fmpq_vec_init((slong)f->inputs);
-    x->range = new_array(f->inputs, sizeof *x->range);
-    x->input = new_array(f->inputs, sizeof *x->input);
-    x->variable = new_array(f->inputs, sizeof *x->variable);
+    x->range = arena_array(&x->arena, f->inputs, sizeof *x->range);
+    x->input = arena_array(&x->arena, f->inputs, sizeof *x->input);
+    x->variable = arena_array(&x->arena, f->inputs, sizeof *x->variable);
     x->complete = true;
     for (size_t i = 0; i < f->inputs; i++) {
         read_range(x, f, i);
@@ -247,7 +247,7 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
     struct known *x = new_array(1, sizeof *x);
     const struct genome_file *varies = shapes && f->region ? f->region : f;
     *x = (struct known){.arithmetic = arithmetic_double, .inputs = varies->inputs, .places = f->inputs};
-    x->placed = new_array(f->inputs, sizeof *x->placed);
+    x->placed = arena_array(&x->arena, f->inputs, sizeof *x->placed);
     for (size_t i = 0; i < f->inputs; i++)
         x->placed[i] = (int)i;
     int *shape = varies != f ? new_array(varies->inputs + varies->lets, sizeof *shape) : NULL;
@@ -264,20 +264,20 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
     read_ranges(x, varies, matters);
     x->first = all->ops;
     program_append(all, p, x->placed);
-    x->value = new_array(all->ops, sizeof *x->value);
-    x->twin = new_array(all->ops, sizeof *x->twin);
-    x->ratio = new_array(all->ops, sizeof *x->ratio);
+    x->value = arena_array(&x->arena, all->ops, sizeof *x->value);
+    x->twin = arena_array(&x->arena, all->ops, sizeof *x->twin);
+    x->ratio = arena_array(&x->arena, all->ops, sizeof *x->ratio);
     for (size_t i = 0; i < all->ops; i++) {
         x->value[i] = given_range(x, &all->op[i]);
         x->twin[i] = -1;
     }
-    x->joint = new_array(all->ops, sizeof *x->joint);
+    x->joint = arena_array(&x->arena, all->ops, sizeof *x->joint);
     for (size_t i = 0; i < p->statements; i++)
         x->joint[known_op(x, p->statement[i].op)] = true;
     for (size_t i = 0; i < p->ops; i++)
         if (p->op[i].kind == OP_DIV || p->op[i].kind == OP_PDIV)
             x->joint[known_op(x, p->op[i].b)] = true;
-    x->length = new_array(all->ops, sizeof *x->length);
+    x->length = arena_array(&x->arena, all->ops, sizeof *x->length);
     for (size_t i = 0; i < x->first; i++) {
         const struct op *op = &all->op[i];
         const size_t length = 1 + (op->a >= 0 ? x->length[op->a] : 0) + (op->b >= 0 ? x->length[op->b] : 0);
@@ -314,16 +314,8 @@ void known_free(struct known *x)
         return;
     _fmpq_vec_clear(x->lo, (slong)x->inputs);
     _fmpq_vec_clear(x->hi, (slong)x->inputs);
-    free(x->range);
-    free(x->input);
-    free(x->variable);
-    free(x->value);
-    free(x->joint);
-    free(x->twin);
-    free(x->ratio);
-    free(x->length);
     program_free(x->program);
     program_free(x->place);
-    free(x->placed);
+    arena_free(&x->arena);
     free(x);
 }

@@ -24,6 +24,7 @@ double constant_error(const struct arithmetic *a, const struct program *p, const
 bool result_is_exact(const struct arithmetic *a, enum op_kind kind, double x, double y);
 
 struct known {
+    struct arena arena;           /* of all arrays of numbers */
     struct arithmetic arithmetic; /* double at first */
     size_t inputs;                /* what varies: of the file, or of its region block */
     fmpq *lo, *hi;                /* owned: by input, exact; 0 where no range is given */

@@ -30,16 +30,16 @@ struct rounding *rounding_new(struct forms *w, const int *target, size_t targets
     bool *marked = new_array(p->ops, sizeof *marked);
     size_t joints = 0;
     *e = (struct rounding){.arithmetic = w->known->arithmetic, .forms = w, .targets = targets};
-    e->target = new_array(targets, sizeof *e->target);
-    e->asked = new_array(p->ops, sizeof *e->asked);
-    e->needed = new_array(w->needs, sizeof *e->needed);
-    e->place = new_array(p->ops, sizeof *e->place);
-    e->constant = new_array(p->ops, sizeof *e->constant);
-    e->error = new_array(p->ops, sizeof *e->error);
-    e->relative = new_array(p->ops, sizeof *e->relative);
-    e->linked = new_array(p->ops, sizeof *e->linked);
-    e->nonnegative = new_array(p->ops, sizeof *e->nonnegative);
-    e->by = new_array(p->ops, sizeof *e->by);
+    e->target = arena_array(&e->arena, targets, sizeof *e->target);
+    e->asked = arena_array(&e->arena, p->ops, sizeof *e->asked);
+    e->needed = arena_array(&e->arena, w->needs, sizeof *e->needed);
+    e->place = arena_array(&e->arena, p->ops, sizeof *e->place);
+    e->constant = arena_array(&e->arena, p->ops, sizeof *e->constant);
+    e->error = arena_array(&e->arena, p->ops, sizeof *e->error);
+    e->relative = arena_array(&e->arena, p->ops, sizeof *e->relative);
+    e->linked = arena_array(&e->arena, p->ops, sizeof *e->linked);
+    e->nonnegative = arena_array(&e->arena, p->ops, sizeof *e->nonnegative);
+    e->by = arena_array(&e->arena, p->ops, sizeof *e->by);
     for (size_t i = 0; i < targets; i++) {
         e->target[i] = target[i];
         e->asked[target[i]] = marked[target[i]] = true;
@@ -71,16 +71,7 @@ void rounding_free(struct rounding *e)
 {
     if (!e)
         return;
-    free(e->target);
-    free(e->asked);
-    free(e->needed);
-    free(e->constant);
-    free(e->error);
-    free(e->relative);
-    free(e->linked);
-    free(e->nonnegative);
-    free(e->by);
-    free(e->place);
+    arena_free(&e->arena);
     free(e);
 }
 

@@ -11,6 +11,7 @@ struct sensitivity {
 };
 
 struct rounding {
+    struct arena arena; /* of all arrays */
     struct arithmetic arithmetic;
     struct forms *forms; /* not owned: the enclosures of the exact values */
     int *target;         /* owned: operations whose errors are asked for */

@@ -25,6 +25,7 @@ enum {
 
 /* One of the programs. */
 struct subject {
+    struct arena arena;                /* of its arrays but lanes */
     const struct program *program;     /* not owned */
     const struct segment_kind *scaled; /* floats are relative to it; or NULL */
     bool single;
@@ -39,6 +40,7 @@ struct subject {
 };
 
 struct sampler {
+    struct arena arena;      /* of its arrays but lanes */
     struct region *region;   /* owned */
     struct subject *subject; /* owned */
     size_t subjects;
@@ -307,14 +309,14 @@ static struct subject subject_new(const struct genome_file *f, const struct samp
     s.scaled = of->arithmetic.given > 0 ? f->segment : NULL;
     s.value = lanes_new(&s.plan, NULL);
     s.high = lanes_new(&s.plan, &s.low);
-    s.coordinate = new_array(2 * p->inputs, sizeof *s.coordinate);
-    s.number = new_array(p->ops, sizeof *s.number);
+    s.coordinate = arena_array(&s.arena, 2 * p->inputs, sizeof *s.coordinate);
+    s.number = arena_array(&s.arena, p->ops, sizeof *s.number);
     single_constants(p, s.number);
     for (int k = 0; k < 2; k++)
-        s.computed[k] = new_array(p->outputs, sizeof *s.computed[k]);
-    s.top = new_array(p->outputs, sizeof *s.top);
+        s.computed[k] = arena_array(&s.arena, p->outputs, sizeof *s.computed[k]);
+    s.top = arena_array(&s.arena, p->outputs, sizeof *s.top);
     for (size_t i = 0; i < p->outputs; i++)
-        s.top[i] = new_array(variables, sizeof *s.top[i]);
+        s.top[i] = arena_array(&s.arena, variables, sizeof *s.top[i]);
     s.exact = _arb_vec_init((slong)p->outputs);
     found->worst = new_array(p->outputs, sizeof *found->worst);
     found->most = new_array(p->ops, sizeof *found->most);
@@ -327,13 +329,7 @@ static void subject_free(struct subject *s)
     free(s->value);
     free(s->high);
     free(s->low);
-    free(s->coordinate);
-    free(s->number);
-    for (int k = 0; k < 2; k++)
-        free(s->computed[k]);
-    for (size_t i = 0; i < s->program->outputs; i++)
-        free(s->top[i]);
-    free(s->top);
+    arena_free(&s->arena);
     _arb_vec_clear(s->exact, (slong)s->program->outputs);
 }
 
@@ -354,17 +350,17 @@ static struct sampler sampler_new(const struct genome_file *f, const struct samp
     struct sampler s = {.region = common_region(f, of, n), .subjects = n, .random = seed};
     const struct known *x = s.region->known;
     s.shape = shape_plan(x);
-    s.own = new_array(x->inputs, sizeof *s.own);
+    s.own = arena_array(&s.arena, x->inputs, sizeof *s.own);
     s.required = lanes_new(&s.shape, NULL);
-    s.input = new_array(f->inputs, sizeof *s.input);
-    s.rounded = new_array(f->inputs, sizeof *s.rounded);
+    s.input = arena_array(&s.arena, f->inputs, sizeof *s.input);
+    s.rounded = arena_array(&s.arena, f->inputs, sizeof *s.rounded);
     for (int l = 0; l < LANES; l++) {
-        s.point[l] = new_array(x->variables, sizeof *s.point[l]);
-        s.pool[l] = new_array(x->variables, sizeof *s.pool[l]);
+        s.point[l] = arena_array(&s.arena, x->variables, sizeof *s.point[l]);
+        s.pool[l] = arena_array(&s.arena, x->variables, sizeof *s.pool[l]);
     }
-    s.box = new_array(x->variables, sizeof *s.box);
-    s.at = new_array(f->inputs, sizeof *s.at);
-    s.subject = new_array(n, sizeof *s.subject);
+    s.box = arena_array(&s.arena, x->variables, sizeof *s.box);
+    s.at = arena_array(&s.arena, f->inputs, sizeof *s.at);
+    s.subject = arena_array(&s.arena, n, sizeof *s.subject);
     for (size_t k = 0; k < n; k++)
         s.subject[k] = subject_new(f, &of[k], x->variables, &found[k]);
     return s;
@@ -374,18 +370,9 @@ static void sampler_free(struct sampler *s)
 {
     for (size_t k = 0; k < s->subjects; k++)
         subject_free(&s->subject[k]);
-    free(s->subject);
     lanes_plan_free(&s->shape);
-    free(s->own);
     free(s->required);
-    free(s->input);
-    free(s->rounded);
-    for (int l = 0; l < LANES; l++) {
-        free(s->point[l]);
-        free(s->pool[l]);
-    }
-    free(s->box);
-    free(s->at);
+    arena_free(&s->arena);
     region_free(s->region);
 }
 

@@ -21,6 +21,7 @@ struct named_constant {
 
 /* A function under construction. */
 struct lowering {
+    struct arena arena; /* of the arrays by node and by place */
     const struct genome_file *file;
     const struct schedule *s;
     struct forest forest;
@@ -369,11 +370,11 @@ static void lower_output(struct lowering *l, size_t o)
 void lower(const struct genome_file *f, const struct schedule *s, struct lowered *to)
 {
     struct lowering l = {.file = f, .s = s, .forest = forest_new(f, s->dag->outputs)};
-    l.form = new_array(s->dag->nodes, sizeof *l.form);
-    l.named = new_array(s->dag->nodes, sizeof *l.named);
-    l.shared = new_array(s->terms, sizeof *l.shared);
-    l.early = new_array(s->dag->nodes, sizeof *l.early);
-    l.last = new_array(s->dag->nodes, sizeof *l.last);
+    l.form = arena_array(&l.arena, s->dag->nodes, sizeof *l.form);
+    l.named = arena_array(&l.arena, s->dag->nodes, sizeof *l.named);
+    l.shared = arena_array(&l.arena, s->terms, sizeof *l.shared);
+    l.early = arena_array(&l.arena, s->dag->nodes, sizeof *l.early);
+    l.last = arena_array(&l.arena, s->dag->nodes, sizeof *l.last);
     mark_named(&l);
     mark_last(&l);
     for (size_t i = 0; i < s->n; i++)
@@ -382,10 +383,6 @@ void lower(const struct genome_file *f, const struct schedule *s, struct lowered
         lower_output(&l, o);
     *to = (struct lowered){forest_take(&l.forest), {0}, l.negations, l.out_of_range};
     to->ops = program_count(to->program);
-    free(l.form);
-    free(l.named);
-    free(l.early);
-    free(l.last);
-    free(l.shared);
+    arena_free(&l.arena);
     free(l.constant);
 }

@@ -29,6 +29,7 @@ struct tried {
 /* State of the search: the schedule's scales are those of the move under way, `best` the best so far.  An output counts
  * as a node beyond the graph's.  Sets are bits, indexed by place in the order. */
 struct scaling {
+    struct arena arena; /* of all that is owned */
     struct schedule *s;
     rational *best;          /* owned: by node */
     rational *ratio;         /* owned: by node, of the schedule's scale to the best */

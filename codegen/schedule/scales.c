@@ -349,7 +349,7 @@ static void list_users(struct scaling *x)
 {
     const struct schedule *s = x->s;
     const struct dag *g = s->dag;
-    size_t *next = new_array(g->nodes + 2, sizeof *next); /* shifted by one while counting */
+    size_t *next = arena_array(&x->arena, g->nodes + 2, sizeof *next); /* shifted by one while counting */
     for (size_t i = 0; i < s->n; i++)
         for (size_t k = 0; k < g->node[s->order[i]].edges; k++)
             next[g->node[s->order[i]].edge[k].node + 2]++;
@@ -357,7 +357,7 @@ static void list_users(struct scaling *x)
         next[g->output[o].node + 2]++;
     for (size_t n = 1; n < g->nodes + 2; n++)
         next[n] += next[n - 1];
-    x->user = new_array(next[g->nodes + 1], sizeof *x->user);
+    x->user = arena_array(&x->arena, next[g->nodes + 1], sizeof *x->user);
     for (size_t i = 0; i < s->n; i++)
         for (size_t k = 0; k < g->node[s->order[i]].edges; k++)
             x->user[next[g->node[s->order[i]].edge[k].node + 1]++] = s->order[i];
@@ -414,25 +414,25 @@ static struct scaling *scaling_new(struct schedule *s)
         ;
     x->s = s;
     x->words = s->n / 64 + 1;
-    x->best = new_array(nodes, sizeof *x->best);
-    x->ratio = new_array(nodes, sizeof *x->ratio);
-    x->first_edge = new_array(nodes, sizeof *x->first_edge);
-    x->coef = new_array(edges, sizeof *x->coef);
-    x->plain = new_array(nodes, sizeof *x->plain);
-    x->place = new_array(nodes, sizeof *x->place);
-    x->twin = new_array(nodes, sizeof *x->twin);
-    x->circle = new_array(nodes, sizeof *x->circle);
-    x->tried = new_array(nodes, sizeof *x->tried);
-    x->moves = new_array(nodes, sizeof *x->moves);
-    x->dirty = new_array(x->words, sizeof *x->dirty);
-    x->changed = new_array(nodes, sizeof *x->changed);
-    x->affected = new_array(all, sizeof *x->affected);
-    x->listed = new_array(all, sizeof *x->listed);
-    x->weight = new_array(all, sizeof *x->weight);
-    x->trial = new_array(all, sizeof *x->trial);
-    x->own = new_array(2 * edges, sizeof *x->own);
-    x->term = new_array(x->terms, sizeof *x->term);
-    x->failed = new_array(s->n, sizeof *x->failed);
+    x->best = arena_array(&x->arena, nodes, sizeof *x->best);
+    x->ratio = arena_array(&x->arena, nodes, sizeof *x->ratio);
+    x->first_edge = arena_array(&x->arena, nodes, sizeof *x->first_edge);
+    x->coef = arena_array(&x->arena, edges, sizeof *x->coef);
+    x->plain = arena_array(&x->arena, nodes, sizeof *x->plain);
+    x->place = arena_array(&x->arena, nodes, sizeof *x->place);
+    x->twin = arena_array(&x->arena, nodes, sizeof *x->twin);
+    x->circle = arena_array(&x->arena, nodes, sizeof *x->circle);
+    x->tried = arena_array(&x->arena, nodes, sizeof *x->tried);
+    x->moves = arena_array(&x->arena, nodes, sizeof *x->moves);
+    x->dirty = arena_array(&x->arena, x->words, sizeof *x->dirty);
+    x->changed = arena_array(&x->arena, nodes, sizeof *x->changed);
+    x->affected = arena_array(&x->arena, all, sizeof *x->affected);
+    x->listed = arena_array(&x->arena, all, sizeof *x->listed);
+    x->weight = arena_array(&x->arena, all, sizeof *x->weight);
+    x->trial = arena_array(&x->arena, all, sizeof *x->trial);
+    x->own = arena_array(&x->arena, 2 * edges, sizeof *x->own);
+    x->term = arena_array(&x->arena, x->terms, sizeof *x->term);
+    x->failed = arena_array(&x->arena, s->n, sizeof *x->failed);
     x->kept = 1;
     memcpy(x->best, s->scale, nodes * sizeof *x->best);
     for (size_t n = 0; n < nodes; n++)
@@ -451,27 +451,7 @@ static struct scaling *scaling_new(struct schedule *s)
 
 static void scaling_free(struct scaling *x)
 {
-    free(x->best);
-    free(x->ratio);
-    free(x->first_edge);
-    free(x->coef);
-    free(x->plain);
-    free(x->place);
-    free(x->twin);
-    free(x->circle);
-    free(x->tried);
-    free(x->first_user);
-    free(x->user);
-    free(x->moves);
-    free(x->dirty);
-    free(x->changed);
-    free(x->affected);
-    free(x->listed);
-    free(x->weight);
-    free(x->trial);
-    free(x->own);
-    free(x->term);
-    free(x->failed);
+    arena_free(&x->arena);
     free(x);
 }
 

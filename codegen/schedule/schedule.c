@@ -68,7 +68,7 @@ static int find_stage(const struct node *n, const int *stage)
 /* Sorts the order by stages; inside a stage it stays. */
 static void order_stages(struct schedule *s)
 {
-    int *order = new_array(s->dag->nodes, sizeof *order), last = 0;
+    int *order = arena_array(&s->arena, s->dag->nodes, sizeof *order), last = 0;
     for (size_t i = 0; i < s->n; i++) {
         const int of = s->stage[s->order[i]] = find_stage(&s->dag->node[s->order[i]], s->stage);
         last = of > last ? of : last;
@@ -81,7 +81,6 @@ static void order_stages(struct schedule *s)
     for (size_t i = 0; i < s->n; i++)
         order[next[s->stage[s->order[i]]]++] = s->order[i];
     free(next);
-    free(s->order);
     s->order = order;
 }
 
@@ -270,11 +269,11 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     struct schedule *s = new_array(1, sizeof *s);
     s->dag = g;
     s->model = model;
-    s->order = new_array(g->nodes, sizeof *s->order);
-    s->uses = new_array(g->nodes, sizeof *s->uses);
-    s->alone = new_array(g->nodes, sizeof *s->alone);
-    s->stage = new_array(g->nodes, sizeof *s->stage);
-    s->scale = new_array(g->nodes, sizeof *s->scale);
+    s->order = arena_array(&s->arena, g->nodes, sizeof *s->order);
+    s->uses = arena_array(&s->arena, g->nodes, sizeof *s->uses);
+    s->alone = arena_array(&s->arena, g->nodes, sizeof *s->alone);
+    s->stage = arena_array(&s->arena, g->nodes, sizeof *s->stage);
+    s->scale = arena_array(&s->arena, g->nodes, sizeof *s->scale);
     for (size_t n = 0; n < g->nodes; n++)
         s->scale[n] = ONE;
     order_nodes(s);
@@ -290,7 +289,7 @@ void schedule_finish(struct schedule *s)
     order_urgent(s);
     for (s->terms = 16; s->terms < 2 * edges; s->terms *= 2)
         ;
-    s->term = new_array(s->terms, sizeof *s->term);
+    s->term = arena_array(&s->arena, s->terms, sizeof *s->term);
     if (edges <= MOST_COUNTED)
         count_terms(s, edges);
 }
@@ -299,11 +298,6 @@ void schedule_free(struct schedule *s)
 {
     if (!s)
         return;
-    free(s->term);
-    free(s->scale);
-    free(s->order);
-    free(s->uses);
-    free(s->alone);
-    free(s->stage);
+    arena_free(&s->arena);
     free(s);
 }

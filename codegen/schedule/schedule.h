@@ -12,6 +12,7 @@ struct shared_term {
 };
 
 struct schedule {
+    struct arena arena;             /* of all that is owned */
     double work;                    /* of the search for scales, in pairs of terms */
     const struct dag *dag;          /* not owned */
     const struct cost_model *model; /* not owned */
