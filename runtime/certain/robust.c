@@ -18,6 +18,7 @@
 #define SAME_SQUARE 0x1p-96 /* of distances, over themselves and m^2: what rounding of xi and eta may hide */
 #define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
 #define SIZABLE 1e-20 /* |r_xi x r_eta|^2 over m^4: more than rounding makes of nodes on a line */
+#define CLEAR 1e-6    /* of squares of areas, lengths and angles: what rounding does not hide */
 #define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
 #define INSIDE (1.0 - 10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE) /* a foot point with |xi|, |eta| below is inside */
 #define BESIDE (1.0 + 10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE) /* one above is not */
@@ -26,6 +27,7 @@ enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
 
 struct answer {
     double loc[2], dist;
+    int side; /* of the face: 1 or -1 if rounding does not matter, or 0 */
 };
 
 /* The nearest point of an edge. */
@@ -100,6 +102,18 @@ static int is_held(const struct bilinear *f, const double loc[2], const struct b
            !leads_nearer(loc[0], p->f1, error) && !leads_nearer(loc[1], p->f2, error);
 }
 
+/* 1 or -1 if xS is before or behind the point p by far more than rounding and than what the rule for edges lets pass. */
+static int side_of(const struct bilinear *f, const struct bilinear_point *p)
+{
+    double normal[3];
+    vector_cross(p->a, p->b, normal);
+    const double mm = f->m * f->m, nn = vector_dot(normal, normal), dd = vector_dot(p->d, p->d);
+    const double ahead = vector_dot(normal, p->d);
+    if (!(nn > CLEAR * mm * mm && dd > CLEAR * CLEAR * mm && ahead * ahead > CLEAR * CLEAR * nn * dd))
+        return 0;
+    return ahead < 0.0 ? -1 : 1;
+}
+
 /* The nearest point of the edges.  1 if nothing inside is nearer, and there is an inside. */
 static int find_edge(const struct bilinear *f, struct answer *answer)
 {
@@ -124,6 +138,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
     answer->loc[0] = best.loc[0];
     answer->loc[1] = best.loc[1];
     answer->dist = sqrt(best.square);
+    answer->side = side_of(f, &p);
     return 1;
 }
 
@@ -285,7 +300,7 @@ static int closest_with_certainty(const double *const x[5], const struct robust_
                                   double *dist)
 {
     struct bilinear f;
-    struct answer answer;
+    struct answer answer = {.side = 0};
     int status = footpoint_bilinear_of(x[0], x[1], x[2], x[3], x[4], &f);
     if (status == FOOTPOINT_ERR_DEGENERATE)
         return nearest_of_point(x[0], x[4], loc, dist);
@@ -295,7 +310,7 @@ static int closest_with_certainty(const double *const x[5], const struct robust_
     const int beside = start->status == FOOTPOINT_OK && (fabs(at[0]) > BESIDE || fabs(at[1]) > BESIDE);
     if ((beside || !find_foot(&f, at[0], at[1], &answer)) && !find_edge(&f, &answer))
         status = compare_all(x, &f, &answer);
-    if (status != FOOTPOINT_NO_AREA && is_behind(x, &f, answer.loc))
+    if (answer.side < 0 || (answer.side == 0 && status != FOOTPOINT_NO_AREA && is_behind(x, &f, answer.loc)))
         answer.dist = -answer.dist;
     if (f.exponent != 0)
         answer.dist = ldexp(answer.dist, f.exponent);
