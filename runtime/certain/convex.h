@@ -11,8 +11,12 @@
 #ifndef FOOTPOINT_CONVEX_H
 #define FOOTPOINT_CONVEX_H
 
-#include "bilinear.h"
+#include "../geometry/vector.h"
 
+/* Sizes and distances over sizes for which no product of a search leaves the range of double. */
+#define CONVEX_LEAST 0x1p-100
+#define CONVEX_MOST 0x1p100
+#define CONVEX_AWAY 0x1p40
 #define CONVEX_FARTHEST 64.0
 #define CONVEX_BEYOND 8.0
 #define CONVEX_MARGIN 1e-10
@@ -40,8 +44,8 @@ static inline void convex_of(const double *const x[5], struct convex *v)
 /* Whether no product of a search leaves the range of double; NaN raises no exception. */
 static inline int convex_is_ordinary(const struct convex *v)
 {
-    return isgreaterequal(v->size, BILINEAR_LEAST) && islessequal(v->size, BILINEAR_MOST) &&
-           islessequal(v->away, BILINEAR_FARTHEST * v->size);
+    return isgreaterequal(v->size, CONVEX_LEAST) && islessequal(v->size, CONVEX_MOST) &&
+           islessequal(v->away, CONVEX_AWAY * v->size);
 }
 
 /* Of an ordinary segment: 1 if |r_xi x r_eta| is at least Q/32 all over it, so that its direction is right to 400 u, and

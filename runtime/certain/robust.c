@@ -6,6 +6,7 @@
  * list that stationary.c proves complete. */
 #include "robust.h"
 
+#include "bilinear.h"
 #include "convex.h"
 #include "stationary.h"
 

@@ -57,7 +57,7 @@ int footpoint_locate(const double xA[3], const double xB[3], const double xC[3],
     if (footpoint_quad4_accurate_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
         return footpoint_locate_one(FOOTPOINT_ACCURATE, 1, x, loc, gap);
     convex_of(x, &v);
-    const double reach = bilinear_larger(1.0, bilinear_larger(fabs(xi), fabs(eta)));
+    const double reach = footpoint_check_larger(1.0, footpoint_check_larger(fabs(xi), fabs(eta)));
     if (!convex_holds(&v, 1.001 * reach) && !is_nearest(x, xi, eta))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = xi;
