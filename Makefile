@@ -1,7 +1,9 @@
 # footpoint: `make help` lists the targets.
 SCENE       ?=
 RANKS       ?= 2
-GENERATIONS ?= $(if $(SCENE),100,2)
+# A scene given by its path is somebody's own, a few minutes on two processors.
+is_own = $(if $(filter evolve/scenes/%,$(1)),,$(if $(findstring /,$(1))$(filter %.scene,$(1)),$(1)))
+GENERATIONS ?= $(if $(SCENE),$(if $(call is_own,$(SCENE)),40,100),2)
 SEED        ?= 1
 CONFIG      ?= release
 CXX         ?= g++
@@ -48,7 +50,6 @@ $(call demand,FROM,$(call one_of,FROM,scratch),scratch or nothing)
 endif
 # Where what is made of a scene given by its path goes: a folder of the command line, else the scene's.
 out := $(if $(filter command,$(firstword $(origin OUT))),$(OUT))
-is_own = $(if $(filter evolve/scenes/%,$(1)),,$(if $(findstring /,$(1))$(filter %.scene,$(1)),$(1)))
 ifneq ($(OPENMP),)
 $(call demand,OPENMP,$(call one_of,OPENMP,0 1),0 or 1)
 endif

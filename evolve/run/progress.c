@@ -28,6 +28,7 @@ struct progress progress_start(bool shown, size_t first, size_t generations, dou
                              .logged = first,
                              .start = t,
                              .last = t - blink,
+                             .mark = {{first, t}, {first, t}},
                              .silence = first_silence,
                              .until = until};
 }
@@ -52,10 +53,22 @@ void number_text(double value, char text[NUMBER_TEXT])
     memmove(zero, zero + zeros - (zeros == length), length - zeros + 1 + (zeros == length));
 }
 
+/* The first generations, and those on a machine that others used, say little of the next: pace is measured from the mark
+ * before the last one, and marks are set wherever the number of generations has doubled. */
+static void set_mark(struct progress *p, size_t generation, double t)
+{
+    if (generation - p->first < 2 * (p->mark[1].generation - p->first) || generation == p->mark[1].generation)
+        return;
+    p->mark[0] = p->mark[1];
+    p->mark[1] = (struct progress_mark){generation, t};
+}
+
 /* Seconds until the last generation, or until the time is up: then *limited. */
 static double time_left(const struct progress *p, size_t generation, double t, bool *limited)
 {
-    const double left = (t - p->start) * (double)(p->generations - generation) / (double)(generation - p->first);
+    const struct progress_mark *from = &p->mark[0];
+    const double left =
+        (t - from->at) * (double)(p->generations - generation) / (double)(generation - from->generation);
     *limited = p->until > 0 && p->until - t < left;
     return *limited ? fmax(p->until - t, 0) : left;
 }
@@ -65,7 +78,10 @@ void progress_show(struct progress *p, size_t generation, const char *best, cons
     const double t = seconds_now(), spent = t - p->start;
     char line[LINE], rest[TIME_TEXT], speed[NUMBER_TEXT];
     bool limited;
-    if (!p->shown || generation == p->first || !due(p, generation, t))
+    if (!p->shown || generation == p->first)
+        return;
+    set_mark(p, generation, t);
+    if (!due(p, generation, t))
         return;
     time_text(time_left(p, generation, t, &limited), rest);
     number_text(spent > 0 ? work / spent : 0, speed);

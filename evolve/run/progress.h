@@ -11,8 +11,12 @@ struct progress {
     size_t first, generations; /* begins after, ends with */
     size_t logged;             /* of the last line in a log */
     double start, last;        /* seconds */
-    double silence;            /* longest time between lines of a log: seconds, longer with each */
-    double until;              /* seconds_now() at which time is up; 0: never */
+    struct progress_mark {
+        size_t generation;
+        double at;
+    } mark[2]; /* two of those passed: the last quarter or half of the run so far, whose pace is that of what is left */
+    double silence; /* longest time between lines of a log: seconds, longer with each */
+    double until;   /* seconds_now() at which time is up; 0: never */
 };
 
 /** On a terminal: what is being done before and after the generations; "" clears the line. */
