@@ -49,8 +49,10 @@ static bool add_element(struct inp_model *m, size_t at, const struct inp_item *l
     if (!e->type->shape) {
         for (int k = 0; k < e->nodes; k++)
             cover->node[m->connectivity[e->first + (size_t)k]] = 1;
-        cover->other = entry;
-        cover->at = line->at;
+        if (!cover->other) {
+            cover->other = entry;
+            cover->at = line->at;
+        }
         return true;
     }
     if (line->face == INP_FACE_NONE && !e->type->shell) {
@@ -76,8 +78,11 @@ static bool add_lines(struct inp_model *m, const struct inp_surface *s, struct i
     for (size_t i = 0; i < s->items.n && done; i++) {
         const struct inp_item *line = &s->items.item[i];
         done = inp_members(m, INP_ELEMENT, line, &found, mark);
-        for (; found.n > 0; mark[found.index[--found.n]] = 0)
-            done = done && add_element(m, found.index[found.n - 1], line, cover);
+        for (size_t k = 0; k < found.n; k++) {
+            done = done && add_element(m, found.index[k], line, cover);
+            mark[found.index[k]] = 0;
+        }
+        found.n = 0;
     }
     free(mark);
     free(found.index);
@@ -113,7 +118,7 @@ static bool combine_surfaces(struct inp_model *m, const struct inp_surface *s, s
         combine(cover->face, other->face, m->elements.n, how);
         combine(cover->node, other->node, m->nodes.n, how);
         cover->edges = cover->edges || other->edges;
-        if (other->other) {
+        if (!cover->other) {
             cover->other = other->other;
             cover->at = other->at;
         }

@@ -27,10 +27,10 @@ total=$(ls "$work/contact" | wc -l)
 for deck in "$work/contact"/*.inp; do
     {
         echo 'training = 10; heldout = 10;'
-        echo 'mesh: { file = "'"$deck"'"; distance = 1.0; };'
+        echo 'mesh: { file = "'"$deck"'"; };'
         echo 'frame = "none"; tiers = ({ name = "t"; terminals = ["x"]; max_length = 1; functions = "polynomial"; });'
     } > "$work/deck.scene"
-    "$BIN/footpoint-evolve" --scene "$work/deck.scene" --generations 0 -o "$work/deck.gen" 2>&1 | grep -v '^\[hwloc' |
+    "$BIN/footpoint-evolve" --scene "$work/deck.scene" --generations 0 -o "$work/deck.gen" 2>&1 | grep -v -e '^\[hwloc' -e ': note: ' |
         sed "s|$work/contact/||; s|$work/||"
 done > "$work/said"
 read=$(grep -c "no frame 'none'" "$work/said")
