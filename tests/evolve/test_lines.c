@@ -402,6 +402,35 @@ static void test_tails(void **state)
     free(t.gene);
 }
 
+/* On samples with bands of the gap, a program is charged for its worst band, and is worse than another where both halves of
+ * a band say so. */
+static void test_bands(void **state)
+{
+    struct fixture *f = *state;
+    struct genes t = program_of(f, "", "ut", "vt");
+    f->table.band = new_array(f->table.n, sizeof *f->table.band);
+    for (size_t i = 0; i < f->table.n; i++)
+        f->table.band[i] = (unsigned char)(i % (GAP_BANDS - 1)); /* the last has no sample */
+    const double error = error_of(f, &t);
+    struct tails tails = objective_tails(f->objective, &t, f->last);
+    assert_true(objective_error_in_tails(f->objective, &t, f->last, &tails, INFINITY) == error);
+    tails.band[1] /= 2;
+    tails.band[2] /= 3;
+    assert_true(fabs(objective_error_in_tails(f->objective, &t, f->last, &tails, INFINITY) / error - 3) < 1e-9);
+
+    struct outputs than = objective_outputs(f->objective, &t, f->last);
+    assert_true(objective_no_worse(f->objective, &t, f->last, &than));
+    than.mean[1][2] /= 2;
+    assert_true(objective_no_worse(f->objective, &t, f->last, &than));
+    than.p99[1][3] /= 2;
+    assert_true(objective_no_worse(f->objective, &t, f->last, &than));
+    than.mean[1][3] /= 2;
+    assert_false(objective_no_worse(f->objective, &t, f->last, &than));
+    free(f->table.band);
+    f->table.band = NULL;
+    free(t.gene);
+}
+
 static int ascending(const void *a, const void *b)
 {
     const double p = *(const double *)a, q = *(const double *)b;
@@ -484,9 +513,10 @@ static void test_clamps(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changes), cmocka_unit_test(test_equal),       cmocka_unit_test(test_last),
-        cmocka_unit_test(test_valid),   cmocka_unit_test(test_derivatives), cmocka_unit_test(test_costs),
-        cmocka_unit_test(test_seeds),   cmocka_unit_test(test_tails),       cmocka_unit_test(test_p99),
-        cmocka_unit_test(test_fit),     cmocka_unit_test(test_clamps),      cmocka_unit_test(test_evolution)};
+        cmocka_unit_test(test_changes),  cmocka_unit_test(test_equal),       cmocka_unit_test(test_last),
+        cmocka_unit_test(test_valid),    cmocka_unit_test(test_derivatives), cmocka_unit_test(test_costs),
+        cmocka_unit_test(test_seeds),    cmocka_unit_test(test_tails),       cmocka_unit_test(test_p99),
+        cmocka_unit_test(test_bands),    cmocka_unit_test(test_fit),         cmocka_unit_test(test_clamps),
+        cmocka_unit_test(test_evolution)};
     return cmocka_run_group_tests(tests, setup, teardown);
 }
