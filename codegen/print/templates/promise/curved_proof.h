@@ -73,17 +73,19 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
         const REAL l1 = r1 * a + 2.0 * both * a1 + away * third[0];
         const REAL l2 = r2 * a + 2.0 * both * a2 + away * third[1];
         const REAL grown = footpoint_detail_KIND_growth(x, y) * of->size;
-        REAL place, turn, f, g;
+        REAL place, turn, f, g, along = u, across = v;
         far = d + grown;
         place = 30.0 * far;
         turn = place * d;
         if (promise < 1e-9) {
             place = 20.0 * footpoint_detail_KIND_spread(x, y) * of->size + 15.0 * d;
             turn = 10.0 * grown * d;
+            along = sqrt(footpoint_detail_dot(r.u, r.u));
+            across = sqrt(footpoint_detail_dot(r.v, r.v));
         }
         turn += 480.0 * step * (far * far);
-        f = place * u + turn;
-        g = place * v + turn;
+        f = place * along + turn;
+        g = place * across + turn;
         off = unit * n.per * footpoint_detail_greater(n.r22 * f + mixed * g, n.r11 * g + mixed * f);
         h = footpoint_detail_greater(n.r22 * l1 + mixed * l2, mixed * l1 + n.r11 * l2) * n.per *
             (step + 2.0 * off);
