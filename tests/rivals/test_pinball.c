@@ -75,7 +75,7 @@ static void test_decisions(void **state)
         square(2, 1.2, 0, -0.1),   /* invented: the foot point is off the segment */
         square(2, 0, 0, 0),        /* either */
     };
-    const struct sample_set set = {s, sizeof s / sizeof *s, 0};
+    const struct sample_set set = {.s = s, .n = sizeof s / sizeof *s};
     const struct contact_decisions c = contact_decide(&set);
     assert_int_equal(c.n, 6);
     assert_int_equal(c.contacts, 3);
