@@ -605,6 +605,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad8_curved(const double *co
     int k;
     footpoint_detail_quad8_expand(x, &of);
     footpoint_detail_quad8_start(&of, &p, &q);
+    if (!fixed && footpoint_detail_infinite(p + q) >> 63) {
+        *xi = *eta = *gap = p + q;
+        return (unsigned long long)1 << 63; /* compilers' minima and maxima of NaN raise exceptions */
+    }
     FOOTPOINT_UNROLL
     for (k = 0; k < bare; k++)
         footpoint_detail_quad8_bare(&of, &p, &q);

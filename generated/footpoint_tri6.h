@@ -593,6 +593,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_curved(const double *con
     int k;
     footpoint_detail_tri6_expand(x, &of);
     footpoint_detail_tri6_start(&of, &p, &q);
+    if (!fixed && footpoint_detail_infinite(p + q) >> 63) {
+        *xi = *eta = *gap = p + q;
+        return (unsigned long long)1 << 63; /* compilers' minima and maxima of NaN raise exceptions */
+    }
     FOOTPOINT_UNROLL
     for (k = 0; k < bare; k++)
         footpoint_detail_tri6_bare(&of, &p, &q);

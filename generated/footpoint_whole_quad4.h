@@ -515,13 +515,13 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
            footpoint_detail_infinite(room) | footpoint_detail_fast();
 }
 
-/* Steps until one is proved, or they are too short to matter, up to four; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
  * these are enough. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
                                                                const footpoint_detail_quad4_vectors *r,
                                                                double promise, int fixed, double *xi, double *eta)
 {
-    unsigned long long doubt = 0;
+    unsigned long long doubt = footpoint_detail_infinite(*xi + *eta);
     int k = 0;
     if (fixed) {
         const double p = *xi, q = *eta;

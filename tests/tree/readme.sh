@@ -93,7 +93,7 @@ for document in $documents; do
 done > "$work/wrong"
 check 'links and pictures' "$(cat "$work/wrong")"
 
-cat runtime/*.h runtime/*/*.h generated/*.h > "$work/declared"
+cat runtime/*.h runtime/*/*.h runtime/replace/*.hpp generated/*.h > "$work/declared"
 { quoted $documents; cat $documents | awk '/^```/ { on = !on; next } on'; } | grep -oE '\<footpoint_[a-z0-9_]+\>' | sort -u |
     grep -vE '^footpoint_(example|mine|plates|ccx)' | while read -r name; do
     joined=$(echo "$name" | sed -E 's/_(place|gradients|hessian)(_n)?$//') # a search that FOOTPOINT_KIND_..._OF joins

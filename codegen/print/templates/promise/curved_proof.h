@@ -124,6 +124,10 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_curved(const REAL *const *x, REAL
     int k;
     footpoint_detail_KIND_expand(x, &of);
     footpoint_detail_KIND_start(&of, &p, &q);
+    if (!fixed && footpoint_detail_infinite(p + q) >> REAL_TOP) {
+        *xi = *eta = *gap = p + q;
+        return (REAL_BITS)1 << REAL_TOP; /* compilers' minima and maxima of NaN raise exceptions */
+    }
     FOOTPOINT_UNROLL
     for (k = 0; k < bare; k++)
         footpoint_detail_KIND_bare(&of, &p, &q);

@@ -93,13 +93,13 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
            footpoint_detail_infinite(room) | footpoint_detail_fast();
 }
 
-/* Steps until one is proved, or they are too short to matter, up to four; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
+/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
  * these are enough. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
                                                       const footpoint_detail_quad4_vectors *r,
                                                       REAL promise, int fixed, REAL *xi, REAL *eta)
 {
-    REAL_BITS doubt = 0;
+    REAL_BITS doubt = footpoint_detail_infinite(*xi + *eta);
     int k = 0;
     if (fixed) {
         const REAL p = *xi, q = *eta;
