@@ -1279,6 +1279,51 @@ FOOTPOINT_PART int footpoint_detail_quad4_region(double u, double v)
     return below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
 }
 
+/* What slopes at (u,v), |u| and |v| up to p and q, are off by, finer: by Cauchy and Schwarz, of the bounds on coordinates
+ * that footpoint_detail_quad4_vectors has.  Tangents are off by k + 2 units of theirs, xS - r by k + 5, the scalar product
+ * adds 3: 2 k + 10 in all, and `rounding` has at least 2 k + 13. */
+FOOTPOINT_PART void footpoint_detail_quad4_off_slopes(const double products[9],
+                                                      const footpoint_detail_quad4_vectors *r,
+                                                      double p, double q, double *f, double *g)
+{
+    const double a = footpoint_detail_root_bound(products[0]);
+    const double b = footpoint_detail_root_bound(products[2]);
+    const double c = footpoint_detail_root_bound(products[5]);
+    const double first = a + c + 0.08 * b, second = b + c + 0.08 * a;
+    const double turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
+    const double u = first + q * turn, v = second + p * turn;
+    const double far =
+        fabs(r->over) * footpoint_detail_sum(r->d) + (first + second) + p * first + q * v;
+    *f = r->rounding * u * far;
+    *g = r->rounding * v * far;
+}
+
+/* The highest bit of the result is not set if the closest point, known to be within `close` of q, is within promise: see
+ * footpoint_detail_quad4_finer, of which this is the form without branches. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_within(const footpoint_detail_quad4_local *q,
+                                                                const footpoint_detail_quad4_bounds *r,
+                                                                double off_mixed, double close, double promise)
+{
+    const double in_u = 1.0 - fabs(q->u), in_v = 1.0 - fabs(q->v);
+    const double bend = (4.0 * (fabs(q->uc) + fabs(q->vc)) + 2.0 * q->cc) * (close * close);
+    const double f = fabs(q->f) + r->off_f + bend, g = fabs(q->g) + r->off_g + bend;
+    const double mixed = q->uv - q->dc, turn = fabs(mixed) + off_mixed;
+    const double det = q->uu * q->vv - mixed * mixed;
+    const double held = 2.0 * close * (r->wide + r->high + fabs(q->dc));
+    const double both =
+        promise * det - 1.05 * footpoint_detail_greater(q->vv * f + turn * g, q->uu * g + turn * f);
+    const double of_u = promise * q->uu - 1.05 * f, of_v = promise * q->vv - 1.05 * g;
+    const double clear_u = footpoint_detail_pick(in_u, in_u - close, q->u * q->f - r->off_f - held);
+    const double clear_v = footpoint_detail_pick(in_v, in_v - close, q->v * q->g - r->off_g - held);
+    const double room = footpoint_detail_pick(in_u, footpoint_detail_pick(in_v, both, of_u),
+                                              footpoint_detail_pick(in_v, of_v, 1.0));
+    return footpoint_detail_bits(clear_u) | footpoint_detail_bits(clear_v) |
+           footpoint_detail_bits(room) |
+           footpoint_detail_bits(footpoint_detail_pick(footpoint_detail_least(in_u, in_v),
+                                                       det - 1000.0 * r->off_det, 1.0)) |
+           footpoint_detail_infinite(room + clear_u + clear_v);
+}
+
 /* At (u,v) of the closed segment: at = {u, v, square of the distance with its sign}.  The result's highest bit is
  * not set if the closest point is proved to lie there, see footpoint_detail_quad4_sole; *beyond has its set if the
  * distance is longer than the longest edge.
@@ -1298,7 +1343,9 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
     footpoint_detail_quad4_bounds bounds;
     const double size = r->size, off = r->rounding * size, apart = 8.0 * (size + p[5]);
     const double inside = footpoint_detail_least(1.0 - fabs(u), 1.0 - fabs(v));
+    const double close = promise < 1e-11 ? 1e-9 : promise; /* what is proved of the whole segment */
     double x[3], y[3], w[3], n[3], nn, y12, longest, f, g, grows, area, reach;
+    unsigned long long doubt;
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
@@ -1323,6 +1370,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
     bounds.high = p[2] + 2.0 * fabs(p[4]) + p[5] + 30.0 * off;
     reach = 6.0 * size + q.dd;
     bounds.off_f = bounds.off_g = (1.35 * r->rounding - 1e-15) * reach;
+    if (promise < close)
+        footpoint_detail_quad4_off_slopes(p, r, fabs(u), fabs(v), &bounds.off_f, &bounds.off_g);
     bounds.off_det = 375.0 * (off * reach);
     area = bounds.wide * bounds.high;
     longest = 4.0 * footpoint_detail_greater(bounds.wide, bounds.high);
@@ -1339,13 +1388,17 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
     *beyond = footpoint_detail_above(q.dd, longest);
     grows = footpoint_detail_quad4_grows(u, q.f, bounds.off_f, &f);
     grows += footpoint_detail_quad4_grows(v, q.g, bounds.off_g, &g);
-    return footpoint_detail_quad4_sole(&q, &bounds, promise, f, g,
-                                       footpoint_detail_quad4_least_det(&q, grows)) |
-           footpoint_detail_outside(area * area) | footpoint_detail_bits(nn - 1e-11 * area);
+    doubt = footpoint_detail_quad4_sole(&q, &bounds, close, f, g,
+                                        footpoint_detail_quad4_least_det(&q, grows));
+    if (promise < close)
+        doubt |= footpoint_detail_quad4_within(
+            &q, &bounds, r->rounding * (55.0 * size + 1.3 * q.dd), close, promise);
+    return doubt | footpoint_detail_outside(area * area) | footpoint_detail_bits(nn - 1e-11 * area);
 }
 
-/* From (xi,eta) by one step, or from far outside none, to the closest point; FOOTPOINT_UNPROVED if that is not
- * proved.  per: the factor of the vectors; lanes = 1: no branches, for a loop over arrays, with the same result. */
+/* From (xi,eta) by one step, for the finest promise two, or from far outside none, to the closest point;
+ * FOOTPOINT_UNPROVED if that is not proved.  per: the factor of the vectors; lanes = 1: no branches, for a loop over
+ * arrays, with the same result. */
 FOOTPOINT_PART int footpoint_detail_quad4_close(const double products[9],
                                                 const footpoint_detail_quad4_vectors *r,
                                                 double promise, double per, int lanes, double xi,
@@ -1354,8 +1407,11 @@ FOOTPOINT_PART int footpoint_detail_quad4_close(const double products[9],
     const double far = footpoint_detail_greater(fabs(xi), fabs(eta)) - 1.1;
     double u = xi, v = eta;
     unsigned long long doubt, beyond;
-    if (lanes || footpoint_detail_pick(far, 0.0, 1.0) > 0.0)
+    if (lanes || footpoint_detail_pick(far, 0.0, 1.0) > 0.0) {
         (void)footpoint_detail_quad4_step(products, r, promise, &u, &v);
+        if (promise < 1e-11)
+            (void)footpoint_detail_quad4_step(products, r, promise, &u, &v);
+    }
     u = footpoint_detail_pick(far, xi, u);
     v = footpoint_detail_pick(far, eta, v);
     footpoint_detail_quad4_inside(products, &u, &v);
