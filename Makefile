@@ -48,7 +48,7 @@ endif
 ifneq ($(FROM),)
 $(call demand,FROM,$(call one_of,FROM,scratch),scratch or nothing)
 endif
-# Where what is made of a scene given by its path goes: a folder of the command line, else the scene's.
+# The folder for the files of a scene that is given by its path: OUT of the command line, or the scene's own.
 out := $(if $(filter command,$(firstword $(origin OUT))),$(OUT))
 ifneq ($(OPENMP),)
 $(call demand,OPENMP,$(call one_of,OPENMP,0 1),0 or 1)

@@ -321,7 +321,7 @@ FOOTPOINT_COLD int footpoint_detail_bezier_answer(footpoint_detail_search *searc
 
 #ifndef FOOTPOINT_BEZIER_ARRAYS
 #define FOOTPOINT_BEZIER_ARRAYS
-/* The search of _at. */
+/* The search of NAME_at. */
 typedef unsigned long long footpoint_detail_bezier_search(const double xA[3], const double xB[3], const double xC[3],
                                                           const double xD[3], const double nA[3], const double nB[3],
                                                           const double nC[3], const double nD[3], const double xS[3],
@@ -427,14 +427,14 @@ footpoint_detail_bezier_over_n(footpoint_detail_search *search, const double *co
  * scaled by a power of 2. */
 #define FOOTPOINT_BEZIER_LEAST 2.9387358770557188e-39
 
-/* _at:  xi and eta, dimensionless; nothing is checked.
- * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* NAME_at:  xi and eta, dimensionless; nothing is checked.
+ * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
+ * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
+ * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
 FOOTPOINT_PART unsigned long long footpoint_bezier_facet_detail(const double xA[3], const double xB[3],

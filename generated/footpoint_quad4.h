@@ -698,7 +698,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
 
 #ifndef FOOTPOINT_QUAD4_ARRAYS
 #define FOOTPOINT_QUAD4_ARRAYS
-/* The search of _at. */
+/* The search of NAME_at. */
 typedef unsigned long long footpoint_detail_quad4_search(const double xA[3], const double xB[3], const double xC[3],
                                                          const double xD[3], const double xS[3], double zero,
                                                          double *xi, double *eta);
@@ -1599,8 +1599,8 @@ FOOTPOINT_COLD double footpoint_detail_quad4_sharp_det(const footpoint_detail_qu
 }
 
 /* How far from q, in xi and in eta, the closest point is at most if it is within `close`: inside, both slopes vanish
- * there, and they change as the Hessian at q says but for half the third derivatives times close^2; at an edge,
- * where the slope outwards keeps its sign, one slope vanishes, which changes as |r_xi|^2 or |r_eta|^2 says. */
+ * there, and change by the Hessian at q and at most half the third derivatives times close^2.  At an edge where the slope
+ * outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or |r_eta|^2. */
 FOOTPOINT_COLD double footpoint_detail_quad4_finer(const footpoint_detail_quad4_local *q,
                                                    const footpoint_detail_quad4_bounds *r,
                                                    double off_mixed, double close)
@@ -1869,7 +1869,7 @@ FOOTPOINT_COLD double footpoint_detail_quad4_none_nearer(const double *const *x,
     return footpoint_detail_greater(least - sqrt(most) - 1e-14 * (least + sqrt(most)), 0.0);
 }
 
-/* The nearest of several segments so far: number, answer, status, and what no point of it is nearer than. */
+/* The nearest segment so far: its number, answer and status, and a lower bound of its distance. */
 typedef struct {
     size_t which;
     double at[3], least;
@@ -1946,27 +1946,27 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_qua
  * scaled by a power of 2. */
 #define FOOTPOINT_QUAD4_LEAST 5.1698788284564230e-26
 
-/* _at:  xi and eta, dimensionless; nothing is checked.
- * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* NAME_at:  xi and eta, dimensionless; nothing is checked.
+ * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
+ * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* , _checked_n and _over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
- * within _PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
+/* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
+ * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
  * errors included, which no order of summation changes.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where
  * they ended; under -ffast-math nothing is proved.  A minimum on the whole surface need not be the nearest point of the
- * segment: see _closest.  _at and _n prove nothing. */
+ * segment: see NAME_closest.  NAME_at and NAME_n prove nothing. */
 
-/* _closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
+/* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
  *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
- *           segment that is closest to xS lies within _PROMISE of loc, in xi and in eta, and in `region`, unless it is
- *           within 1e-9 of the border of that.  So dist exceeds the least distance by _PROMISE times half the sum
+ *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
+ *           within 1e-9 of the border of that.  So dist exceeds the least distance by NAME_PROMISE times half the sum
  *           of the edges at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
  *           longest edge, and another, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
  *           point that descents have found; so are all answers under -ffast-math.  Where two nodes are one point, xi or eta
@@ -1974,12 +1974,12 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_qua
  *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
  *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
  *           behind only by more than a small angle, 1e-12, and by more than rounding: a node beside a flat segment, in its
- *           plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if _closest_of
+ *           plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of
  *           has dist < 0 for all segments there.
  *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if the segment has no area; and
  *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than the longest edge is long.
- * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
- * _closest_of:  finds the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
  *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
  *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
  *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments

@@ -444,7 +444,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_answer(footpoint_detail_f_search *se
 
 #ifndef FOOTPOINT_QUAD4_ARRAYS_F
 #define FOOTPOINT_QUAD4_ARRAYS_F
-/* The search of _at. */
+/* The search of NAME_at. */
 typedef unsigned int footpoint_detail_f_quad4_search(const float xA[3], const float xB[3], const float xC[3],
                                                      const float xD[3], const float xS[3], float zero, float *xi,
                                                      float *eta);
@@ -1046,7 +1046,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_closest_from(const float *const *x, 
     return status;
 }
 
-/* _closest in that unit, unless the search has none, which `scalable` tells; where that has no answer either, by a descent
+/* NAME_closest in that unit, unless the search has none, which `scalable` tells; where that has no answer either, by a descent
  * from the middle. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_closest_again(footpoint_detail_f_nearest *nearest,
                                                           const float *const *x, int scalable,
@@ -1120,7 +1120,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_closest_beyond(const float *const *x
     return footpoint_detail_f_quad4_closest_from(x, at, at, region);
 }
 
-/* _closest, with the distance in at: once more where that has no answer. */
+/* NAME_closest, with the distance in at: once more where that has no answer. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_closest(footpoint_detail_f_nearest *nearest,
                                                     const float *const *x, int scalable, float at[3],
                                                     int *region)
@@ -1139,7 +1139,7 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_closest(footpoint_detail_f_nearest *
     return status;
 }
 
-/* Roots of the squares in dist, and once more what _closest does in another unit of length, behind the loop. */
+/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length, behind the loop. */
 FOOTPOINT_PART void
 footpoint_detail_f_quad4_closest_n(footpoint_detail_f_nearest *nearest, size_t n, const float *const *x,
                                    int scalable, float *FOOTPOINT_RESTRICT xi,
@@ -1266,34 +1266,34 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_closest_of(footpoint_detail_f_neares
  * scaled by a power of 2. */
 #define FOOTPOINT_QUAD4_FLOAT_LEAST 2.3283064365386963e-10f
 
-/* _at:  xi and eta, dimensionless; nothing is checked.
- * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* NAME_at:  xi and eta, dimensionless; nothing is checked.
+ * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
+ * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* _closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
+/* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
  *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
  *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
  *           behind only by more than a small angle, 1e-12f (float: 1e-6f), and by more than rounding: a node beside a flat
  *           segment, in its plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if
- *           _closest_of has dist < 0 for all segments there.
- *           Points of edges are right to the rounding of their distances; inside it is _at's point, unless one of
+ *           NAME_closest_of has dist < 0 for all segments there.
+ *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
  *           an edge is nearer.  On error all untouched: as the search, and FOOTPOINT_ERR_DOMAIN if r is farther from xS
  *           than the longest edge is long, slave nodes for which no search was measured.
- * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
- * _closest_of:  finds the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
  *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
  *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
  *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
  *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
- *           are the same if their coordinates are.  Where errors of _at could hide which of two segments is nearer,
- *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
+ *           are the same if their coordinates are.  Where errors of NAME_at could hide which of two segments is nearer,
+ *           loc is more accurate than that of NAME_closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail(const float xA[3], const float xB[3], const float xC[3],

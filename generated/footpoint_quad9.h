@@ -597,7 +597,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad9_reach(const footpoint_d
 }
 
 /* xi, eta and the gap by `bare` steps of Newton, and steps until one is proved, up to four; in a loop over arrays, fixed = 1, two
- * of them, with the same answer where these are enough.  x as  has its vectors. */
+ * of them, with the same answer where these are enough.  x as NAME has its vectors. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad9_curved(const double *const *x, double promise, int bare,
                                                                 int fixed, double least, double *xi, double *eta,
                                                                 double *gap)
@@ -695,7 +695,7 @@ FOOTPOINT_COLD int footpoint_detail_quad9_steps(const footpoint_detail_quad9_ter
     return 2;
 }
 
-/* From (*xi,*eta), where a search ended, and if that leads nowhere from where  begins; FOOTPOINT_UNPROVED if nothing is proved. */
+/* From (*xi,*eta), where a search ended, and if that leads nowhere from where NAME begins; FOOTPOINT_UNPROVED if nothing is proved. */
 FOOTPOINT_COLD int footpoint_detail_quad9_repair(double y[10][3], double promise, double *xi,
                                                  double *eta)
 {
@@ -764,7 +764,7 @@ FOOTPOINT_COLD int footpoint_detail_quad9_answer(footpoint_detail_search *search
 
 #ifndef FOOTPOINT_QUAD9_ARRAYS
 #define FOOTPOINT_QUAD9_ARRAYS
-/* The search of _at. */
+/* The search of NAME_at. */
 typedef unsigned long long footpoint_detail_quad9_search(const double xA[3], const double xB[3], const double xC[3],
                                                          const double xD[3], const double xE[3], const double xF[3],
                                                          const double xG[3], const double xH[3], const double xI[3],
@@ -1422,7 +1422,7 @@ FOOTPOINT_COLD int footpoint_detail_quad9_closest_from(const double *const *x, c
     return status;
 }
 
-/* _closest in that unit, unless the search has none, which `scalable` tells; where that has no answer either, by a descent
+/* NAME_closest in that unit, unless the search has none, which `scalable` tells; where that has no answer either, by a descent
  * from the middle. */
 FOOTPOINT_COLD int footpoint_detail_quad9_closest_again(footpoint_detail_nearest *nearest,
                                                         const double *const *x, int scalable,
@@ -1496,7 +1496,7 @@ FOOTPOINT_COLD int footpoint_detail_quad9_closest_beyond(const double *const *x,
     return footpoint_detail_quad9_closest_from(x, at, at, region);
 }
 
-/* _closest, with the distance in at: once more where that has no answer. */
+/* NAME_closest, with the distance in at: once more where that has no answer. */
 FOOTPOINT_PART int footpoint_detail_quad9_closest(footpoint_detail_nearest *nearest,
                                                   const double *const *x, int scalable, double at[3],
                                                   int *region)
@@ -1515,7 +1515,7 @@ FOOTPOINT_PART int footpoint_detail_quad9_closest(footpoint_detail_nearest *near
     return status;
 }
 
-/* Roots of the squares in dist, and once more what _closest does in another unit of length, behind the loop. */
+/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length, behind the loop. */
 FOOTPOINT_PART void
 footpoint_detail_quad9_closest_n(footpoint_detail_nearest *nearest, size_t n, const double *const *x,
                                  int scalable, double *FOOTPOINT_RESTRICT xi,
@@ -1646,40 +1646,40 @@ FOOTPOINT_PART int footpoint_detail_quad9_closest_of(footpoint_detail_nearest *n
  * scaled by a power of 2. */
 #define FOOTPOINT_QUAD9_LEAST 5.1698788284564230e-26
 
-/* _at:  xi and eta, dimensionless; nothing is checked.
- * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* NAME_at:  xi and eta, dimensionless; nothing is checked.
+ * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xG, xH, xI, xS;
+ * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xG, xH, xI, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
+ * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* , _checked_n and _over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
- * within _PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
+/* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
+ * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
  * errors included, which no order of summation changes.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where
  * they ended; under -ffast-math nothing is proved.  A minimum on the whole surface need not be the nearest point of the
- * segment: see _closest.  _at and _n prove nothing. */
+ * segment: see NAME_closest.  NAME_at and NAME_n prove nothing. */
 
-/* _closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
+/* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
  *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
  *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
  *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat
  *           segment, in its plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if
- *           _closest_of has dist < 0 for all segments there.
- *           Points of edges are right to the rounding of their distances; inside it is _at's point, unless one of
+ *           NAME_closest_of has dist < 0 for all segments there.
+ *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
  *           an edge is nearer.  On error all untouched: as the search, and FOOTPOINT_ERR_DOMAIN if r is farther from xS
  *           than the longest edge is long, slave nodes for which no search was measured.
- * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
- * _closest_of:  finds the nearest of n segments, the nodes of segment i being x[9 i] and on, such as a
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[9 i] and on, such as a
  *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
  *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
  *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
  *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
- *           are the same if their coordinates are.  Where errors of _at could hide which of two segments is nearer,
- *           loc is more accurate than that of _closest.  Segments without an answer are passed over; if all are, the
+ *           are the same if their coordinates are.  Where errors of NAME_at could hide which of two segments is nearer,
+ *           loc is more accurate than that of NAME_closest.  Segments without an answer are passed over; if all are, the
  *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 FOOTPOINT_PART unsigned long long footpoint_quad9_fast_detail(const double xA[3], const double xB[3],

@@ -696,7 +696,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
 
 #ifndef FOOTPOINT_QUAD4_ARRAYS
 #define FOOTPOINT_QUAD4_ARRAYS
-/* The search of _at. */
+/* The search of NAME_at. */
 typedef unsigned long long footpoint_detail_quad4_search(const double xA[3], const double xB[3], const double xC[3],
                                                          const double xD[3], const double xS[3], double zero,
                                                          double *xi, double *eta);
@@ -834,14 +834,14 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  * scaled by a power of 2. */
 #define FOOTPOINT_WHOLE_QUAD4_LEAST 2.9387358770557188e-39
 
-/* _at:  xi and eta, dimensionless; nothing is checked.
- * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* NAME_at:  xi and eta, dimensionless; nothing is checked.
+ * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * _checked_n:   for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
+ * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
  *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
 FOOTPOINT_PART unsigned long long footpoint_whole_quad4_gauss_detail(const double xA[3], const double xB[3],

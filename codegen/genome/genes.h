@@ -1,5 +1,5 @@
-/* The operators: for each its text in genomes, its value, the slopes that its operands get of its own, and what it owes to the
- * derivatives of its operands.  a and b are the operands, v the value, s its slope or, in genome text, the derivative of
+/* The operators.  Each has a text in genomes, a value, the slopes that it passes to its operands, and its derivative by each
+ * operand.  a and b are the operands, v the value, s its slope or, in genome text, the derivative of
  * the operand at hand.  Minima and maxima give b where one is not a number; x / 0 is what IEEE 754 says. */
 #ifndef FOOTPOINT_GENES_H
 #define FOOTPOINT_GENES_H

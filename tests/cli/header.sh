@@ -314,6 +314,10 @@ grep -q 'proved free of zeros, |...| >= 9.9e-05; status if |...| <= ' "$work/fre
     grep -q 'proved free of zeros, |...| >= 9.9e-05; status if computed as 0, not finite' "$work/fresh/gram.h"
 report $((! $?)) 'is in the banner'
 
+grep -q '^/\* NAME_at: ' generated/footpoint_quad4.h && grep -q 'NAME_PROMISE' generated/footpoint_quad4.h &&
+    ! grep -nE '(/\*|^ \*) (:|_[a-z_]+:)|[ (]_PROMISE' generated/*.h
+report $((! $?)) 'contracts name what they are of'
+
 # A segment's denominator whose zero a minimum hides: NAME notices all the same; in double it begins there, and proves.
 cat > "$work/hidden.gen" <<'END'
 footpoint-genome 1

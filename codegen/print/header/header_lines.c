@@ -163,7 +163,7 @@ struct words lines_words(const struct unit *u, const struct function *f, const s
     words_add(&w, "SEGMENT_ROWS", rows_text("c", n - 1));
     words_add(&w, "VECTOR_ROWS", rows_text("x", n));
     words_add(&w, "LEAST_SIZE", sizes_least_name(u));
-    words_add(&w, "NAME", new_format("%s", f ? f->name : ""));
+    words_add(&w, "NAME", new_format("%s", f ? f->name : "NAME"));
     words_add(&w, "SCALED_NODES", new_format("%zu", scaled));
     words_add(&w, "SCALABLE", new_format("%d", scaled > 0));
     return w;

@@ -1,4 +1,4 @@
-/* What the functions of closed segments do, said once for all genomes. */
+/* The contract of functions of closed segments. */
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, EDGES.

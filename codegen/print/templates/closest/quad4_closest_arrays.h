@@ -62,7 +62,7 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_none_nearer(const REAL *const *x, REA
     return footpoint_detail_greater(least - sqrt(most) - 1e-14 * (least + sqrt(most)), 0.0);
 }
 
-/* The nearest of several segments so far: number, answer, status, and what no point of it is nearer than. */
+/* The nearest segment so far: its number, answer and status, and a lower bound of its distance. */
 typedef struct {
     size_t which;
     REAL at[3], least;

@@ -175,8 +175,8 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_sharp_det(const footpoint_detail_quad
 }
 
 /* How far from q, in xi and in eta, the closest point is at most if it is within `close`: inside, both slopes vanish
- * there, and they change as the Hessian at q says but for half the third derivatives times close^2; at an edge,
- * where the slope outwards keeps its sign, one slope vanishes, which changes as |r_xi|^2 or |r_eta|^2 says. */
+ * there, and change by the Hessian at q and at most half the third derivatives times close^2.  At an edge where the slope
+ * outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or |r_eta|^2. */
 FOOTPOINT_COLD REAL footpoint_detail_quad4_finer(const footpoint_detail_quad4_local *q,
                                                  const footpoint_detail_quad4_bounds *r,
                                                  REAL off_mixed, REAL close)

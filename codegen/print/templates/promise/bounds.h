@@ -1,4 +1,4 @@
-/* What proofs of all kinds are made of. */
+/* Bounds that all proofs use. */
 
 /* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
