@@ -101,13 +101,13 @@ static int curved_steps(const struct unit *u, double promise)
     return promise < 0.99e-7 ? 2 : promise < (u->file->segment->triangle ? 0.99e-3 : 0.99e-2) ? 1 : 0;
 }
 
-/* How many steps NAME takes in a loop over arrays, where all pairs take as many. */
+/* How many steps NAME takes in a loop over arrays, where all pairs take as many; the few that need more are done again behind it. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
     if (promise_kind_of(u) == PROMISE_CURVED)
         return curved_steps(u, promise_of(u, f));
     const double e = usual_error(start_of(u, f));
-    return e < 0.2 * NEAR && e * e * e < 0.01 * promise_of(u, f) ? 1 : 2;
+    return e < 0.2 * NEAR && e * e * e < 0.3 * promise_of(u, f) ? 1 : 2;
 }
 
 static bool is_start(const struct unit *u, const struct function *f)

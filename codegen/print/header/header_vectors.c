@@ -14,24 +14,15 @@
 
 enum { LARGEST = 3, KNOTS = 5 }; /* factors are powers of 2 from -LARGEST to LARGEST; vectors of nodes, and S */
 
-/* A vector of a kind: its coordinates are sums of those of A, B, ..., S times `coef` / `over`; `text` is `over` times it,
- * for where the search has it not. */
+/* A vector of a kind: `over` times its coordinates are sums of differences of those of pairs of A, B, ..., S, of one, or of two,
+ * or of two such sums. */
 static const struct vector {
-    int coef[5], over;
-    const char *text;
-} bilinear[VECTORS] =
-    {
-        {{-1, 1, 1, -1, 0}, 4, "(xB[#] - xA[#] + (xC[#] - xD[#]))"},
-        {{-1, -1, 1, 1, 0}, 4, "(xD[#] - xA[#] + (xC[#] - xB[#]))"},
-        {{1, -1, 1, -1, 0}, 4, "(xA[#] - xB[#] + (xC[#] - xD[#]))"},
-        {{-1, -1, -1, -1, 4}, 4, "(xS[#] - xA[#] + (xS[#] - xB[#]) + (xS[#] - xC[#] + (xS[#] - xD[#])))"},
-},
-  flat[VECTORS] = {
-      {{-1, 1, 0, 0}, 1, "(xB[#] - xA[#])"},
-      {{-1, 0, 1, 0}, 1, "(xC[#] - xA[#])"},
-      {{0, 0, 0, 0}, 1, ""},
-      {{-1, 0, 0, 1}, 1, "(xS[#] - xA[#])"},
-};
+    int over, pairs, pair[4][2];
+} bilinear[VECTORS] = {{4, 2, {{1, 0}, {2, 3}}},
+                       {4, 2, {{3, 0}, {2, 1}}},
+                       {4, 2, {{0, 1}, {2, 3}}},
+                       {4, 4, {{4, 0}, {4, 1}, {4, 2}, {4, 3}}}},
+  flat[VECTORS] = {{1, 1, {{1, 0}}}, {1, 1, {{2, 0}}}, {1, 0, {{0}}}, {1, 1, {{3, 0}}}};
 
 bool vectors_shared(const struct unit *u, const struct function *f)
 {
@@ -39,18 +30,18 @@ bool vectors_shared(const struct unit *u, const struct function *f)
 }
 
 /* A coordinate of a vector at a point. */
-static void coordinate_value(const struct vectors_found *w, size_t vector, size_t i, size_t point, size_t inputs,
-                             fmpq_t sum)
+static void coordinate_value(const struct vectors_found *w, size_t vector, size_t i, size_t point, fmpq_t sum)
 {
     const struct vector *v = &w->vector[vector];
     fmpq_t term;
     fmpq_init(term);
     fmpq_zero(sum);
-    for (size_t k = 0; 3 * k < inputs; k++) {
-        fmpq_set_si(term, v->coef[k], (ulong)v->over);
-        fmpq_mul(term, term, w->value[point] + 3 * k + i);
+    for (int k = 0; k < v->pairs; k++) {
+        fmpq_sub(term, w->value[point] + 3 * v->pair[k][0] + i, w->value[point] + 3 * v->pair[k][1] + i);
         fmpq_add(sum, sum, term);
     }
+    fmpq_set_si(term, 1, (ulong)v->over);
+    fmpq_mul(sum, sum, term);
     fmpq_clear(term);
 }
 
@@ -260,8 +251,10 @@ static struct quadratic quadratic_operation(const struct vectors_found *w, const
  * own edges most of all, have little of each other, or one long edge would spoil the bounds across it. */
 static double share(const struct vectors_found *w, size_t vector, size_t of)
 {
-    if (of == vector || vector == VECTORS - 1)
+    if (of == vector)
         return 1.0;
+    if (vector == VECTORS - 1)
+        return VECTORS_SHIFT;
     if (vector == VECTORS - 2)
         return of < 2 && (w->twist & 1 << of) ? 1.0 : 0.0;
     return of == VECTORS - 2 ? 1.0 : of == VECTORS - 1 ? 0.0 : VECTORS_FOREIGN;
@@ -284,7 +277,7 @@ static double product_units(const struct vectors_found *w, const struct quadrati
 }
 
 /* A product, times the square of `factor`[0], at the points. */
-static void product_values(const struct vectors_found *w, size_t k, size_t inputs, fmpq *target)
+static void product_values(const struct vectors_found *w, size_t k, fmpq *target)
 {
     fmpq_t a, b, scale;
     fmpq_init(a);
@@ -293,8 +286,8 @@ static void product_values(const struct vectors_found *w, size_t k, size_t input
     double_rational(scale, w->factor[0] * w->factor[0]);
     for (size_t point = 0; point < POINTS; point++) {
         for (size_t i = 0; i < 3; i++) {
-            coordinate_value(w, products[k][0], i, point, inputs, a);
-            coordinate_value(w, products[k][1], i, point, inputs, b);
+            coordinate_value(w, products[k][0], i, point, a);
+            coordinate_value(w, products[k][1], i, point, b);
             fmpq_addmul(target + point, a, b);
         }
         fmpq_mul(target + point, target + point, scale);
@@ -302,6 +295,56 @@ static void product_values(const struct vectors_found *w, size_t k, size_t input
     fmpq_clear(scale);
     fmpq_clear(b);
     fmpq_clear(a);
+}
+
+/* a difference of coordinates number i, as a sum of them. */
+static struct linear linear_pair(const struct vectors_found *w, const int pair[2])
+{
+    struct linear plus = {.is = true}, minus = {.is = true};
+    plus.of[pair[0]] = 1.0;
+    minus.of[pair[1]] = 1.0;
+    return linear_sum(w, &plus, &minus, -1);
+}
+
+/* `over` times a coordinate of a vector, as print_text() has it. */
+static struct linear linear_text(const struct vectors_found *w, const struct vector *v)
+{
+    struct linear sum[2] = {{.is = true}, {.is = true}};
+    for (int k = 0; k < v->pairs; k += 2) {
+        sum[k / 2] = linear_pair(w, v->pair[k]);
+        if (k + 1 < v->pairs) {
+            const struct linear next = linear_pair(w, v->pair[k + 1]);
+            sum[k / 2] = linear_sum(w, &sum[k / 2], &next, 1);
+        }
+    }
+    return v->pairs > 2 ? linear_sum(w, &sum[0], &sum[1], 1) : sum[0];
+}
+
+/* Coordinate i of a vector as it is printed, but for its factor; x: all operations as sums of coordinates number i. */
+static struct linear linear_printed(const struct vectors_found *w, size_t v, size_t i, const struct linear *x)
+{
+    const struct coordinate *c = &w->at[v][i];
+    const struct linear a = c->op < 0 ? linear_text(w, &w->vector[v]) : x[c->op];
+    struct linear printed;
+    fmpq_t times;
+    fmpq_init(times);
+    double_rational(times, 1.0 / (c->op < 0 ? w->vector[v].over : c->factor));
+    printed = linear_multiple(&a, times);
+    fmpq_clear(times);
+    return printed;
+}
+
+/* Product k of the vectors as they are printed. */
+static struct quadratic printed_product(const struct vectors_found *w, size_t k, struct linear *const x[3])
+{
+    struct quadratic sum = {.is = true};
+    for (size_t i = 0; i < 3; i++) {
+        const struct linear a = linear_printed(w, products[k][0], i, x[i]);
+        const struct linear b = linear_printed(w, products[k][1], i, x[i]);
+        const struct quadratic q = quadratic_product(w, &a, &b, i);
+        sum = quadratic_sum(&sum, &q);
+    }
+    return sum;
 }
 
 /* Products that the function has, as sums of products of coordinates, whose rounding errors are known. */
@@ -313,18 +356,20 @@ static void search_products(struct vectors_found *w, const struct program *p)
         x[i] = linear_all(w, p, i);
     for (size_t op = 0; op < p->ops; op++)
         q[op] = quadratic_operation(w, p, op, x, q);
-    w->product_rounding = 2.0 * w->rounding + 3.0; /* of dot */
+    w->product_rounding = 2.0 * w->rounding + 3.0; /* as footpoint_detail_quad4_touch() has it */
     for (size_t k = 0; k < PRODUCTS; k++) {
         fmpq *target = _fmpq_vec_init(POINTS);
-        product_values(w, k, p->inputs, target);
+        product_values(w, k, target);
         struct coordinate *c = &w->product[k];
         *c = search_operation(w, p, target);
-        const double units =
+        double units =
             c->op < 0 ? INFINITY : product_units(w, &q[c->op], k) / fabs(c->factor) / (w->factor[0] * w->factor[0]);
-        if (isfinite(units))
-            w->product_rounding = fmax(w->product_rounding, units);
-        else
+        if (!isfinite(units)) {
+            const struct quadratic printed = printed_product(w, k, x);
             c->op = -1;
+            units = product_units(w, &printed, k);
+        }
+        w->product_rounding = fmax(w->product_rounding, units);
         _fmpq_vec_clear(target, POINTS);
     }
     for (size_t i = 0; i < 3; i++)
@@ -342,7 +387,7 @@ static void search_squares(struct vectors_found *w, const struct program *p)
         fmpq *target = _fmpq_vec_init(POINTS);
         for (size_t point = 0; point < POINTS; point++)
             for (size_t i = 0; i < 3; i++) {
-                coordinate_value(w, v, i, point, p->inputs, x);
+                coordinate_value(w, v, i, point, x);
                 fmpq_mul(x, x, scale);
                 fmpq_addmul(target + point, x, x);
             }
@@ -360,8 +405,8 @@ static void search_vectors(struct vectors_found *w, const struct program *p)
         for (size_t i = 0; i < 3; i++) {
             fmpq *target = _fmpq_vec_init(POINTS);
             for (size_t point = 0; point < POINTS; point++)
-                coordinate_value(w, v, i, point, p->inputs, target + point);
-            w->at[v][i] = *w->vector[v].text ? search_operation(w, p, target) : (struct coordinate){-1, 0.0};
+                coordinate_value(w, v, i, point, target + point);
+            w->at[v][i] = w->vector[v].pairs > 0 ? search_operation(w, p, target) : (struct coordinate){-1, 0.0};
             _fmpq_vec_clear(target, POINTS);
         }
     w->rounding = ROUNDING_OF_TEXT;
@@ -445,6 +490,17 @@ void vectors_clear(struct vectors_found *w)
     free(w->needed);
 }
 
+/* "(xB[0] - xA[0] + (xC[0] - xD[0]))": `over` times a coordinate of a vector. */
+static void print_text(const struct vectors_found *w, size_t v, size_t i, FILE *out)
+{
+    const struct vector *vector = &w->vector[v];
+    const char *const name = w->vector == bilinear ? "ABCDS" : "ABCS";
+    for (int k = 0; k < vector->pairs; k++)
+        fprintf(out, "%sx%c[%zu] - x%c[%zu]%s", k ? " + (" : "(", name[vector->pair[k][0]], i, name[vector->pair[k][1]],
+                i, k % 2 ? ")" : "");
+    fputs(vector->pairs > 2 ? "))" : ")", out);
+}
+
 /* "const double a[3] = {-t3, 0.5 * t4, t5};": a vector times the factor that it is taken with. */
 static void print_vector(const struct vectors_found *w, size_t v, struct printer *r, char name, FILE *out)
 {
@@ -462,8 +518,7 @@ static void print_vector(const struct vectors_found *w, size_t v, struct printer
             fputs(text, out);
             free(text);
         } else
-            for (const char *t = w->vector[v].text; *t; t++)
-                fputc(*t == '#' ? "012"[i] : *t, out);
+            print_text(w, v, i, out);
     }
     fputs("};\n", out);
 }
@@ -471,7 +526,7 @@ static void print_vector(const struct vectors_found *w, size_t v, struct printer
 char *vectors_size(const struct vectors_found *w, struct printer *r)
 {
     struct memory *m = memory_open();
-    for (size_t v = 0; v < VECTORS - 1 && *w->vector[v].text; v++) {
+    for (size_t v = 0; v < VECTORS - 1 && w->vector[v].pairs > 0; v++) {
         char *text = w->square[v] < 0 ? new_format("footpoint_detail_dot(%c, %c)", "abc"[v], "abc"[v])
                                       : printer_text(r, w->square[v], LEVEL_SUM);
         fprintf(m->stream, "%s%s", v ? " + " : "", text);
@@ -483,7 +538,7 @@ char *vectors_size(const struct vectors_found *w, struct printer *r)
 void vectors_print(const struct vectors_found *w, struct printer *r, FILE *out)
 {
     for (size_t v = 0; v < VECTORS; v++)
-        if (*w->vector[v].text)
+        if (w->vector[v].pairs > 0)
             print_vector(w, v, r, "abcd"[v], out);
 }
 

@@ -11,7 +11,8 @@
 #include <flint/fmpq.h>
 
 enum { VECTORS = 4, PRODUCTS = 9, POINTS = 2 };
-#define VECTORS_FOREIGN 0.08 /* see vectors_product */ /* c1, c2, c3, d */
+#define VECTORS_FOREIGN 0.08 /* see vectors_product */
+#define VECTORS_SHIFT 0.4
 
 /** What a function has: operation `op`, or none (-1), is `factor` times the coordinate. */
 struct coordinate {
@@ -54,7 +55,7 @@ void vectors_print(const struct vectors_found *w, struct printer *r, FILE *out);
 /** Product number k of {c1 c1, c1 c2, c2 c2, c1 c3, c2 c3, c3 c3, c1 d, c2 d, c3 d}, times the square of c1's factor; the caller
  *  frees it.  By rounding it is off by w->product_rounding units of the scalar product of what bounds the errors of its
  *  two vectors, times that factor: c1 by |c1| + |c3| + VECTORS_FOREIGN |c2|, c2 by |c2| + |c3| + VECTORS_FOREIGN |c1|, c3 by what
- *  w->twist says, d by |c1| + |c2| + |c3| + |d|. */
+ *  w->twist says, d by |d| + VECTORS_SHIFT (|c1| + |c2| + |c3|). */
 char *vectors_product(const struct vectors_found *w, struct printer *r, size_t k);
 
 /** The sum of the squares of c1, c2, c3 as they are taken; the caller frees it. */

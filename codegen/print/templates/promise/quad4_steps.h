@@ -3,7 +3,8 @@
 /* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
  * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
  * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
- * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two. */
+ * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two, where that of d has 0.4 (|a| + |b| +
+ * |c|) + |d|. */
 typedef struct {
     const REAL *a, *b, *c, *d;
     REAL over, size, rounding;
@@ -33,8 +34,8 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_off(const REAL products[9],
     const REAL first = a + c + 0.08 * b, second = b + c + 0.08 * a;
     const REAL turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
     const REAL u = first + q * turn, v = second + p * turn;
-    const REAL far =
-        fabs(r->over) * footpoint_detail_sum(r->d) + (first + second) + p * first + q * v;
+    const REAL d = fabs(r->over) * footpoint_detail_root_bound(footpoint_detail_dot(r->d, r->d));
+    const REAL far = d + 0.4 * (first + second) + p * first + q * v;
     return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
 }
 
@@ -49,9 +50,12 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_off(const REAL products[9],
  * bounds the distance of the answer from a root within a factor of 1 / (1 - h), and H is positive definite all the way there.
  * Without the correction, |s| / 3 stands for |x|: the next one is at most beta L |s|^2 / 2 + R.
  *
- * R: products are off by k units, see above, polynomials add 8, Cramer's rule 2 and 20 |s|.  In row xi F is off by that times P T,
- * P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., by what bounds errors; H s and N by 24 |s| times as much each.  0.2, 1.4 and
- * 1.3 leave for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
+ * R: with P' = |a| + ..., what bounds the errors of coordinates of r_xi, Q' of r_eta, C' of c, T' of D as |d| + |xi a| + ..., the
+ * products give F's row xi within k units of P' T', and its polynomials add 6, H's within k + 6 units of P' P' and of P' Q' + C' T'.
+ * With Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P' (P' + Q') + C' T', and by N's rounding, as 2 |s| |c| is in P',
+ * 1.25 times that again: in all by (k + 6) units of P' T' + 4 |s| (P' (P' + Q') + C' T').  P' and T' of |xi| and |eta| longer by 6 |s|
+ * contain that: P' grows by 4 |s| C', T' by 4 |s| (P' + Q').  Off the finest promises a coarser bound is enough, of |s| < 1/6.  0.2,
+ * 1.4 and 1.3 leave for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
                                                      const footpoint_detail_quad4_vectors *r,
                                                      REAL promise, REAL *xi, REAL *eta)
@@ -69,12 +73,12 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
     const REAL beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
     REAL off, left = step * (1.0 / 3.0), h, room, other;
     if (promise < 1e-9)
-        off = per * footpoint_detail_quad4_off(products, r, fabs(p) + 2.0 * step,
-                                               fabs(q) + 2.0 * step, uu, mixed, vv);
+        off = per * footpoint_detail_quad4_off(products, r, fabs(p) + 6.0 * step,
+                                               fabs(q) + 6.0 * step, uu, mixed, vv);
     else
         off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
                       (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
-    off *= r->rounding + 50.0 * r->rounding * step;
+    off *= r->rounding - 4.5e-16;
     *xi = p + s;
     *eta = q + t;
     if (promise < 1e-3) {
