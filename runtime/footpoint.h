@@ -24,8 +24,9 @@ extern "C" {
 
 /* Signs.  A gap or a distance is < 0 if the slave node xS lies behind the face, and > 0 in front of it: in every function, of
  * every kind of face, of headers and library, C and Fortran.  Behind means (xS - r) . n < 0, n being the face's normal at the
- * point r.  At a corner that has no normal, because an edge is collapsed or the angle is 180 degrees, n is the normal's
- * limit on the bisector of the corner.  If r lies on an edge or a corner, xS is behind only if (xS - r) . n is below
+ * point r.  Where r_xi x r_eta at r is shorter than 1/1024 of what it is 1/1024 of the way to the middle of the face, because
+ * an edge is collapsed, or almost, or the angle of a corner is about 180 degrees, n is the normal there, on the bisector of a
+ * collapsed edge.  If r lies on an edge or a corner, xS is behind only if (xS - r) . n is below
  * -1e-12 |xS - r| |n| and below rounding: a node beside a flat face, in its plane, is not behind it.  Where several faces
  * share an edge or a corner, footpoint_face_select and NAME_closest_of of generated headers ask all of them.
  * A sign is no contact.  A node penetrates a face if the distance is < 0 and r lies inside the face: region 0, or

@@ -70,26 +70,42 @@ static const struct truth_point *find_point(const struct truth *t, const wide z[
     return NULL;
 }
 
-/* (xS - r) . n at z, over the product of the lengths of its terms; 0 if the normal is not clear. */
-static double side_of(const struct truth_surface *f, const wide z[2])
+/* n = r_xi x r_eta at z; returns |r_xi|^2 |r_eta|^2. */
+static wide normal_at(const struct truth_surface *f, const wide z[2], wide n[3])
 {
-    wide d[3], a[3], b[3], aa = 0, bb = 0, dd = 0, nn = 0, dn = 0;
-    truth_offset(f, z, d);
+    wide a[3], b[3], aa = 0, bb = 0;
     for (int k = 0; k < 3; k++) {
         a[k] = f->c1[k] + z[1] * f->c3[k];
         b[k] = f->c2[k] + z[0] * f->c3[k];
         aa += a[k] * a[k];
         bb += b[k] * b[k];
-        dd += d[k] * d[k];
     }
-    for (int k = 0; k < 3; k++) {
-        const wide n = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-        nn += n * n;
-        dn += n * d[k];
-    }
-    if (!(nn > (wide)1e-12 * aa * bb && nn > (wide)1e-24 && dd > (wide)1e-18)) /* rounding of loc makes a normal */
+    for (int k = 0; k < 3; k++)
+        n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    return aa * bb;
+}
+
+static wide product(const wide a[3], const wide b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* (xS - r) . n at z, over the product of the lengths of its terms; 0 if the normal is not clear.  Where it is shorter than 1/1024
+ * of that at 1/1024 of the way to the middle, n is the latter. */
+static double side_of(const struct truth_surface *f, const wide z[2])
+{
+    const wide inwards[2] = {z[0] * 1023 / 1024, z[1] * 1023 / 1024};
+    wide d[3], n[3], m[3];
+    truth_offset(f, z, d);
+    const wide spread = normal_at(f, z, n), nn = product(n, n), dd = product(d, d);
+    (void)normal_at(f, inwards, m);
+    const wide ratio = nn * 1024 * 1024 / product(m, m);
+    if (!(nn > (wide)1e-12 * spread && nn > (wide)1e-24 && dd > (wide)1e-18)) /* rounding of loc makes a normal */
         return 0;
-    const double side = (double)dn / sqrt((double)nn) / sqrt((double)dd);
+    if (ratio > (wide)0.99 && ratio < (wide)1.01)
+        return 0;
+    const wide *const normal = ratio < 1 ? m : n;
+    const double side = (double)product(normal, d) / sqrt((double)product(normal, normal)) / sqrt((double)dd);
     return fabs(side) > 1e-5 ? side : 0;
 }
 

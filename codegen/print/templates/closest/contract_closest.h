@@ -2,8 +2,9 @@
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, EDGES.
- *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
- *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, where r_xi x r_eta is a thousand times shorter
+ *           at r than at a thousandth (1/1024; float: 1/32) of the way to the middle, because an edge is collapsed, or
+ *           almost, or an angle about 180 degrees, for the normal there.  At an edge or a corner xS is
  *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat
  *           segment, in its plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if
  *           NAME_closest_of has dist < 0 for all segments there.

@@ -9,8 +9,9 @@
  *           longest edge, and another, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
  *           point that descents have found; so are all answers under -ffast-math.  Where two nodes are one point, xi or eta
  *           may be any number of the edge between them.
- *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, at a corner that has none because an edge is
- *           collapsed or the angle is 180 degrees, for the normal's limit on the bisector.  At an edge or a corner xS is
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, where r_xi x r_eta is a thousand times shorter
+ *           at r than at a thousandth (1/1024; float: 1/32) of the way to the middle, because an edge is collapsed, or
+ *           almost, or an angle about 180 degrees, for the normal there.  At an edge or a corner xS is
  *           behind only by more than a small angle, 1e-12, and by more than rounding: a node beside a flat segment, in its
  *           plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of
  *           has dist < 0 for all segments there.

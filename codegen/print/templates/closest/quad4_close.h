@@ -148,7 +148,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_touch(const REAL p[9],
     if (promise < close)
         doubt |= footpoint_detail_quad4_within(
             &q, &bounds, r->rounding * (55.0 * size + 1.3 * q.dd), close, promise);
-    return doubt | footpoint_detail_outside(area * area) | footpoint_detail_bits(nn - 1e-11 * area);
+    return doubt | footpoint_detail_outside(area * area) | footpoint_detail_bits(nn - REAL_INWARD * REAL_INWARD * area);
 }
 
 /* From (xi,eta) by one step, for the finest promise two, or from far outside none, to the closest point;
