@@ -32,35 +32,13 @@ enum promise_kind promise_kind_of(const struct unit *u)
     return !any ? PROMISE_NONE : k->bilinear ? PROMISE_BILINEAR : PROMISE_LINEAR;
 }
 
-double promise_of(const struct unit *u, const struct function *f)
+/* What the name of f promises. */
+static double name_promise(const struct function *f)
 {
-    if (promise_kind_of(u) == PROMISE_NONE)
-        return 0.0;
-    if (promise_kind_of(u) == PROMISE_LINEAR)
-        return finest;
     for (size_t i = 0; i < sizeof promises / sizeof *promises; i++)
         if (strcmp(promises[i].name, f->genome->name) == 0)
             return promises[i].promise;
     return finest;
-}
-
-/* The macro that says it. */
-static char *promise_text(const struct unit *u, const struct function *f)
-{
-    if (promise_of(u, f) == 0.0)
-        return new_format("0.0");
-    char *capitals = new_capitals(f->name), *name = new_format("%s_PROMISE", capitals);
-    free(capitals);
-    return name;
-}
-
-void promise_define(const struct unit *u, const struct function *f, FILE *out)
-{
-    char *name = promise_text(u, f);
-    if (promise_of(u, f) > 0.0)
-        fprintf(out, "#define %s %g /* the largest error of xi and eta behind FOOTPOINT_OK */\n\n", name,
-                promise_of(u, f));
-    free(name);
 }
 
 /* The error of all but 1 % of what evolution held out; infinite if it did not say. */
@@ -83,11 +61,59 @@ static const struct function *start_of(const struct unit *u, const struct functi
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *other = &u->function[i];
         const double e = usual_error(other);
-        if (e < NEAR && e * e * e < NEARLY * promise_of(u, f) &&
+        if (e < NEAR && e * e * e < NEARLY * name_promise(f) &&
             (!start || operations_cost(&other->code.ops, model) < operations_cost(&start->code.ops, model)))
             start = other;
     }
     return start ? start : f;
+}
+
+/* How many steps f takes in a loop over arrays, where all pairs take as many, if the segment is bilinear; the few that need more are
+ * done again behind it. */
+static int fixed_steps(const struct unit *u, const struct function *f)
+{
+    const double e = usual_error(start_of(u, f));
+    return e < 0.2 * NEAR && e * e * e < 0.3 * name_promise(f) ? 1 : 2;
+}
+
+/* The promise that needs steps of third order. */
+#define THIRD 1e-3
+
+/* Whether checked functions of f and g are the same but for what they promise. */
+static bool are_alike(const struct unit *u, const struct function *f, const struct function *g)
+{
+    return start_of(u, f) == start_of(u, g) && fixed_steps(u, f) == fixed_steps(u, g) &&
+           (name_promise(f) < THIRD) == (name_promise(g) < THIRD);
+}
+
+double promise_of(const struct unit *u, const struct function *f)
+{
+    double promise = promise_kind_of(u) == PROMISE_LINEAR ? finest : name_promise(f);
+    if (promise_kind_of(u) == PROMISE_NONE)
+        return 0.0;
+    for (size_t i = 0; i < u->file->genomes && promise_kind_of(u) == PROMISE_BILINEAR; i++)
+        if (promise >= THIRD && are_alike(u, f, &u->function[i]))
+            promise = fmin(promise, name_promise(&u->function[i]));
+    return promise;
+}
+
+/* The macro that says it. */
+static char *promise_text(const struct unit *u, const struct function *f)
+{
+    if (promise_of(u, f) == 0.0)
+        return new_format("0.0");
+    char *capitals = new_capitals(f->name), *name = new_format("%s_PROMISE", capitals);
+    free(capitals);
+    return name;
+}
+
+void promise_define(const struct unit *u, const struct function *f, FILE *out)
+{
+    char *name = promise_text(u, f);
+    if (promise_of(u, f) > 0.0)
+        fprintf(out, "#define %s %g /* the largest error of xi and eta behind FOOTPOINT_OK */\n\n", name,
+                promise_of(u, f));
+    free(name);
 }
 
 const struct function *promise_start(const struct unit *u, const struct function *f)
@@ -101,13 +127,10 @@ static int curved_steps(const struct unit *u, double promise)
     return promise < 0.99e-7 ? 2 : promise < (u->file->segment->triangle ? 0.99e-3 : 0.99e-2) ? 1 : 0;
 }
 
-/* How many steps NAME takes in a loop over arrays, where all pairs take as many; the few that need more are done again behind it. */
+/* How many steps NAME takes in a loop over arrays. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
-    if (promise_kind_of(u) == PROMISE_CURVED)
-        return curved_steps(u, promise_of(u, f));
-    const double e = usual_error(start_of(u, f));
-    return e < 0.2 * NEAR && e * e * e < 0.3 * promise_of(u, f) ? 1 : 2;
+    return promise_kind_of(u) == PROMISE_CURVED ? curved_steps(u, promise_of(u, f)) : fixed_steps(u, f);
 }
 
 static bool is_start(const struct unit *u, const struct function *f)
