@@ -14,7 +14,7 @@ endif
 
 MAKEFLAGS += --no-builtin-rules
 # All processors, unless the caller gives -j, or several goals of which some do more than build: these follow one another.
-ACTIONS := clean check check-long regenerate front bench calibrate perceptrons report rivals paper install install-runtime \
+ACTIONS := clean check check-long regenerate front bench bench-record figures calibrate perceptrons report rivals paper install install-runtime \
            uninstall dist abi
 goals   := $(filter-out deps%,$(MAKECMDGOALS))
 given_j := $(filter -j% --jobs%,$(MAKEFLAGS) $(shell echo "$$MAKEFLAGS"))
@@ -409,6 +409,12 @@ check-long: ## all tests in full, and the long ones; what compares times by itse
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
 
+bench-record: bench-program ## measure quad4 into tests/report/machines, for README.md: ISAS=
+	$(Q)sh tests/report/record.sh $(BIN)/footpoint-bench $(ISAS)
+
+figures: ## make README.md's table anew, of headers, genomes and tests/report/machines
+	$(Q)sh tests/report/figures.sh README.md > $(BIN)/README.new && cp $(BIN)/README.new README.md && rm $(BIN)/README.new
+
 PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --iterations 100
 
 perceptrons: paper-programs codegen ## train the perceptrons of the bench again, tests/paper/perceptron.gen, and emit them
@@ -561,6 +567,6 @@ clean: ## remove everything that was built
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
-.PHONY: all codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench calibrate report \
+.PHONY: all codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench bench-record figures calibrate report \
         perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

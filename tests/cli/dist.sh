@@ -20,7 +20,7 @@ else
 fi
 
 # ---- the release ----
-expect 'the release has its entry under Changes' 0 "$version:" '' sh -c "sed '1,/^## Changes/d' README.md | grep -m 1 '^[0-9.]*:'"
+expect 'the release has its entry under Changes' 0 "$version:" '' sh -c "sed '1,/^## Changes/d' runtime/README.md | grep -m 1 '^[0-9.]*:'"
 if command -v dpkg-parsechangelog > /dev/null; then
     expect "Debian's changelog" 0 "$version-1" '' \
         dpkg-parsechangelog -l runtime/package/debian/changelog -S Version
