@@ -1,5 +1,5 @@
-/* Champions, seeds and fronts; see archive.h.  A champion of the start file keeps its expression to the digit; what is
- * bred from it has its constants rounded. */
+/* Champions, seeds and fronts; see archive.h. A champion of the start file keeps its constants to the last digit; seeds
+ * bred from it round them. */
 #include "archive.h"
 
 #include "../../codegen/base/text.h"
@@ -11,10 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double worth = 0.99;       /* what is not better by one in a hundred changes no header, */
-static const double worth_judged = 0.9; /* nor a program that is not by one in ten: its worst error on other samples is
-                                           uncertain by more than a small gain in the mean; nor one that is right to
-                                           rounding, unless it costs less by one in ten */
+static const double worth = 0.99;       /* a smaller gain than one in a hundred changes no header */
+static const double worth_judged = 0.9; /* For programs the gain must be one in ten, because the worst error on other
+                                         * samples is more uncertain than a small gain in the mean. If both are right to
+                                         * rounding, the cost must be one in ten lower. */
 
 const char *const origin_name[ORIGINS] = {"start file", "seed", "seeded island", "random island"};
 
@@ -37,8 +37,8 @@ static void make_quests(struct archive *a)
     }
 }
 
-/* The program that a genome's outputs make, its genes the caller's; length 0 where it is none of the tier's values, or has
- * more genes than `most`. */
+/* Returns the program that a genome's outputs make, its genes owned by the caller. Length 0 if it needs other values
+ * than the tier's or has more than `most` genes. */
 static struct genes program_of(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
                                const struct genome_expr *eta, size_t tier, bool called, size_t most)
 {
@@ -77,8 +77,8 @@ bool archive_check_starts(const struct archive *a, struct diag *d)
             free(start.gene);
             if (start.length == 0)
                 return diag_at(d, a->scene->path, t->line, 0,
-                               "tier '%s': start '%s', '%s' is not made of its terminals", t->name, t->start[k][0],
-                               t->start[k][1]);
+                               "tier '%s': start '%s', '%s' must be made of the tier's terminals", t->name,
+                               t->start[k][0], t->start[k][1]);
         }
     }
     return true;
@@ -100,12 +100,11 @@ static bool read_champion(struct archive *a, struct quest *q, struct diag *d)
     bool good = true;
     if (g && quest_of_programs(q)) {
         c->genes = read_program(a, a->start, output_of(g, 0), output_of(g, 1), q->tier);
-        good =
-            c->genes.length > 0 || a->shipped ||
-            diag_at(
-                d, a->start->path, g->line, 0,
-                "genome '%s' is no program of its tier's terminals within max_length (--from-scratch starts without)",
-                g->name);
+        good = c->genes.length > 0 || a->shipped ||
+               diag_at(d, a->start->path, g->line, 0,
+                       "genome '%s' is not a program of the tier's terminals within max_length; --from-scratch starts "
+                       "without it",
+                       g->name);
     } else if (e) {
         c->genes = (struct genes){new_array(e->length, sizeof *e->gene), e->length};
         good = frame_rebind(a->start, e, a->program, c->genes.gene, d);
@@ -118,7 +117,7 @@ static bool read_champion(struct archive *a, struct quest *q, struct diag *d)
     return good || a->shipped;
 }
 
-/* Constants of the program become decimal numbers. */
+/* Rounds constants of the program to decimal numbers. */
 static void round_constants(const struct genome_file *program, struct genes *t)
 {
     for (size_t i = 0; i < t->length; i++)
@@ -126,7 +125,7 @@ static void round_constants(const struct genome_file *program, struct genes *t)
             t->gene[i] = decimal_gene(program->constant[-1 - t->gene[i]].value);
 }
 
-/* The champion becomes its own tier's seed. */
+/* Adds the champion as a seed of its own tier. */
 static void seed_champion(struct archive *a, const struct quest *q)
 {
     const struct genes *t = &q->champion.genes;
@@ -216,7 +215,7 @@ static bool read_seed(struct archive *a, const struct genome_file *f, const stru
     return good;
 }
 
-/* A genome's outputs, and the programs that these make for the tiers of such. */
+/* Reads a genome's outputs as seeds, and also as programs for tiers of programs. */
 static bool read_seeds(struct archive *a, const struct genome_file *f, const struct genome *g, struct diag *d)
 {
     const long own = tier_of_name(a->scene, g->name);
@@ -248,7 +247,7 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
     return good;
 }
 
-/* Islands of the quest can breed from it. */
+/* Returns true if islands of the quest can breed from the seed. */
 static bool fits_quest(const struct archive *a, const struct quest *q, const struct archive_seed *s)
 {
     const struct tier *t = q->own;
@@ -305,7 +304,8 @@ double archive_error(const struct archive *a, struct objective *o, const struct 
                                 : archive_bare_error(a, o, q, t);
 }
 
-/* Programs may have the 99 % and largest errors of the champion that was, or else of the best seed within the budget. */
+/* Sets the largest permitted 99 % and maximum errors of programs: those of the champion at the start or, without one,
+ * of the best seed within the budget. */
 static void find_tails(const struct archive *a, const struct plan *plan, struct objective *o, struct quest *q)
 {
     const struct champion *c = &q->champion;
@@ -338,7 +338,7 @@ static void measure_champion(const struct archive *a, const struct plan *plan, s
     c->cost_before = c->cost;
 }
 
-/* A value of the frame that is right to rounding takes the champion's place. */
+/* Replaces the champion by a value of the frame that is right to rounding. */
 static void take_exact(const struct archive *a, struct objective *exact, struct quest *q)
 {
     struct champion *c = &q->champion;
@@ -353,7 +353,7 @@ static void take_exact(const struct archive *a, struct objective *exact, struct 
     c->bred = true;
 }
 
-/* The first seed of a quest that has a champion is that champion. */
+/* Starts each front. If a quest has a champion, that is its first seed. */
 static void start_fronts(const struct archive *a, const struct plan *plan, struct objective *o, struct quest *q)
 {
     const size_t longest = tier_genes(q->own);
@@ -408,8 +408,8 @@ static void replace_champion(const struct archive *a, struct objective *o, struc
     c->seed = m->origin == ORIGIN_SEED;
 }
 
-/* What the choice among a tier's expressions minimises; INFINITY: out of the question.  Of what is within the budget and
- * right to rounding, the cheapest is the best. */
+/* Returns the figure that the choice among a tier's expressions minimises, or INFINITY for an expression out of the
+ * budget. Among expressions within the budget and right to rounding, the cheapest wins. */
 static double merit(const struct archive *a, const struct plan *plan, const struct quest *q, double error, double cost)
 {
     const double budget = q->own->budget, least = objective_rounding(a->scene->norm);
@@ -418,16 +418,16 @@ static double merit(const struct archive *a, const struct plan *plan, const stru
     return cost > budget ? INFINITY : error > least ? error : least * cost / budget;
 }
 
-/* Errors of a quest: as the islands found them, or on the validation samples. */
+/* Judges the expressions of a quest, by the islands' errors or on validation samples. */
 struct court {
-    struct objective *judge; /* not owned; NULL: as they were found */
+    struct objective *judge; /* not owned; NULL: uses the islands' errors */
     int last;
-    const struct genes *champion; /* not owned; NULL: none within the budget */
-    struct outputs outputs;       /* the champion's, as are these */
+    const struct genes *champion; /* not owned; NULL: no champion within the budget */
+    struct outputs outputs;       /* of the champion */
     struct tails tails;
 };
 
-/* INFINITY for what is worse than the champion in anything. */
+/* Returns the error, or INFINITY if any error figure is worse than the champion's. */
 static double verdict(const struct court *court, const struct genes *t, double error)
 {
     if (!court->judge || !(error < INFINITY))
@@ -468,7 +468,7 @@ static void choose_champion(const struct archive *a, const struct plan *plan, st
         }
     }
     if (!best && c->genes.length == 0 && front_count(f) > 0)
-        best = front_member(f, 0); /* the cheapest, where none is within the budget */
+        best = front_member(f, 0); /* the cheapest member if the budget excludes all */
     if (best)
         replace_champion(a, o, q, best);
 }

@@ -1,12 +1,11 @@
-/* Expressions that need no evolution: values of a frame that are right to rounding, and those of one gene; see
- * archive.h. */
+/* Tiers that need no evolution: frame values that are right to rounding, and expressions of one gene; see archive.h. */
 #include "archive.h"
 
 #include "../eval/frame.h"
 
 #include <math.h>
 
-/* Gene of the cheapest terminal of a tier that is within `tolerance` on all samples; 0: none. */
+/* Returns the gene of a tier's cheapest terminal that is within `tolerance` on all samples, or 0. */
 static int exact_value(const struct archive *a, struct objective *worst, const struct tier *t, int output,
                        double tolerance)
 {

@@ -1,4 +1,4 @@
-/* What the trees of a tier are made of; see archive.h. */
+/* The genes of a tier's trees; see archive.h. */
 #include "archive.h"
 
 #include "../common/decimal.h"
@@ -17,7 +17,7 @@ struct quest *archive_quests(const struct archive *a, size_t tier, size_t *n)
 
 enum { GRID = 100 }; /* constants -GRID..GRID times 0.05 */
 
-/* Insert by value; each value once. */
+/* Inserts a constant, sorted by value, if it is new. */
 static void add_constant(struct gene_set *s, int gene)
 {
     const double value = decimal_value(gene);
@@ -37,7 +37,7 @@ static int gene_of(const struct genome_file *program, const char *name)
     return gene >= 0 ? gene : GENE_FUNCTION + line_function(program, name);
 }
 
-/* Those of two operands, then those of one. */
+/* Adds binary operators, then unary operators. */
 static void add_operations(const struct archive *a, const struct tier *t, struct gene_set *s)
 {
     s->operation = new_array(t->functions, sizeof *s->operation);

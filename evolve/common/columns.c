@@ -1,5 +1,5 @@
-/* Tables of samples; see columns.h.  Columns begin 17 lines further than whole blocks would put them: at a distance of
- * a power of two, the tiles of all columns would share a few sets of the first-level cache and drive each other out. */
+/* Tables of samples; see columns.h. Each column is 17 lines longer than whole blocks require. If columns were a power
+ * of two apart, their tiles would share a few sets of the first-level cache and evict each other. */
 #include "columns.h"
 
 #include <stdint.h>

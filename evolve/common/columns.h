@@ -5,24 +5,24 @@
 #include "../../codegen/genome/genome.h"
 
 enum {
-    KERNEL_BLOCK = 512, /* samples between two looks at the bound */
-    TAPE_BLOCK = 128    /* samples at a time where derivatives are wanted; divides KERNEL_BLOCK */
+    KERNEL_BLOCK = 512, /* samples between two checks of the error bound */
+    TAPE_BLOCK = 128    /* samples per block when derivatives are computed; divides KERNEL_BLOCK */
 };
 
 /** A table of samples: one column of n doubles per symbol, padded to whole blocks and aligned to cache lines. */
 struct columns {
     size_t n, count;
-    size_t room;    /* distance of two columns in rows: n rounded up to whole blocks, and a bit; the padding is 0 */
-    double *data;   /* not owned: aligned in `memory` */
-    double *memory; /* owned */
-    unsigned char *band; /* owned: of mesh samples the band of |gap|, by row; or NULL */
+    size_t room;         /* rows from one column to the next: n rounded up to whole blocks, plus a pad; padding is 0 */
+    double *data;        /* not owned: aligned in `memory` */
+    double *memory;      /* owned */
+    unsigned char *band; /* owned: band of |gap| of each row, for mesh samples; otherwise NULL */
 };
 struct columns columns_new(size_t n, size_t count);
 void columns_free(struct columns *c);
-/** First row of a column. */
+/** Returns the first row of a column. */
 double *columns_at(const struct columns *c, size_t column);
 
-/** A table of every `stride`-th sample of another. */
+/** Returns a table of every `stride`-th sample. */
 struct columns columns_thin(const struct columns *all, size_t stride);
 
 #endif

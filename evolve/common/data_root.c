@@ -1,12 +1,12 @@
-/* Where a program finds frames, scenes and start genomes; see data_root.h.  The installed place is relative to the
- * program, so that an installation may be staged and moved. */
+/* Finds frames, scenes and start genomes; see data_root.h. The installed place is relative to the program, so that an
+ * installation can be staged and moved. */
 #include "data_root.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { PATH = 700 }; /* what paths below a root leave for it */
+enum { PATH = 700 }; /* longest root that leaves room for paths below it */
 
 static bool holds_frames(const char *root)
 {

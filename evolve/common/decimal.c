@@ -1,7 +1,9 @@
 /* A gene is -1 - code, code = (mantissa * 16 + exponent) * 2 + sign, for the number
+ *
  *     (-1)^sign mantissa 10^(exponent - 12).
- * The mantissa has no trailing zeros unless the exponent is the largest, and 0 has the sign and
- * the exponent 0, so that each number has one gene. */
+ *
+ * The mantissa has no trailing zeros unless the exponent is the largest, and 0 has sign 0 and exponent 0. So each
+ * number has exactly one gene. */
 #include "decimal.h"
 
 #include <limits.h>
@@ -20,7 +22,7 @@ static int gene_of(int mantissa, int exponent, bool negative)
     return mantissa == 0 ? -1 : -1 - ((mantissa * EXPONENTS + exponent) * 2 + (negative ? 1 : 0));
 }
 
-/* mantissa * 10^(exponent - SHIFT) by one rounding: the powers are exact in double. */
+/* Returns mantissa * 10^(exponent - SHIFT) with one rounding: the powers are exact in double. */
 static double scaled(double mantissa, int exponent)
 {
     double power = 1;

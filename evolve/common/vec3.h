@@ -21,7 +21,7 @@ static inline double vector_length(const double a[3])
     return sqrt(vector_dot(a, a));
 }
 
-/** The square of the distance. */
+/** Returns the squared distance. */
 static inline double vector_distance2(const double a[3], const double b[3])
 {
     const double v[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};

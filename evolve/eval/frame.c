@@ -1,5 +1,5 @@
-/* Frames; see frame.h.  A program is put together of their statements; lets are evaluated
- * one column after the other, as programs are. */
+/* Frames; see frame.h. A program is assembled from their statements. Lets are evaluated column by column, like
+ * programs. */
 #include "frame.h"
 
 #include "../../codegen/base/text.h"
@@ -15,7 +15,7 @@ enum { NAME = 300 };
 
 const char *const frame_output[TIER_OUTPUTS] = {"xi", "eta", "both"};
 
-/* Lets whose value is the scene's: the reference point and the box that its contact points lie in. */
+/* Lets whose values come from the scene: the reference point and the box of its contact points. */
 enum { FROM_SCENE = 6 };
 static const char *const scene_let[FROM_SCENE] = {"xi0", "eta0", "xi_lo", "xi_hi", "eta_lo", "eta_hi"};
 
@@ -49,8 +49,8 @@ bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, s
     return true;
 }
 
-/* A statement of the frame as the tier has it: with the scene's values, and names of its own where the tier has a
- * reference point of its own.  Caller frees. */
+/* Returns a statement of the frame with the scene's values, and with separate names if the tier has its own reference
+ * point. The caller frees it. */
 static char *statement_of_tier(const struct genome_file *frame, size_t k, const struct scene *s, const struct tier *t)
 {
     char suffix[16], number[32];
@@ -66,15 +66,14 @@ static char *statement_of_tier(const struct genome_file *frame, size_t k, const 
     return genome_statement_suffixed(frame, k, suffix);
 }
 
-/* Whether what comes behind the program's last statement may share its line: that is a let, too, or whatever it is.  The
- * first of a frame's line may be there already, and what stands last then anything. */
+/* Returns true if the text may join the line of the program's last statement, which must be of the same type. */
 static bool may_join(const struct genome_file *program, const char *text)
 {
     const char *last = program->statements > 0 ? program->statement[program->statements - 1].text : "";
     return strncmp(last, text, strcspn(text, " ") + 1) == 0;
 }
 
-/* Adds it to the program, unless another frame of the scene has the same one. */
+/* Adds a statement to the program, unless another frame of the scene has the same one. */
 static bool add_statement(const struct genome_file *frame, size_t k, const struct scene *s, const struct tier *t,
                           struct genome_file *program, struct diag *d)
 {
@@ -85,7 +84,7 @@ static bool add_statement(const struct genome_file *frame, size_t k, const struc
     const bool joined = frame->statement[k].joined && may_join(program, text);
     const bool good =
         known ? strcmp(known->text, text) == 0 || diag_at(d, frame->path, frame->statement[k].line, 0,
-                                                          "'%s' is another value in another frame of the scene", name)
+                                                          "'%s' has another value in another frame of the scene", name)
               : genome_read_statement(program, text, d);
     if (good && !known)
         program->statement[program->statements - 1].joined = joined;
@@ -93,7 +92,7 @@ static bool add_statement(const struct genome_file *frame, size_t k, const struc
     return good;
 }
 
-/* The program's number of a value of the frame, which the tier may call otherwise. */
+/* Returns the program's index of a frame value, which may have another name in the tier. */
 static size_t same_symbol(const struct genome_file *frame, size_t symbol, const struct tier *t,
                           const struct genome_file *program)
 {
@@ -103,7 +102,7 @@ static size_t same_symbol(const struct genome_file *frame, size_t symbol, const 
     return (size_t)genome_find_symbol(program, name);
 }
 
-/* Inputs may be exchanged in several frames, but alike. */
+/* Adds an exchange of inputs, which must agree between frames. */
 static bool add_exchange(const struct genome_file *frame, const size_t pair[2], const struct tier *t,
                          struct genome_file *program, struct diag *d)
 {
@@ -113,7 +112,9 @@ static bool add_exchange(const struct genome_file *frame, const size_t pair[2], 
         if ((other[0] == a && other[1] == b) || (other[0] == b && other[1] == a))
             return true;
         if (other[0] == a || other[1] == a || other[0] == b || other[1] == b)
-            return diag_at(d, frame->path, 0, 0, "another frame of the scene exchanges '%s' or '%s' otherwise",
+            return diag_at(d, frame->path, 0, 0,
+                           "'%s' or '%s' is exchanged differently in another frame of the "
+                           "scene",
                            genome_symbol_name(frame, pair[0]), genome_symbol_name(frame, pair[1]));
     }
     genome_add_exchange(program, a, b);
@@ -130,20 +131,20 @@ static bool has_function(const struct genome_file *frame, const struct tier *t, 
     return found;
 }
 
-/* Names in a tier's list that are no operators. */
+/* Checks that names in a tier's list are operators or functions. */
 static bool check_functions(const struct genome_file *frame, const struct scene *s, const struct tier *t,
                             struct diag *d)
 {
     for (size_t i = 0; i < t->functions; i++)
         if (t->program && gene_of_name(t->function[i]) >= 0 && gene_arity(gene_of_name(t->function[i])) != 2)
-            return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' takes one value; operators of programs take two",
-                           t->name, t->function[i]);
+            return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is unary; programs take binary operators", t->name,
+                           t->function[i]);
     for (size_t i = 0; i < t->functions; i++)
         if (gene_of_name(t->function[i]) < 0 && !has_function(frame, t, t->function[i]))
-            return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name,
+            return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is not a function of frame '%s'", t->name,
                            t->function[i], t->frame);
     if (t->last && !has_function(frame, t, t->last))
-        return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name, t->last,
+        return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is not a function of frame '%s'", t->name, t->last,
                        t->frame);
     return true;
 }
@@ -181,7 +182,7 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
     if (access(path, R_OK) != 0) {
         char known[300];
         list_frames(root, known, sizeof known);
-        return diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': no frame '%s'; there are %s", t->name,
+        return diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': no frame '%s'; available: %s", t->name,
                        t->frame, known);
     }
     struct genome_file *frame = genome_read(path, d);
@@ -191,12 +192,12 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
         program->format = frame->format;
         genome_add_segment(program, s->segment, s->order);
     }
-    bool good = frame->genomes == 0 || diag_at(d, path, frame->genome[0].line, 0, "a frame holds no genomes");
+    bool good = frame->genomes == 0 || diag_at(d, path, frame->genome[0].line, 0, "a frame must not contain genomes");
     if (good && frame->segment && frame->segment != s->segment)
-        good = diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': frame '%s' is of segments %s", t->name,
+        good = diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': frame '%s' is for segment %s", t->name,
                        t->frame, frame->segment->name);
     if (good && frame->format != program->format)
-        good = diag_at(d, path, 0, 0, "version %d of the format, but another frame of the scene has version %d",
+        good = diag_at(d, path, 0, 0, "format version %d differs from version %d of another frame of the scene",
                        frame->format, program->format);
     for (size_t i = 0; good && i < frame->statements && frame_is_new(s, tier); i++)
         good = add_statement(frame, i, s, t, program, d);
@@ -205,12 +206,12 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
     good = good && check_functions(frame, s, t, d);
     for (size_t i = 0; good && i < 2 * t->starts; i++)
         if (genome_find_symbol(program, t->start[i / 2][i % 2]) < 0)
-            good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name,
+            good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is not a value of frame '%s'", t->name,
                            t->start[i / 2][i % 2], t->frame);
     for (size_t i = 0; good && i < t->terminals; i++)
         if (genome_find_symbol(program, t->terminal[i]) < 0)
-            good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],
-                           t->frame);
+            good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is not a value of frame '%s'", t->name,
+                           t->terminal[i], t->frame);
     genome_file_free(frame);
     return good;
 }

@@ -1,4 +1,4 @@
-/* Prices of lets; see frame_cost.h.  The lets that each let needs, itself among them, are a set of bits. */
+/* Prices of lets; see frame_cost.h. The set of lets that each let needs, itself included, is a bit set. */
 #include "frame_cost.h"
 
 #include <stdlib.h>
@@ -8,11 +8,11 @@ enum { BITS = 64 };
 
 struct frame_cost {
     size_t inputs, lets, words;
-    double *price;         /* owned: by let, its own operations */
-    uint64_t *needs, *all; /* owned: by let, and of a tree: sets of lets, `words` each */
+    double *price;         /* owned: by let; its own operations */
+    uint64_t *needs, *all; /* owned: by let, and of a tree; sets of lets, `words` words each */
 };
 
-/* Takes what an expression needs into a set. */
+/* Adds the lets that an expression needs to a set. */
 static void need(const struct frame_cost *f, const int *gene, size_t length, uint64_t *set)
 {
     for (size_t i = 0; i < length; i++) {

@@ -1,17 +1,17 @@
-/* Operations of programs; see operation_count.h.  The lets that the lines need are counted with them, operation by
- * operation, so that what a function has in common with the frame's values is counted once. */
+/* Counts the operations of programs; see operation_count.h. The lets that the lines need are included, operation by
+ * operation, so that a subexpression shared by a function and the frame's values counts once. */
 #include "operation_count.h"
 
 #include <stdlib.h>
 
 struct lines_counter {
     const struct genome_file *program; /* not owned */
-    struct lines *code;                /* owned, as are these */
+    struct lines *code;                /* owned */
     struct counter *counter;
     size_t capacity, symbols, let_genes;
     int *value, *line; /* by symbol; by line */
     size_t line_room;
-    unsigned *round, now; /* by symbol: the count in which its value was made */
+    unsigned *round, now; /* indexed by symbol: the count in which its value was made */
 };
 
 struct lines_counter *lines_counter_new(const struct line_rules *t)

@@ -1,7 +1,7 @@
-/* The evaluator of programs; see lines_run.h.  Lines run over blocks of samples, one after the other.  Where values
- * alone are wanted a block is used again once no later line needs it, so that those in use stay in the first-level
- * cache.  All widths of registers give the same bits: values, because every sample goes through the same rounded
- * operations; sums, because they run in WIDE_LANES lanes, sample i of a block in lane i mod WIDE_LANES. */
+/* The evaluator of programs; see lines_run.h. It runs line after line over blocks of samples. If only values are
+ * needed, a block is reused once no later line reads it, so that live blocks stay in the first-level cache. All
+ * register widths give the same bits: values, because every sample goes through the same rounded operations; sums,
+ * because they run in WIDE_LANES lanes, sample i of a block in lane i mod WIDE_LANES. */
 #include "lines_run.h"
 
 #include "tape_blocks.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SCREEN = 4 * TAPE_BLOCK }; /* samples on which the hopeless show */
+enum { SCREEN = 4 * TAPE_BLOCK }; /* samples that reveal hopeless programs */
 static const double hopeless = 3;
 
 struct lines_run *lines_run_new(const struct line_rules *t, const struct columns *table)
@@ -44,7 +44,7 @@ static void reserve_blocks(double **block, size_t *room, size_t blocks)
     *block = new_array(*room * TAPE_BLOCK, sizeof **block);
 }
 
-/* last[i]: the last line that needs line i; roots are needed to the end. */
+/* Sets last[i] to the last line that reads line i; roots are read at the end. */
 static void find_last_uses(const struct lines *c, int *last)
 {
     for (size_t i = 0; i < c->lines; i++) {
@@ -57,12 +57,12 @@ static void find_last_uses(const struct lines *c, int *last)
             last[x->b] = (int)i;
     }
     for (size_t i = 0; i < c->lines; i++)
-        if (c->divides[i]) /* looked at in the end, as the answers are */
+        if (c->divides[i]) /* read at the end, like the answers */
             last[i] = (int)c->lines;
     last[c->root[0]] = last[c->root[1]] = (int)c->lines;
 }
 
-/* A block for each line that is no symbol; returns how many there are. */
+/* Assigns a block to each line that is not a symbol; returns the number of blocks. */
 static size_t share_blocks(struct lines_run *r)
 {
     const struct lines *c = r->code;
@@ -74,7 +74,7 @@ static size_t share_blocks(struct lines_run *r)
         if (!c->needed[i] || x->gene >= GENE_SYMBOL)
             continue;
         r->place[i] = n > 0 && !r->all && line_is_operation(x) ? idle[--n] : blocks++;
-        for (int k = 0; k < 2 && line_is_operation(x); k++) { /* a line never writes where it reads */
+        for (int k = 0; k < 2 && line_is_operation(x); k++) { /* a line never writes to a block that it reads */
             const int from = k ? x->b : x->a;
             if (from < 0 || (k && x->b == x->a) || last[from] != (int)i || !line_is_operation(&c->line[from]))
                 continue;
@@ -86,7 +86,7 @@ static size_t share_blocks(struct lines_run *r)
     return blocks;
 }
 
-/* Room for the program in r->code. */
+/* Reserves memory for the program in r->code. */
 static void reserve(struct lines_run *r)
 {
     const struct lines *c = r->code;
@@ -149,7 +149,7 @@ static const double *goal_of(const struct lines_run *r, int half)
     return columns_at(r->table, r->table->count - 2 + (size_t)half);
 }
 
-/* Absolute errors of a block, and their sums. */
+/* Computes the absolute errors of a block, and adds them to the lanes. */
 WIDE static void take_errors(const double *value, const double *goal, size_t n, double *error, double lane[WIDE_LANES])
 {
     for (size_t k = 0; k < n; k++) {
@@ -258,7 +258,7 @@ WIDE static void add_block(struct lines_run *r, int line, const double *more)
     r->slope[line] = to;
 }
 
-/* Slopes of the operands of a line, into the first two blocks. */
+/* Computes the slopes of a line's operands in the first two blocks. */
 WIDE static void pass_down(struct lines_run *r, size_t i)
 {
     const struct line *x = &r->code->line[i];

@@ -1,4 +1,4 @@
-/* Training errors; see objective.h.  The mean comes fused from the kernel; the other norms need all values. */
+/* Training errors; see objective.h. The kernel sums the mean as it evaluates; the other norms need all values. */
 #include "objective.h"
 
 #include "errors.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Errors of xi and eta, up to about 1 in size, that formulas have which are exact but for rounding. */
+/* Rounding errors of xi and eta, up to about 1 in size, in formulas that are otherwise exact. */
 static const double rounding[] = {
     [NORM_MEAN] = DBL_EPSILON, [NORM_P99] = 4 * DBL_EPSILON, [NORM_MAX] = 16 * DBL_EPSILON};
 
@@ -57,7 +57,7 @@ double objective_error(struct objective *o, const struct genes *t, int last, dou
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 
-/* Mean errors in the bands of |gap|; 0 where there is no sample. */
+/* Computes mean errors in the bands of |gap|; 0 in an empty band. */
 static void band_means(const struct objective *o, double mean[GAP_BANDS])
 {
     const size_t n = o->table->n;
@@ -99,7 +99,8 @@ static size_t parts_of(const struct objective *o)
     return o->table->band ? 2 * GAP_BANDS : 4;
 }
 
-/* The errors in o->scratch of one output on one part of the samples, and how many: none, of fewer samples than parts. */
+/* Finds the errors in o->scratch of one output on one part of the samples, and their number: 0 if there are fewer
+ * samples than parts. */
 static double *part_of(const struct objective *o, size_t output, size_t part, size_t *n)
 {
     const size_t all = o->table->n, pieces = o->table->band ? 2 : 4, piece = part % pieces;
@@ -131,7 +132,7 @@ struct outputs objective_outputs(struct objective *o, const struct genes *t, int
 
 enum { WORSE_MEAN = 1, WORSE_P99 = 2, WORSE_MAX = 4, WORSE_UNKNOWN = 8 };
 
-/* Which figures of one output on one part are larger; of no samples any may be. */
+/* Returns which figures of one output are larger on one part, as a bit mask; on an empty part, all. */
 static int worse_in(const struct objective *o, size_t k, size_t part, const struct outputs *than)
 {
     size_t n;
@@ -158,7 +159,7 @@ bool objective_no_worse(struct objective *o, const struct genes *t, int last, co
     return true;
 }
 
-/* How far the mean in the worst band exceeds what it may be; at least 1. */
+/* Returns the factor, at least 1, by which the mean in the worst band exceeds its limit. */
 static double excess_in_bands(const struct objective *o, const struct tails *tails)
 {
     double mean[GAP_BANDS], excess = 1;
@@ -171,8 +172,8 @@ static double excess_in_bands(const struct objective *o, const struct tails *tai
     return excess;
 }
 
-/* An error, charged for how far the means in bands, the 99 % and the largest of o->scratch exceed what they may be; INFINITY
- * beyond the bound, which counting shows where the 99 % would have to be selected. */
+/* Returns an error charged for exceeding the limits on means in bands, 99 % and largest error of o->scratch. Returns
+ * INFINITY beyond the bound; counting errors above the limit shows this without selecting the 99 %. */
 static double charged(struct objective *o, double error, const struct tails *tails, double bound)
 {
     const size_t n = 2 * o->table->n;

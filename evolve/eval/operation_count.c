@@ -1,5 +1,5 @@
-/* Counts operations by hash-consing: each value becomes a node that is looked up by its hash among those that are there.
- * A node stands for a value up to its sign, which its user carries.  What the root needs is marked in the end. */
+/* Counts operations by hash-consing: a hash table maps each value to a node. A node stands for a value up to its sign,
+ * which its user carries. Finally the nodes that the root needs are marked. */
 #include "operation_count.h"
 
 #include "../../codegen/base/index_table.h"
@@ -14,20 +14,20 @@ enum kind { LEAF, CONSTANT, SUM, PRODUCT, QUOTIENT, OTHER };
 
 struct node {
     uint64_t hash;
-    double value; /* CONSTANT: >= 0, or not a number */
-    int a, b;     /* operands; -1: none */
+    double value; /* for CONSTANT: >= 0 or NaN */
+    int a, b;     /* operands, or -1 */
     enum kind kind;
     bool needed;
-    double path; /* of what is needed: the longest chain that ends here */
+    double path; /* for needed nodes: the longest chain that ends here */
 };
 
 struct counter {
-    struct node *node; /* owned, operands before those that use them */
+    struct node *node; /* owned; operands precede their users */
     int nodes;
     struct index_table known; /* nodes by hash */
 };
 
-/* A value: a node or its negative.  For users of the counter it is one number, 2 node + negative. */
+/* A value: a node or its negative. The counter's callers hold it as the number 2 node + negative. */
 struct operand {
     int node;
     bool negative;
@@ -72,7 +72,7 @@ static uint64_t mix(uint64_t a, uint64_t b)
     return h ^ (h >> 32);
 }
 
-/* The node of that hash, which is added if it is new. */
+/* Returns the equal node, or adds this one. */
 static int node_of(struct counter *c, struct node n)
 {
     size_t probe = 0;
@@ -145,7 +145,7 @@ static struct operand product(struct counter *c, struct operand a, struct operan
     return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, PRODUCT, false, 0}), negative};
 }
 
-/* A protected quotient is 1 where its divisor is 0, so that its sign cannot be carried outwards. */
+/* Adds a protected quotient. It is 1 where its divisor is 0, so its sign cannot be factored out. */
 static struct operand quotient(struct counter *c, int gene, struct operand a, struct operand b)
 {
     const bool plain = gene == GENE_DIV || (is_constant(c, b) && !is_size(c, b, 0));
@@ -216,7 +216,7 @@ int counter_leaf(struct counter *c, int gene)
     return 2 * node_of(c, (struct node){mix(LEAF, (uint64_t)gene), 0, -1, -1, LEAF, false, 0});
 }
 
-/* The longest chain to each node that is needed; operands stand before their users. */
+/* Returns the longest chain to a needed node; operands precede their users. */
 static double longest_chain(struct counter *c, const int *root, size_t roots)
 {
     static const double length[] = {[SUM] = 1, [PRODUCT] = 1, [QUOTIENT] = 3.25, [OTHER] = 1};
@@ -230,7 +230,7 @@ static double longest_chain(struct counter *c, const int *root, size_t roots)
     return longest;
 }
 
-/* Count what the roots need: users stand behind their operands. */
+/* Counts what the roots need; users follow their operands. */
 struct operation_count counter_end(struct counter *c, const int *root, size_t roots)
 {
     struct operation_count o = {.hash = 0};

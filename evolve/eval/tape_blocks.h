@@ -8,13 +8,13 @@
 #include <math.h>
 
 #if defined __clang__
-#pragma clang diagnostic ignored "-Wpass-failed" /* of builds that do not optimise */
+#pragma clang diagnostic ignored "-Wpass-failed" /* for unoptimised builds */
 #define EACH _Pragma("clang loop vectorize(assume_safety)") for (size_t k = 0; k < TAPE_BLOCK; k++)
 #else
 #define EACH _Pragma("GCC ivdep") for (size_t k = 0; k < TAPE_BLOCK; k++)
 #endif
 
-/* to = x gene y; y counts where the gene has two operands. */
+/* Computes to = x gene y; y is ignored for a unary gene. */
 IN_WIDE void value_of(int gene, const double *x, const double *y, double *to)
 {
 #define VALUE(gene, operands, value)                                                                                   \
@@ -33,7 +33,7 @@ IN_WIDE void value_of(int gene, const double *x, const double *y, double *to)
     }
 }
 
-/* Slopes of the operands x and y of a gene; slope is that of the operation. */
+/* Computes the slopes of operands x and y of a gene from the slope of the operation. */
 IN_WIDE void slope_of(int gene, const double *slope, const double *value, const double *x, const double *y, double *sx,
                       double *sy)
 {

@@ -1,7 +1,8 @@
-/* Seeds of programs; see compose.h.  From each start, and from what the scene's functions make of one after the other:
- * of each round the most promising go on, which are those that come nearest to the front, or whose continuations do, so
- * that a step that pays only with the next is not lost.  Thus all truncated iterations of any length and mixture are
- * among them: a Gauss-Newton step from p, two Newton steps, (7) solved for xi and Newton's step ... */
+/* Composes seeds of programs; see compose.h. Starts from each pair of `starts` and applies the scene's functions one
+ * after the other. Each round keeps the most promising candidates: those that come closest to the front, or whose
+ * continuations do, so that a step is kept if it pays only together with the next step. This covers truncated
+ * iterations of every length and mixture: a Gauss-Newton step, two Newton steps, (7) solved for xi and then a Newton
+ * step ... */
 #include "compose.h"
 
 #include "../genotype/lines_text.h"
@@ -11,13 +12,13 @@
 #include <string.h>
 
 enum { ROWS = 2048, WIDTH = 64 };
-static const double smallest = 1e-300; /* an error of 0 is compared, too */
+static const double smallest = 1e-300; /* errors are clamped to it, so that 0 can be compared */
 
 struct candidate {
     int *gene; /* owned */
     size_t length, parent;
     double cost, error;
-    double promise; /* error over the front's at its cost: the least of itself and its continuations */
+    double promise; /* error over the front's error at the same cost: the least over itself and its continuations */
     uint64_t hash;
 };
 
@@ -39,7 +40,7 @@ struct composer {
     size_t seens, room;
 };
 
-/* True once for each hash. */
+/* Returns true the first time a hash is seen. */
 static bool is_new(struct composer *s, uint64_t hash)
 {
     for (size_t i = 0; i < s->seens; i++)
@@ -49,7 +50,8 @@ static bool is_new(struct composer *s, uint64_t hash)
     return true;
 }
 
-/* Measure a composition; false where it costs more than the front has room for, is longer, or was there before. */
+/* Measures a composition. Returns false if it exceeds the front's cost limit or the length limit, or was seen
+ * before. */
 static bool measure(struct composer *s, struct candidate *x)
 {
     const struct genes t = {x->gene, x->length};
@@ -68,7 +70,7 @@ static bool measure(struct composer *s, struct candidate *x)
     return true;
 }
 
-/* Add the program in s->lines, if it can be measured. */
+/* Adds the program in s->lines if it can be measured. */
 static void add(struct composer *s, struct candidates *to, size_t parent)
 {
     struct candidate fresh = {.gene = new_array(s->found->max_length, sizeof *fresh.gene), .parent = parent};
@@ -138,7 +140,7 @@ static bool is_repeated(struct candidate *const *order, size_t n, uint64_t hash)
     return false;
 }
 
-/* keep[i]: candidate i is one of the most promising; each value once. */
+/* Sets keep[i] if candidate i is one of the most promising; of equal values only one is kept. */
 static void choose(struct candidates *list, bool *keep)
 {
     struct candidate **order = new_array(list->n, sizeof *order);
@@ -155,7 +157,7 @@ static void choose(struct candidates *list, bool *keep)
     free(order);
 }
 
-/* The continuations of the most promising candidates in the list's place. */
+/* Replaces the list by the continuations of its most promising candidates. */
 static void advance(struct composer *s, struct candidates *list)
 {
     struct candidates all = continuations(s, list), next = {0};
@@ -182,8 +184,8 @@ static void add_pair(struct composer *s, int xi, int eta, struct candidates *lis
     add(s, list, 0);
 }
 
-/* Where no starts are named: each pair of terminals.  Not the same one twice: both answers would be one line, and changes of
- * a line are those of both. */
+/* Adds each pair of different terminals, if a tier names no starts. With equal terminals both answers would be one
+ * line, and every change would affect both. */
 static void add_pairs(struct composer *s, struct candidates *list)
 {
     for (size_t i = 0; i < s->genes->symbols; i++)
@@ -192,7 +194,7 @@ static void add_pairs(struct composer *s, struct candidates *list)
                 add_pair(s, s->genes->symbol[i], s->genes->symbol[k], list);
 }
 
-/* The frame's values p, q as a program of the terminals. */
+/* Adds the frame's values p, q as a program of the terminals. */
 static void add_start(struct composer *s, char *const name[2], struct candidates *list)
 {
     const struct genome_file *program = s->objective->program;

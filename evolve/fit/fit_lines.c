@@ -1,7 +1,8 @@
-/* Fits of programs; see fit_lines.h.  A loss of the error e is the square of what GSL is given as the residual:
+/* Fits the numbers of programs; see fit_lines.h. The loss of an error e is the square of the residual that GSL gets:
+ *
  *   mean   e / sqrt(s + sqrt(e^2 + s^2)), whose square is sqrt(e^2 + s^2) - s, with s small beside the mean error;
  *   max    |e / s|^(p/2) with s the largest error and growing p;
- *   99 %   the same with s the 99 % error, and beyond s, where outliers are let go, sqrt(1 + p - p s / |e|). */
+ *   99 %   as max with s the 99 % error; beyond s, where outliers are tolerated, sqrt(1 + p - p s / |e|). */
 #include "fit_lines.h"
 
 #include "../../codegen/base/simd.h"
@@ -14,7 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double hopeless = 1e100, largest = 9e9; /* residual where there is no number; of decimals */
+static const double hopeless = 1e100, largest = 9e9; /* residual of a value that is not finite; largest decimal
+                                                      * number */
 
 struct task {
     struct lines_run *run;
@@ -23,7 +25,7 @@ struct task {
     int power;
 };
 
-/* The residual of an error, and its derivative, for the other norms than the mean. */
+/* Returns the residual of an error and its derivative, for norms other than the mean. */
 static double residual_of(const struct task *t, double e, double *slope)
 {
     const double sign = e < 0 ? -1 : 1, size = fabs(e) / t->scale;
@@ -35,14 +37,14 @@ static double residual_of(const struct task *t, double e, double *slope)
         *slope = 0.5 * t->power / (size * size * value * t->scale);
         return sign * value;
     }
-    double below = 1; /* size^(p/2 - 1); no pow, whose last digit depends on the machine */
+    double below = 1; /* size^(p/2 - 1) without pow(), whose last digit depends on the machine */
     for (int i = 1; i < t->power / 2; i++)
         below *= size;
     *slope = t->power / 2 * below / t->scale;
     return sign * below * size;
 }
 
-/* Of n errors. */
+/* Computes the residuals of n errors in the mean norm. */
 WIDE static void residuals_of_mean(double scale, const double *error, size_t n, double *residual, double *slope)
 {
     for (size_t k = 0; k < n; k++) {
@@ -74,7 +76,7 @@ static double error_at(const struct lines_run *r, size_t row, size_t k, size_t h
     return r->value[r->code->root[half]][k] - columns_at(r->table, r->table->count - 2 + half)[row + k];
 }
 
-/* Residuals of a block of samples, of one of the answers, and their derivatives. */
+/* Computes residuals and their derivatives for a block of samples of one answer. */
 static void residuals_at(const struct task *t, size_t row, size_t half, double *residual, double *slope)
 {
     const size_t n = block_size(t->run, row);
@@ -129,7 +131,7 @@ static int derivatives(const gsl_vector *x, void *context, gsl_matrix *J)
     return GSL_SUCCESS;
 }
 
-/* Absolute errors into error[0..2n-1]; their mean. */
+/* Writes absolute errors to error[0..2n-1] and returns their mean. */
 static double measure(struct lines_run *r, double *error)
 {
     const size_t n = r->table->n;
@@ -143,7 +145,7 @@ static double measure(struct lines_run *r, double *error)
     return sum / (double)(2 * n);
 }
 
-/* The k-th loss on the way to a norm; false where there is nothing to gain. */
+/* Sets the k-th loss in the sequence that approaches a norm. Returns false if the error is already 0. */
 static bool choose_loss(struct task *t, int k, double *error)
 {
     static const double nearness[] = {1, 0.3, 0.1};
@@ -181,7 +183,7 @@ bool lines_fit(struct lines_run *r, const struct genes *in, int last, enum scene
     gsl_multifit_nlinear_workspace *w = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, n, numbers);
     gsl_vector *x = gsl_vector_alloc(numbers);
     double *error = new_array(n, sizeof *error);
-    gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* a last step without progress is none of our errors */
+    gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* a last step without progress is not an error */
     bool good = false;
     for (size_t i = 0; i < numbers; i++)
         gsl_vector_set(x, i, r->code->line[r->code->number[i]].number);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 enum { ROWS = 2048, FEW = 1, MANY = 6 };      /* iterations of a fit */
-static const double guided_insertions = 0.08; /* of the changes of programs */
+static const double guided_insertions = 0.08; /* fraction of the changes of programs */
 
 struct fits {
     struct objective *objective; /* not owned */
@@ -29,7 +29,7 @@ static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, 
                                                     : lines_edit(f->editor, rng, genes, t, mate, max_length, child);
 }
 
-/* Nothing that depends on the unit of length, whatever the change was. */
+/* Changes a program. Rejects results that depend on the unit of length. */
 static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
                    const struct genes *mate, int last, size_t max_length, struct genes *child)
 {

@@ -1,4 +1,4 @@
-/* How islands change programs and fit their numbers; who can fills in the functions. */
+/* How islands change programs and fit their numbers: functions that the run supplies. */
 #ifndef FOOTPOINT_FITTING_H
 #define FOOTPOINT_FITTING_H
 
@@ -10,10 +10,10 @@ struct fits;
 
 struct fitting {
     struct fits *fits; /* not owned */
-    /** Copies a program with its numbers fitted, `thoroughly` by more iterations.  Returns false, with *out undefined,
-     *  if there is nothing to fit.  Deterministic in its arguments. */
+    /** Copies a program with its numbers fitted, with more iterations if `thoroughly` is set. Returns false, with *out
+     *  undefined, if there is nothing to fit. Deterministic in its arguments. */
     bool (*fit)(struct fits *f, const struct genes *in, int last, bool thoroughly, struct genes *out);
-    /** A changed copy; may fail, with *child undefined. */
+    /** Makes a changed copy. Returns false, with *child undefined, if it fails. */
     bool (*change)(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
                    const struct genes *mate, int last, size_t max_length, struct genes *child);
 };

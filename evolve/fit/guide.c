@@ -1,6 +1,6 @@
-/* Guided insertion; see guide.h.  With the residuals r of xi and eta, weights w = 1 / (|r| + s) that make their squares
- * the mean norm, and J = d answer / d line, a term c z added to a line changes the sum of w r^2 by
- * 2 c sum(w r J z) + c^2 sum(w J^2 z^2), both answers summed. */
+/* Guided insertion; see guide.h. Let r be the residuals of xi and eta, w = 1 / (|r| + s) weights that turn their
+ * squares into the mean norm, and J = d answer / d line. Adding a term c z to the line changes the sum of w r^2 by 2 c
+ * sum(w r J z) + c^2 sum(w J^2 z^2), summed over both answers. */
 #include "guide.h"
 
 #include "../../codegen/base/simd.h"
@@ -12,20 +12,20 @@
 enum {
     BLOCKS = 4,
     ROWS = BLOCKS * TAPE_BLOCK,
-    CANDIDATES = 500 /* of terms */
+    CANDIDATES = 500 /* terms tried */
 };
 
 struct guide {
     const struct columns *table; /* not owned */
-    struct lines_run *run;       /* owned, as are these */
+    struct lines_run *run;       /* owned, as are the following */
     struct line_editor *editor;
-    double *value;      /* by pool entry, ROWS each */
-    signed char *power; /* by pool entry */
+    double *value;      /* indexed by pool entry, ROWS each */
+    signed char *power; /* indexed by pool entry */
     bool *depends;
     size_t rows, lines, room; /* lines: of the program; the set's symbols follow */
     int pool;
-    double residual[2][ROWS], slope[2][ROWS]; /* of xi and of eta: what is left, and by the line that gets a term */
-    double first[ROWS], second[ROWS];         /* sums over the answers of w r J and w J^2 */
+    double residual[2][ROWS], slope[2][ROWS]; /* of xi and eta: residual, and derivative by the line that gets a term */
+    double first[ROWS], second[ROWS];         /* sums over both answers of w r J and w J^2 */
     double total;                             /* sum of w r^2 */
     double one[ROWS];                         /* the number 1 as a column */
 };
@@ -69,7 +69,7 @@ static void reserve(struct guide *g, size_t pool)
     g->depends = new_array(g->room, sizeof *g->depends);
 }
 
-/* Keeps residuals of a block, and slopes by line n. */
+/* Stores the residuals of a block and the slopes by line n. */
 static void keep_answers(struct guide *g, size_t row, int half, int n)
 {
     const struct lines *c = g->run->code;
@@ -105,8 +105,8 @@ static void sum_answers(struct guide *g, double scale)
         }
 }
 
-/* Takes a program, which the editor has loaded: values of its inner lines and of the symbols, and the sums for line n.
- * Returns false if all residuals are 0 or one is not finite. */
+/* Takes the program that the editor has loaded. Computes the values of its inner lines and of the symbols, and the sums
+ * for line n. Returns false if all residuals are 0 or one is not finite. */
 static bool take(struct guide *g, const struct gene_set *genes, const struct genes *t, int last, int n)
 {
     struct lines *c = g->run->code;
@@ -147,7 +147,7 @@ static int operand_of(const struct guide *g, const struct gene_set *genes, int e
     return (size_t)entry < g->lines ? entry : LINE_GENE + genes->symbol[(size_t)entry - g->lines];
 }
 
-/* Entries that may stand for, or in, line n. */
+/* Returns true if an entry may replace line n or be an operand of its replacement. */
 static bool may_use(const struct guide *g, int entry)
 {
     if ((size_t)entry >= g->lines)
@@ -155,7 +155,7 @@ static bool may_use(const struct guide *g, int entry)
     return g->run->code->needed[entry] && !g->depends[entry] && g->run->code->line[entry].gene != LINE_NUMBER;
 }
 
-/* An operation that the answers need, or an answer; -1: none was found. */
+/* Returns a random operation that the answers need, or an answer, or -1. */
 static int random_line(const struct guide *g, gsl_rng *rng)
 {
     const struct lines *c = g->editor->from;
@@ -168,7 +168,7 @@ static int random_line(const struct guide *g, gsl_rng *rng)
     return -1;
 }
 
-/* The nearest number that stands for a structure, if it is near enough; or the number itself. */
+/* Returns the nearest structural number, such as 1 or 0.5, if it is close enough; otherwise c. */
 static double nice(double c, double near)
 {
     static const double known[] = {0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6, 8};
@@ -239,7 +239,7 @@ static bool divides(const struct gene_set *genes)
     return false;
 }
 
-/* Where a line gets a multiple of itself, it may be divided for it instead. */
+/* Divides a line instead of adding a multiple of itself, in random cases. */
 static void divide_for(const struct gene_set *genes, gsl_rng *rng, struct line_edit *edit)
 {
     const int other = edit->x == edit->line ? edit->y : edit->y == edit->line ? edit->x : -1;

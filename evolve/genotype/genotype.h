@@ -1,4 +1,4 @@
-/* What is bred: genes, which are a program (line_program.h) or one of the paper's trees (tree.h). */
+/* Genotypes: genes that encode a program (line_program.h) or one of the paper's trees (tree.h). */
 #ifndef FOOTPOINT_GENOTYPE_H
 #define FOOTPOINT_GENOTYPE_H
 
@@ -6,28 +6,28 @@
 
 #include <stdint.h>
 
-/** One individual's. */
+/** The genes of one individual. */
 struct genes {
-    int *gene; /* not owned; room for the longest genome of its population */
+    int *gene; /* not owned; must have room for the longest genome of its population */
     size_t length;
 };
 
-/** The genes that random changes choose from. */
+/** The genes from which random changes choose. */
 struct gene_set {
     int *symbol; /* owned: variables */
     size_t symbols;
-    int *constant; /* owned; decimal numbers (decimal.h), ascending, so that neighbours are near in value */
+    int *constant; /* owned: decimal numbers (decimal.h), ascending, so that neighbours are close in value */
     size_t constants;
-    int *operation;               /* owned; those of two operands, then those of one */
-    size_t operations, functions; /* how many of each */
+    int *operation;               /* owned: binary operators, then unary operators */
+    size_t operations, functions; /* number of each */
 };
 void gene_set_free(struct gene_set *s);
 
 void genes_copy(const struct genes *from, struct genes *to);
-/** Copy of a tree in prefix form whose decimal numbers become constants of a program. */
+/** Copies a prefix tree and replaces its decimal numbers with constants of `program`. */
 void genes_bind(struct genome_file *program, const struct genes *t, struct genes *bound);
 bool genes_equal(const struct genes *a, const struct genes *b);
-/** 64 bits that identify a genome for all practical purposes. */
+/** Returns a 64-bit hash, which callers treat as unique to the genome. */
 uint64_t genes_hash(const struct genes *t);
 
 #endif

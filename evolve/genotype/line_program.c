@@ -1,5 +1,5 @@
-/* Programs; see line_program.h.  Equal values are found by a hash table of lines; a function of the frame is compiled once: the
- * lets of its body become lines. */
+/* Register programs; see line_program.h. A hash table of lines finds equal values. Each function of the frame is
+ * compiled once: the lets of its body become lines. */
 #include "line_program.h"
 
 #include "../../codegen/base/random.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER = LINE_NUMBER, PARAMETER = -2 }; /* genes of leaves; a parameter's half is its operand a */
+enum { NUMBER = LINE_NUMBER, PARAMETER = -2 }; /* genes of leaves; operand a of a parameter is 0 or 1, for xi or eta */
 
 struct line_body {
     struct line *line; /* owned */
@@ -20,12 +20,13 @@ struct line_body {
 
 /* ---- functions ---- */
 
-/* What compiles one function. */
+/* Compiles one function. */
 struct compiler {
     const struct genome_file *program;
     const struct genome_function *function;
     struct line_body *body;
-    int *symbol, *local; /* owned: lines of symbols, and of the function's parameters and lets; -1: none yet */
+    int *symbol, *local; /* owned: line of each symbol, and of each parameter and let of the function; -1: not compiled
+                          * yet */
 };
 
 static int add_body_line(struct line_body *b, struct line line)
@@ -68,7 +69,7 @@ int *no_lines(size_t n)
     return line;
 }
 
-/* Functions that are not of a pair stay without a body. */
+/* Compiles a function. It gets no body unless it maps two numbers to two or more. */
 static struct line_body compile(const struct genome_file *f, const struct genome_function *function)
 {
     struct line_body b = {0};
@@ -116,13 +117,13 @@ static int power_of_gene(void *rules, int gene, int a, int b)
     return gene < 0 ? 0 : r->power[gene - GENE_SYMBOL];
 }
 
-/* Lets of a frame; those of unlike sums are of any. */
+/* Finds the power of length of each let of a frame. A let that adds unlike powers counts as ANY_POWER. */
 static void find_powers(struct line_rules *r)
 {
     const struct genome_file *f = r->program;
     const size_t nodes = f->segment ? 3 * strlen(f->segment->nodes) : f->inputs;
     for (size_t i = 0; i < f->inputs; i++)
-        r->power[i] = i < nodes || i + 3 >= f->inputs; /* normals are of no length */
+        r->power[i] = i < nodes || i + 3 >= f->inputs; /* normals are dimensionless */
     for (size_t k = 0; k < f->lets; k++) {
         const struct genome_expr *let = &f->let[k];
         const int power = gene_fold(let->gene, let->length, power_of_gene, r);
@@ -221,7 +222,7 @@ static bool same(const struct line *x, const struct line *y)
     return x->gene == y->gene && x->a == y->a && x->b == y->b && memcmp(&x->number, &y->number, sizeof x->number) == 0;
 }
 
-/* The line that is equal; -1: there is none. */
+/* Returns the equal line that exists already, or -1. */
 static int known_line(const struct lines *c, const struct line *x)
 {
     const uint64_t hash = hash_of(x);
@@ -232,7 +233,7 @@ static int known_line(const struct lines *c, const struct line *x)
     return -1;
 }
 
-/* Operations in their order, then leaves in one of their own: whatever the order in which leaves came. */
+/* Orders operations as they were built, then leaves by gene, whatever the order in which leaves were read. */
 static bool stands_before(const struct lines *c, int i, int j)
 {
     const struct line *x = &c->line[i], *y = &c->line[j];
@@ -253,7 +254,7 @@ static struct line ordered(const struct lines *c, struct line x)
     return x;
 }
 
-/* The line that is equal, or a new one. */
+/* Returns the equal line, or adds a new line. */
 static int line_of(struct lines *c, struct line x)
 {
     x = ordered(c, x);
@@ -282,7 +283,7 @@ int lines_number(struct lines *c, double value)
     return line_of(c, (struct line){NUMBER, -1, -1, value == 0 ? 0 : value});
 }
 
-/* Numbers that are to be fitted mean nothing yet. */
+/* Returns true if line i is this number. A number that is to be fitted has no fixed value yet, so it never matches. */
 static bool is_number(const struct lines *c, int i, double value)
 {
     return i >= 0 && c->line[i].gene == NUMBER && c->line[i].a == -1 && c->line[i].number == value;
@@ -293,7 +294,7 @@ static bool is_known(const struct lines *c, int i)
     return c->line[i].gene == NUMBER && c->line[i].a == -1;
 }
 
-/* The line that an operation comes down to without one; -1: none. */
+/* Returns the existing line to which an operation simplifies, or -1 if it does not simplify. */
 static int simplified(struct lines *c, int gene, int a, int b)
 {
     const bool product = gene == GENE_MUL, quotient = gene == GENE_DIV || gene == GENE_PDIV;
@@ -364,7 +365,7 @@ int lines_take(struct lines *to, const struct lines *from, int i, int *map)
     return map[i] = x->gene == NUMBER ? lines_number(to, x->number) : lines_symbol(to, x->gene);
 }
 
-/* Set needed[] and divides[]. */
+/* Sets needed[] and divides[]. */
 static void mark(struct lines *c)
 {
     if (c->needed_room < c->lines) {
@@ -407,7 +408,7 @@ void lines_images(struct lines *c, int *image)
 
 /* ---- genes ---- */
 
-/* A number that stands for a structure, such as 1, 2 or 0.5, is not to be fitted. */
+/* Returns true if a number is part of the structure, such as 1, 2 or 0.5, and must not be fitted. */
 static bool is_kept(double value)
 {
     const double twelve = 12 * value;
@@ -435,7 +436,7 @@ bool lines_valid(const struct line_rules *r, const int *gene, size_t length)
     return good;
 }
 
-/* An operand; a number that is kept apart has the place of its gene as a mark. */
+/* Loads an operand. A number with a line of its own is marked with the index of its gene. */
 static int load_operand(struct lines *c, const struct genes *t, size_t at, const int *line, bool apart)
 {
     const int gene = t->gene[at];
@@ -503,7 +504,7 @@ static int operand_gene(const struct lines *c, int i, const int *number)
     return line_is_operation(x) ? LINE_GENE + number[i] : x->gene == NUMBER ? decimal_gene(x->number) : x->gene;
 }
 
-/* Operations in the order in which the answers lead to them: the same for equal programs. */
+/* Numbers operations in the order in which the answers reach them, so that equal programs get equal genes. */
 static void number_operation(struct lines *c, int i, int *order, int *n)
 {
     const struct line *x = &c->line[i];

@@ -1,6 +1,6 @@
-/* Changes of programs; see lines_edit.h.  A changed program is built anew: the old one is taken over as it is (`clean`),
- * new values are made of its lines, and the answers are taken over once more with the new values in their places.  Thus
- * nothing can come to depend on itself. */
+/* Changes of programs; see lines_edit.h. Each change builds the program anew. It copies the old program unchanged
+ * (`clean`), computes new values from its lines, then copies the answers again with the new values substituted. So no
+ * line can come to depend on itself. */
 #include "lines_edit.h"
 
 #include "../common/decimal.h"
@@ -59,7 +59,7 @@ static void none(int *map, size_t n)
         map[i] = -1;
 }
 
-/* Take a program to be changed. */
+/* Loads a program to be changed. */
 static void load(struct line_editor *e, const struct genes *t)
 {
     lines_load(e->from, t, -1, LINES_INNER);
@@ -91,7 +91,7 @@ static int scaled(struct line_editor *e, int x, double c)
     return lines_operation(e->to, GENE_MUL, x, lines_number(e->to, c));
 }
 
-/* The edit's value. */
+/* Adds the value of an edit and returns its line. */
 static int value_of(struct line_editor *e, const struct line_edit *edit)
 {
     switch (edit->kind) {
@@ -127,7 +127,7 @@ static int image_of(const struct line_editor *e, int operand)
                                 : e->image[operand];
 }
 
-/* False where something has no image, or the image is the same. */
+/* Returns false if an operand has no image or the edit is its own image. */
 static bool find_image(const struct line_editor *e, const struct line_edit *edit, struct line_edit *image)
 {
     *image = *edit;
@@ -180,7 +180,7 @@ static bool may_change(const struct lines *c, size_t i)
     return c->needed[i] && line_is_operation(&c->line[i]) && !line_is_guard(c, i);
 }
 
-/* A line that is a needed operation and no guard; -1: there is none. */
+/* Returns a random needed operation that is not a guard, or -1. */
 static int random_operation(gsl_rng *rng, const struct lines *c)
 {
     size_t n = 0;
@@ -194,7 +194,7 @@ static int random_operation(gsl_rng *rng, const struct lines *c)
             return (int)i;
 }
 
-/* A line or a symbol of that power which does not need what depends[] says; -1: none was found. */
+/* Returns a random line or symbol with this power of length that does not depend on the edited line, or -1. */
 static int random_value(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, int power)
 {
     const struct lines *c = e->from;
@@ -216,7 +216,7 @@ static bool divides(int gene)
     return gene == GENE_DIV || gene == GENE_PDIV;
 }
 
-/* Another operand of an operation, but no other divisor. */
+/* Chooses another operand of an operation, but never another divisor. */
 static bool choose_operand(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, struct line_edit *edit)
 {
     const struct line *x = &e->from->line[edit->line];
@@ -228,7 +228,7 @@ static bool choose_operand(struct line_editor *e, gsl_rng *rng, const struct gen
     return fresh >= 0;
 }
 
-/* One of the operands in its place, another value of the same power, 0, or 1. */
+/* Replaces an operation by one of its operands, another value of the same power, 0 or 1. */
 static bool choose_shortcut(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, struct line_edit *edit)
 {
     const struct line *x = &e->from->line[edit->line];
@@ -258,7 +258,7 @@ static bool choose_operator(struct line_editor *e, gsl_rng *rng, const struct ge
            (sum == fresh_sum || (e->power[x->a] == 0 && e->power[x->b] == 0));
 }
 
-/* A term with a number or without. */
+/* Chooses a term to add, with or without a coefficient. */
 static bool choose_term(struct line_editor *e, gsl_rng *rng, const struct gene_set *genes, struct line_edit *edit)
 {
     const int n = edit->line, power = e->power[n];
@@ -272,7 +272,7 @@ static bool choose_term(struct line_editor *e, gsl_rng *rng, const struct gene_s
     return x >= 0 && power != ANY_POWER;
 }
 
-/* x / a and y / b become x b r and y a r with r = 1 / (a b). */
+/* Replaces x / a and y / b by x b r and y a r with r = 1 / (a b). */
 static bool share_division(struct line_editor *e, gsl_rng *rng, const struct genes *t, size_t max, struct genes *child)
 {
     const struct lines *c = e->from;
@@ -295,7 +295,7 @@ static bool share_division(struct line_editor *e, gsl_rng *rng, const struct gen
     return false;
 }
 
-/* A value of the mate, and where both have images these, too. */
+/* Grafts a value of the mate; also its image, if both programs have images. */
 static bool graft(struct line_editor *e, gsl_rng *rng, const struct genes *t, const struct genes *mate, size_t max,
                   struct genes *child)
 {

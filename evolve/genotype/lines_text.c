@@ -1,4 +1,4 @@
-/* Programs and genome files; see lines_text.h. */
+/* Reads and writes programs as genome text; see lines_text.h. */
 #include "lines_text.h"
 
 #include "../../codegen/base/text.h"
@@ -12,16 +12,16 @@ enum { WORD = 80 };
 /* ---- from a genome ---- */
 
 struct symbol_reader {
-    struct lines *to; /* not owned, as are these */
+    struct lines *to; /* not owned */
     const struct genome_file *file;
     const struct gene_set *genes;
-    int *line; /* owned: by symbol of the file; -1: not read yet, -2: it is no value of the program */
+    int *line; /* owned: line of each symbol of the file; -1: not read yet, -2: not available to the program */
 };
 
 static int read_symbol(struct symbol_reader *r, size_t symbol);
 
-/* The expression that begins at *gene, which moves behind it; -2 where it needs an input that is none of the program's
- * values.  Operands come in their order, as programs have them. */
+/* Reads the expression at *gene and advances *gene past it. Returns -2 if it needs an input that is not one of the
+ * program's values. Reads operands in order, as programs store them. */
 static int read_genes(struct symbol_reader *r, const int **gene)
 {
     const int own = *(*gene)++, arity = gene_arity(own);
@@ -58,7 +58,7 @@ static int read_symbol(struct symbol_reader *r, size_t symbol)
     return *line = symbol < r->file->inputs ? -2 : read_expression(r, &r->file->let[symbol - r->file->inputs]);
 }
 
-/* Where both expressions are what one call of a function gives: its arguments, as symbols.  False where not. */
+/* Finds the arguments, as symbols, if both expressions are results of one function call. Otherwise returns false. */
 static bool find_arguments(const struct genome_file *f, const struct genome_expr *const out[2], size_t symbol[2])
 {
     char argument[2][WORD];
@@ -132,7 +132,7 @@ struct writer {
     const struct lines *code; /* not owned */
     struct genome_file *file;
     int *symbol; /* owned: by line; gene of its let, or 0 */
-    int *users;  /* owned: by line */
+    int *users;  /* owned: by line; number of uses */
     int *gene;   /* owned: the expression under construction */
     size_t genes, room;
 };
@@ -168,13 +168,13 @@ static void write_line(struct writer *w, int i)
     }
 }
 
-/* No value and no function of the file is called so. */
+/* Returns true if no value and no function of the file has this name. */
 static bool is_free(const struct genome_file *f, const char *name)
 {
     return genome_find_symbol(f, name) < 0 && genome_find_function(f, name) < 0;
 }
 
-/* Append what has been put as a let <name>_<number>, the next number that is free; its gene. */
+/* Appends the current expression as let <name>_<number>, with the next free number. Returns its gene. */
 static int add_let(struct writer *w, const char *name, size_t *number)
 {
     char own[WORD];
@@ -185,8 +185,8 @@ static int add_let(struct writer *w, const char *name, size_t *number)
     return GENE_SYMBOL + (int)genome_find_symbol(w->file, own);
 }
 
-/* The first let from the given one on that was written, not read, and says what has been put: one of another program's;
- * the number of lets if there is none. */
+/* Returns the first let, starting at `from`, that was written for another program and equals the current expression.
+ * Returns the number of lets if there is no such let. */
 static size_t find_let(const struct writer *w, size_t from)
 {
     const struct genome_file *f = w->file;
@@ -196,8 +196,8 @@ static size_t find_let(const struct writer *w, size_t from)
     return from;
 }
 
-/* Lets for what is used twice, and for divisors: lines of them.  Those that a program begins with may be another's, but
- * they keep their order, as codegen's choices depend on it. */
+/* Writes lets for values used twice and for divisors. The first lets of a program may be shared with another program.
+ * Lets keep their order, because codegen's choices depend on it. */
 static void write_lets(struct writer *w, const char *name)
 {
     const struct lines *c = w->code;
@@ -218,7 +218,7 @@ static void write_lets(struct writer *w, const char *name)
     }
 }
 
-/* Let gene be what a scene measures (sampled_region.h), so that headers may rely on it. */
+/* Marks the gene to be measured over the scene (sampled_region.h), so that headers may rely on its range. */
 static void write_measured(struct writer *w, int gene)
 {
     struct diag d;
@@ -227,7 +227,7 @@ static void write_measured(struct writer *w, int gene)
         if (f->least[i].length == 1 && f->least[i].gene[0] == gene)
             return;
     char *text = new_joined("least ", genome_symbol_name(f, (size_t)(gene - GENE_SYMBOL)), "");
-    genome_read_statement(w->file, text, &d); /* of a name that is there */
+    genome_read_statement(w->file, text, &d); /* cannot fail: the name exists */
     free(text);
 }
 
@@ -237,7 +237,7 @@ static const char *argument_name(const char *name, int k, char word[WORD])
     return word;
 }
 
-/* <name>_xi, <name>_eta, <name>_r1, ... */
+/* Returns <name>_xi, <name>_eta, <name>_r1, ... */
 static const char *result_name(const char *name, size_t k, char word[WORD])
 {
     if (k < 2)
@@ -247,7 +247,7 @@ static const char *result_name(const char *name, size_t k, char word[WORD])
     return word;
 }
 
-/* The name, or that with a number, of which all are free. */
+/* Returns `name`, with a number appended if one of the call's names is taken. */
 static const char *call_name(const struct writer *w, const struct genome_function *function, const char *name,
                              char own[WORD])
 {
@@ -264,7 +264,8 @@ static const char *call_name(const struct writer *w, const struct genome_functio
     return own;
 }
 
-/* The roots as lets <name>_u and <name>_v, and `function` of these; out: its first two results, the others measured. */
+/* Writes the roots as lets <name>_u and <name>_v and calls `function` on them. out: its first two results; the others
+ * are marked to be measured. */
 static void write_call(struct writer *w, const struct genome_function *function, const char *tier, int out[2])
 {
     char word[WORD], own[WORD];
@@ -281,7 +282,7 @@ static void write_call(struct writer *w, const struct genome_function *function,
         fprintf(m->stream, " %s", result_name(name, k, word));
     fprintf(m->stream, " = %s %.50s_u %.50s_v", function->name, name, name);
     char *text = memory_close(m);
-    genome_read_statement(w->file, text, &d); /* of new names, and a function that is there */
+    genome_read_statement(w->file, text, &d); /* cannot fail: the names are new and the function exists */
     free(text);
     for (size_t k = 0; k < function->results; k++) {
         const int gene = GENE_SYMBOL + (int)genome_find_symbol(w->file, result_name(name, k, word));
@@ -292,7 +293,7 @@ static void write_call(struct writer *w, const struct genome_function *function,
     }
 }
 
-/* Adds to uses[i] how many operands and roots line i is. */
+/* Counts the uses of each line as operand and as root. */
 static void count_uses(const struct lines *c, int *uses)
 {
     for (size_t i = 0; i < c->lines; i++) {

@@ -1,15 +1,15 @@
-/* Genetic operators of linear genetic programming: trees are prefix arrays, and a branch is found by its stack counts
- * (gene_span; section 4.2 of the paper).  Crossover exchanges branches; mutation changes one gene to another of its
- * kind, as in the paper, or grows a new branch.  No operator makes a genome longer than its limit. */
+/* Genetic operators on trees (linear genetic programming). Trees are prefix arrays; stack counts delimit a branch
+ * (gene_span; section 4.2 of the paper). Crossover exchanges branches. Mutation changes one gene to another of its
+ * kind, as in the paper, or grows a new branch. No operator makes a genome longer than its limit. */
 #include "tree.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    CROSS_TRIES = 4,   /* choices of two branches before a child is left a copy */
+    CROSS_TRIES = 4,   /* attempts to choose two branches before the child stays a copy */
     BRANCH_DEPTH = 4,  /* of a new branch */
-    NEAR_CONSTANTS = 8 /* a small change of a constant: this many places along the table at most */
+    NEAR_CONSTANTS = 8 /* a small change moves a constant at most this many places in the table */
 };
 static const double leaf_is_constant = 0.25, branch_ends = 0.4;
 
@@ -24,7 +24,7 @@ static int random_leaf(gsl_rng *rng, const struct gene_set *s)
     return constant ? s->constant[below(rng, s->constants)] : s->symbol[below(rng, s->symbols)];
 }
 
-/* Write a random tree to gene[]; returns its length. */
+/* Writes a random tree to gene[]; returns its length. */
 static size_t grow(gsl_rng *rng, const struct gene_set *s, int depth, bool full, size_t room, int *gene)
 {
     if (depth == 0 || room < 3) {
@@ -56,7 +56,7 @@ static struct branch random_branch(gsl_rng *rng, const struct genes *t)
     return (struct branch){at, gene_span(t->gene + at, t->length - at)};
 }
 
-/* child = t with its branch `out` replaced by n genes. */
+/* Sets child = t with branch `out` replaced by n genes. */
 static void splice(const struct genes *t, struct branch out, const int *gene, size_t n, struct genes *child)
 {
     const size_t after = out.at + out.length, rest = t->length - after;
@@ -88,7 +88,7 @@ void tree_cross(gsl_rng *rng, const struct genes *a, const struct genes *b, size
         genes_copy(b, child_b);
 }
 
-/* A constant of the set that is not `gene`: half the time one near in value. */
+/* Returns a random constant of the set other than `gene`, half the time one with a close value. */
 static int other_constant(gsl_rng *rng, const struct gene_set *s, int gene)
 {
     size_t at = 0;
@@ -115,7 +115,7 @@ void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct genes *t)
     case 2:
         *gene = s->operation[below(rng, s->operations)];
         break;
-    default: /* where there are none to choose from, it came with a seed and stays */
+    default: /* a gene from a seed that has no alternatives stays */
         if (s->functions > 0)
             *gene = s->operation[s->operations + below(rng, s->functions)];
         break;

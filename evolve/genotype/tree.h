@@ -6,19 +6,19 @@
 
 #include <gsl/gsl_rng.h>
 
-/** A random tree of at most `room` >= 1 genes and `depth` >= 0 operators from root to leaf.  `full`: leaves stand at
- *  that depth alone (while there is room); otherwise branches end anywhere. */
+/** Makes a random tree of at most `room` >= 1 genes and at most `depth` >= 0 operators from root to leaf. If `full` is
+ *  set, all leaves are at that depth, as long as there is room; otherwise branches end anywhere. */
 void tree_random(gsl_rng *rng, const struct gene_set *s, int depth, bool full, size_t room, struct genes *t);
 
-/** Two children that exchange a random branch of their parents.  A child that would be longer than `max` genes is a
- *  copy of its first parent instead. */
+/** Makes two children that exchange random branches of their parents. A child that would have more than `max` genes
+ *  becomes a copy of its first parent. */
 void tree_cross(gsl_rng *rng, const struct genes *a, const struct genes *b, size_t max, struct genes *child_a,
                 struct genes *child_b);
 
-/** Change one gene to another of its kind: operator to operator, leaf to leaf. */
+/** Changes one gene to another of its kind: operator to operator, leaf to leaf. */
 void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct genes *t);
 
-/** Copy of `t` with a random new branch; at most `max` genes. t has no more than that. */
+/** Copies `t` with one random new branch, to at most `max` genes. `t` must have no more. */
 void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct genes *t, size_t max, struct genes *child);
 
 #endif

@@ -1,5 +1,5 @@
-/* Parts and their instances.  A part is a place in a file, which is read again for each instance, so that its numbers and
- * names become the instance's own; nodes are placed at the end: moved, then turned about an axis. */
+/* Parts and their instances. A part is a position in a file. It is read again for each instance, so that its numbers
+ * and names become the instance's own. At the end, nodes are moved and then turned about an axis. */
 #include "inp.h"
 
 #include <math.h>
@@ -34,7 +34,7 @@ bool inp_instance_add(struct inp_model *m, struct inp_text name, struct inp_text
                 (struct inp_instance){.name = new_text(name.s, name.n)};
             return inp_go_to(&m->lines, m->part[i].text);
         }
-    return inp_fail(&m->lines, m->lines.place, "part '%s' is not defined before its instance", inp_show(part).s);
+    return inp_fail(&m->lines, m->lines.place, "part '%s' must be defined before its instance", inp_show(part).s);
 }
 
 /* Turns x about the axis from a to b (Rodrigues). */
@@ -69,7 +69,7 @@ bool inp_instances_place(struct inp_model *m)
         if (place[9] != 0)
             turn(&place[3], &place[6], place[9], x);
         if (!isfinite(x[0]) || !isfinite(x[1]) || !isfinite(x[2]))
-            return inp_fail(&m->lines, entry->at, "node %d of instance '%s' is not finite in its place",
+            return inp_fail(&m->lines, entry->at, "node %d of instance '%s' is not finite after placement",
                             inp_number_of(entry->key), m->instance[instance - 1].name);
     }
     return true;

@@ -1,6 +1,6 @@
-/* Element types and their faces, by the numbering that Abaqus and CalculiX share.  The codes list the corners of a
- * solid's face so that some normals point inwards; here all point outwards.  One table serves all elements of a
- * shape: a linear face uses the corners alone.  Of 27 nodes the last are the middle of the element and of S1 to S6. */
+/* Element types and their faces, with the numbering that Abaqus and CalculiX share. The codes list corners of a solid's
+ * face so that some normals point inwards; here all point outwards. One table serves all elements of a shape: a linear
+ * face uses only the corners. In 27-node elements, the last nodes are the middle of the element and of S1 to S6. */
 #include "inp.h"
 
 #include <ctype.h>
@@ -29,8 +29,8 @@ static const struct inp_shape triangle = {2, {{3, {1, 3, 2, 6, 5, 4}}, {3, {1, 2
 
 static const struct inp_shape quadrilateral = {2, {{4, {1, 4, 3, 2, 8, 7, 6, 5, 9}}, {4, {1, 2, 3, 4, 5, 6, 7, 8, 9}}}};
 
-/* Names up to the letters that say how an element is integrated, coupled or modified: solids, those of heat, of sound and of
- * electric currents, cohesive and continuum shell elements; shells, membranes, surface and rigid elements. */
+/* Names without the letters for integration, coupling or modification: solids for stress, heat, sound and electric
+ * currents, cohesive and continuum shell elements; shells, membranes, surface and rigid elements. */
 static const struct inp_type types[] = {
     {"C3D4", 4, false, INP_LINEAR, &tetrahedron},
     {"C3D10", 10, false, INP_QUADRATIC, &tetrahedron},
@@ -120,8 +120,8 @@ bool inp_face_read(struct inp_text t, int *label)
     return false;
 }
 
-/* CalculiX calls a shell's faces S1 (negative) and S2 (positive) as well, and its edges S3 to S6; a shell without a label
- * shows the positive face. */
+/* CalculiX also calls a shell's faces S1 (negative) and S2 (positive), and its edges S3 to S6. A shell without a label
+ * exposes its positive face. */
 int inp_face_index(const struct inp_type *type, int label)
 {
     if (!type->shell)

@@ -1,12 +1,12 @@
-/* Exposed faces of solids, of which a surface without face labels is made: faces whose corners no other face has.  Faces
- * are sorted by their corners, so that equal ones stand side by side. */
+/* Exposed faces of solids, which form a surface without face labels: faces whose corners no other face has. Sorting
+ * faces by their corners brings equal faces together. */
 #include "inp.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct corners {
-    int node[4]; /* positions, ascending; of triangles -1 first */
+    int node[4]; /* positions, ascending; for triangles, -1 first */
     int face;
     size_t element;
 };

@@ -1,4 +1,4 @@
-/* Names, numbers and members on the lines of an input file, in the instance that is open or that they name. */
+/* Names, numbers and members in the lines of an input file, in the open instance or in one that they name. */
 #include "inp_reader.h"
 
 #include <ctype.h>
@@ -6,7 +6,7 @@
 
 bool inp_read_number(struct inp_reader *r, struct inp_text t, int *number)
 {
-    return inp_number(t, number) || FAIL(r, "'%s' is not a whole number from 1 to 2147483647", inp_show(t).s);
+    return inp_number(t, number) || FAIL(r, "'%s' must be a whole number from 1 to 2147483647", inp_show(t).s);
 }
 
 bool inp_read_name(struct inp_reader *r, int instance, struct inp_text t, int *name)

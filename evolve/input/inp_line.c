@@ -1,8 +1,8 @@
-/* Lines of Abaqus and CalculiX input files.  A file is read whole and cut into lines in place; *INCLUDE pushes another
- * file on a stack, so that nesting costs no recursion.  Rules common to both codes: a line that begins with ** is a
- * comment, with * a keyword line, which the next line continues if it ends with a comma; every other line holds data in
- * fields between commas.  Case and blanks mean nothing outside file names.  A part's text is read again, from its file, for
- * each instance of it. */
+/* Lines of Abaqus and CalculiX input files. A file is read whole and cut into lines in place. *INCLUDE pushes another
+ * file on a stack, so that nesting needs no recursion. Rules common to both codes: a line that begins with ** is a
+ * comment; one with * is a keyword line, which the next line continues if it ends with a comma; every other line
+ * contains data in fields between commas. Case and blanks matter only in file names. A part's text is read again from
+ * its file for each instance. */
 #include "inp.h"
 
 #include "../../codegen/base/text.h"
@@ -55,7 +55,7 @@ void inp_note(struct inp_lines *l, struct inp_place at, const char *format, ...)
     free(line);
 }
 
-/* Without outer blanks, and without one pair of quotes around the rest. */
+/* Removes outer blanks, then one pair of quotes. */
 static struct inp_text strip(struct inp_text t)
 {
     while (t.n > 0 && isspace((unsigned char)t.s[0])) {
@@ -71,7 +71,7 @@ static struct inp_text strip(struct inp_text t)
     return t;
 }
 
-/* Cut the text before the first `separator` outside quotes off *rest, separator and all. */
+/* Cuts the text before the first `separator` outside quotes from *rest, with the separator. */
 static struct inp_text cut(struct inp_text *rest, char separator)
 {
     size_t n = 0;
@@ -125,7 +125,7 @@ bool inp_real(struct inp_text t, double *x)
     return *end == '\0';
 }
 
-/* The index of a file, which is added if it is new. */
+/* Returns the index of a file, which is added if it is new. */
 static size_t file_index(struct inp_lines *l, const char *path, const struct stat *status)
 {
     for (size_t f = 0; f < l->files; f++)
@@ -136,7 +136,7 @@ static size_t file_index(struct inp_lines *l, const char *path, const struct sta
     return l->files - 1;
 }
 
-/* Puts a text on top of the stack.  False with the diagnostic filled where it is none. */
+/* Pushes a text on the stack. Returns false with the diagnostic filled if it is not text. */
 static bool open_text(struct inp_lines *l, char *text, size_t size, size_t f)
 {
     const char newline = !memchr(text, '\n', size) && memchr(text, '\r', size) ? '\r' : '\n';
@@ -146,14 +146,14 @@ static bool open_text(struct inp_lines *l, char *text, size_t size, size_t f)
         struct inp_place at = {(int)f, 1};
         for (const char *c = text; c < nul; c++)
             at.line += *c == newline;
-        return inp_fail(l, at, "not a text file: NUL byte");
+        return inp_fail(l, at, "not a text file: it contains a NUL byte");
     }
     if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
         l->open[l->depth - 1].at += 3;
     return true;
 }
 
-/* Open a file on top of the stack; `name` is what the current line calls it, or NULL for the model itself. */
+/* Opens a file on top of the stack; `name` is its name in the current line, or NULL for the model itself. */
 static bool push(struct inp_lines *l, const char *path, const struct inp_text *name)
 {
     struct stat status = {0};
@@ -166,7 +166,8 @@ static bool push(struct inp_lines *l, const char *path, const struct inp_text *n
     for (size_t i = 0; i < l->depth; i++)
         if (l->open[i].place.file == (int)f) {
             free(text);
-            return inp_fail(l, l->place, "including '%s' again makes a cycle", inp_show(*name).s);
+            return inp_fail(l, l->place, "file '%s' must not include itself, directly or through others",
+                            inp_show(*name).s);
         }
     return open_text(l, text, size, f);
 }
@@ -189,7 +190,7 @@ void inp_close(struct inp_lines *l)
     free(l->notes);
 }
 
-/* A name in the folder of a file; the caller frees it. */
+/* Returns the path of a name in the folder of a file; the caller frees it. */
 static char *beside(const char *file, struct inp_text name)
 {
     const char *slash = strrchr(file, '/');
@@ -205,7 +206,7 @@ bool inp_include(struct inp_lines *l, struct inp_text name)
     if (name.n > MAX_NAME)
         return inp_fail(l, l->place, "cannot read included file '%s'", inp_show(name).s);
     if (l->includes++ == MAX_INCLUDES)
-        return inp_fail(l, l->place, "more than %d files included", MAX_INCLUDES);
+        return inp_fail(l, l->place, "at most %d files may be included", MAX_INCLUDES);
     char *path = beside(l->file[0].path, name);
     if (access(path, F_OK) != 0) {
         free(path);
@@ -226,7 +227,7 @@ bool inp_go_to(struct inp_lines *l, struct inp_mark mark)
 {
     size_t size = 0;
     if (l->includes++ == MAX_INCLUDES)
-        return inp_fail(l, l->place, "more than %d files included and instances made", MAX_INCLUDES);
+        return inp_fail(l, l->place, "at most %d files may be included and instances made", MAX_INCLUDES);
     char *text = read_text(l->file[mark.place.file].path, &size, l->d);
     if (!text || !open_text(l, text, size, (size_t)mark.place.file))
         return false;
@@ -242,7 +243,7 @@ void inp_go_back(struct inp_lines *l)
     free(l->open[--l->depth].text);
 }
 
-/* Next line of a file that is neither blank nor a comment, without its outer blanks; false at the end. */
+/* Reads the next line of a file that is neither blank nor a comment, without outer blanks. Returns false at the end. */
 static bool take_line(struct inp_open *f, struct inp_text *line)
 {
     while (f->at < f->end) {
@@ -266,7 +267,7 @@ static bool ends_with_comma(struct inp_text line)
     return line.n > 0 && line.s[line.n - 1] == ',';
 }
 
-/* Split a keyword line into keyword and parameters, along with the lines that continue it. */
+/* Splits a keyword line and its continuations into keyword and parameters. */
 static void split_keyword(struct inp_lines *l, struct inp_open *f, struct inp_text line)
 {
     struct inp_text rest = line, word = cut(&rest, ',');
@@ -317,7 +318,7 @@ bool inp_next(struct inp_lines *l)
             return true;
         struct inp_text name;
         if (!inp_parameter(l, "INPUT", &name))
-            return inp_fail(l, l->place, "*INCLUDE has no INPUT=");
+            return inp_fail(l, l->place, "*INCLUDE needs INPUT=");
         if (!inp_include(l, name))
             return false;
     }

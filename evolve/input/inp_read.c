@@ -1,9 +1,8 @@
-/* Reader of Abaqus and CalculiX input files: nodes, elements, sets, surfaces and contact pairs, in a flat model or in parts
- * whose instances an assembly places.  Other keywords (materials, steps, output) are skipped with their data; those that
- * would move or make nodes or elements are refused, since skipping them would give another mesh.  Sets and surfaces are
- * kept as they are written and looked up when a contact pair needs them, so that definitions may come in any order, and
- * what is not supported (faces of beams, of plane elements; analytical surfaces) is refused only where contact needs it.
- */
+/* Reader of Abaqus and CalculiX input files: nodes, elements, sets, surfaces and contact pairs, in a flat model or in
+ * parts with instances. Other keywords (materials, steps, output) are skipped with their data. Keywords that would move
+ * or make nodes or elements are errors, because skipping them would change the mesh. Sets and surfaces are stored as
+ * written and resolved when a contact pair needs them, so definitions may come in any order. Unsupported features
+ * (faces of beams and of plane elements, analytical surfaces) are errors only if contact needs them. */
 #include "inp_reader.h"
 
 #include <ctype.h>
@@ -13,7 +12,7 @@
 
 static const char *const what_name[] = {"node", "element"};
 
-/* From here on `r` collects nodes or elements in the set of this name. */
+/* Opens the set with this name; `r` then collects nodes or elements in it. */
 static bool open_set(struct inp_reader *r, enum inp_what what, struct inp_text t)
 {
     struct inp_model *m = r->m;
@@ -31,7 +30,7 @@ static bool open_set(struct inp_reader *r, enum inp_what what, struct inp_text t
     return true;
 }
 
-/* A node or element just defined joins the open set; numbers in a row share an item. */
+/* Adds a node or element just defined to the open set; consecutive numbers share an item. */
 static void join_set(struct inp_reader *r, int number)
 {
     if (!r->in_set)
@@ -51,7 +50,7 @@ static bool begin_node(struct inp_reader *r)
 {
     struct inp_text t;
     if (inp_parameter(&r->m->lines, "SYSTEM", &t) && !inp_equals(t, "R"))
-        return FAIL(r, "*NODE, SYSTEM=%s is not supported: rectangular coordinates only", inp_show(t).s);
+        return FAIL(r, "*NODE, SYSTEM=%s is not supported; coordinates must be rectangular", inp_show(t).s);
     if (inp_parameter(&r->m->lines, "NSET", &t) && !open_set(r, INP_NODE, t))
         return false;
     return inp_follow_input(r);
@@ -67,9 +66,9 @@ static bool read_node(struct inp_reader *r)
         return false;
     for (int i = 0; i < 3 && inp_field(&m->lines, &t); i++) {
         if (t.n > 0 && !inp_real(t, &x[i]))
-            return FAIL(r, "'%s' is not a number", inp_show(t).s);
+            return FAIL(r, "'%s' must be a number", inp_show(t).s);
         if (!isfinite(x[i]))
-            return FAIL(r, "coordinate '%s' of node %d is not finite", inp_show(t).s, number);
+            return FAIL(r, "coordinate '%s' of node %d must be finite", inp_show(t).s, number);
     }
     grow_array(&m->xyz, m->nodes.n, &m->xyz_room, sizeof *m->xyz);
     for (int i = 0; i < 3; i++)
@@ -79,7 +78,7 @@ static bool read_node(struct inp_reader *r)
     return true;
 }
 
-/* A type whose faces are not known, kept by its name. */
+/* Returns a type without known faces, kept by its name. */
 static const struct inp_type *other_type(struct inp_model *m, struct inp_text name)
 {
     for (size_t i = 0; i < m->others; i++)
@@ -95,7 +94,7 @@ static bool begin_element(struct inp_reader *r)
 {
     struct inp_text t;
     if (!inp_parameter(&r->m->lines, "TYPE", &t) || t.n == 0)
-        return FAIL(r, "*ELEMENT has no TYPE=");
+        return FAIL(r, "*ELEMENT needs TYPE=");
     r->type = inp_type_find(t);
     if (!r->type)
         r->type = other_type(r->m, t);
@@ -110,8 +109,8 @@ static void add_connection(struct inp_model *m, struct inp_element *e, int node)
     e->nodes++;
 }
 
-/* Whatever is a node number on a line of an element whose type is not known: nobody says how many there are.  A comma
- * at the end leaves the element open for the next line. */
+/* Reads the node numbers on a line of an element of unknown type, which may have any number of nodes. A comma at the
+ * end continues the element on the next line. */
 static void read_some_nodes(struct inp_reader *r, struct inp_element *e)
 {
     struct inp_text t;
@@ -122,7 +121,7 @@ static void read_some_nodes(struct inp_reader *r, struct inp_element *e)
             add_connection(r->m, e, node);
 }
 
-/* Nodes of one element; a line that ends with a comma goes on in the next one until all nodes are there. */
+/* Reads the nodes of one element; a comma at the end of a line continues it until all nodes are read. */
 static bool read_all_nodes(struct inp_reader *r, struct inp_element *e, struct inp_place at, int number)
 {
     struct inp_model *m = r->m;
@@ -173,7 +172,7 @@ static bool read_element(struct inp_reader *r)
     return true;
 }
 
-/* Nodes of the elements of a set. */
+/* Adds the nodes of a set's elements. */
 static bool lend_nodes(struct inp_reader *r, struct inp_text elements)
 {
     struct inp_item item = {.name = -1, .lent = true, .face = INP_FACE_NONE, .at = r->m->lines.place};
@@ -189,7 +188,7 @@ static bool begin_set(struct inp_reader *r, enum inp_what what)
     struct inp_text t;
     const bool nodes = what == INP_NODE;
     if (!inp_parameter(&r->m->lines, nodes ? "NSET" : "ELSET", &t))
-        return FAIL(r, nodes ? "*NSET has no NSET=" : "*ELSET has no ELSET=");
+        return FAIL(r, nodes ? "*NSET needs NSET=" : "*ELSET needs ELSET=");
     r->what = what;
     r->generate = inp_parameter(&r->m->lines, "GENERATE", &(struct inp_text){0});
     if (!open_set(r, what, t) || !inp_choose_instance(r))
@@ -215,14 +214,15 @@ static bool read_range(struct inp_reader *r)
     int value[3] = {0, 0, 1}, n = 0;
     while (inp_field(&r->m->lines, &t)) {
         if (n == 3)
-            return FAIL(r, "GENERATE takes first, last and step; '%s' is one too many", inp_show(t).s);
+            return FAIL(r, "GENERATE takes first, last and step; '%s' is extra", inp_show(t).s);
         if (!inp_read_number(r, t, &value[n++]))
             return false;
     }
     if (n < 2)
         return FAIL(r, "GENERATE needs a first and a last number");
     if (value[1] < value[0])
-        return FAIL(r, "GENERATE runs from %d down to %d", value[0], value[1]);
+        return FAIL(r, "GENERATE runs from %d down to %d; the first number must not exceed the last", value[0],
+                    value[1]);
     inp_add_item(&r->m->set[r->set].items, (struct inp_item){.name = -1,
                                                              .first = inp_key(r->members, value[0]),
                                                              .last = inp_key(r->members, value[1]),
@@ -251,7 +251,7 @@ static bool read_set(struct inp_reader *r)
 static const struct handler {
     const char *keyword;
     bool (*begin)(struct inp_reader *r);
-    bool (*data)(struct inp_reader *r); /* NULL: its data are skipped */
+    bool (*data)(struct inp_reader *r); /* NULL: data are skipped */
 } handlers[] = {
     {"NODE", begin_node, read_node},
     {"ELEMENT", begin_element, read_element},
@@ -280,11 +280,11 @@ static bool is_end(const struct inp_reader *r)
 {
     const struct inp_lines *l = &r->m->lines;
     if (r->depth)
-        return inp_fail(l, r->m->part[r->m->parts - 1].text.place, "*PART has no *END PART");
-    return !r->instance || inp_fail(l, r->begun, "*INSTANCE has no *END INSTANCE");
+        return inp_fail(l, r->m->part[r->m->parts - 1].text.place, "*PART needs *END PART");
+    return !r->instance || inp_fail(l, r->begun, "*INSTANCE needs *END INSTANCE");
 }
 
-/* *handler is NULL where the keyword's data are to be skipped. */
+/* Begins a keyword; *handler becomes NULL if its data are to be skipped. */
 static bool begin_keyword(struct inp_reader *r, const struct handler **handler)
 {
     const struct inp_text keyword = {r->m->lines.keyword, strlen(r->m->lines.keyword)};
@@ -309,7 +309,7 @@ static bool begin_keyword(struct inp_reader *r, const struct handler **handler)
     return true;
 }
 
-/* Text before the first keyword is skipped. */
+/* Reads all lines; text before the first keyword is skipped. */
 static bool read_lines(struct inp_reader *r)
 {
     struct inp_lines *l = &r->m->lines;
@@ -327,7 +327,7 @@ static bool read_lines(struct inp_reader *r)
     }
 }
 
-/* Turn an element's node numbers into positions.  Of unknown types, numbers that are no nodes are dropped. */
+/* Replaces an element's node numbers by positions. For unknown types, numbers that are not nodes are dropped. */
 static bool link_nodes(struct inp_model *m, const struct inp_entry *entry)
 {
     struct inp_element *e = &m->element[entry->order];
@@ -345,7 +345,7 @@ static bool link_nodes(struct inp_model *m, const struct inp_entry *entry)
     return true;
 }
 
-/* Sort the tables and link the elements to their nodes. */
+/* Sorts the tables and links elements to their nodes. */
 static bool link_elements(struct inp_model *m)
 {
     const struct inp_entry *repeated;

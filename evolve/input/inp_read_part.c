@@ -1,18 +1,18 @@
-/* Keywords of parts and instances: a part is passed over, and read for each instance of it (inp_assembly.c). */
+/* Keywords of parts and instances. A part is skipped at first, then read for each of its instances (inp_assembly.c). */
 #include "inp_reader.h"
 
 #include "../../codegen/base/text.h"
 
 #include <math.h>
 
-/* A part's text is passed over until an instance needs it. */
+/* Begins a part, whose text is skipped until an instance needs it. */
 bool inp_begin_part(struct inp_reader *r)
 {
     struct inp_text t;
     if (r->instance)
-        return FAIL(r, "*PART within an instance");
+        return FAIL(r, "*PART must not be inside an instance");
     if (!inp_parameter(&r->m->lines, "NAME", &t))
-        return FAIL(r, "*PART has no NAME=");
+        return FAIL(r, "*PART needs NAME=");
     r->depth = r->m->lines.depth;
     r->over = true;
     return inp_part_add(r->m, t);
@@ -21,7 +21,7 @@ bool inp_begin_part(struct inp_reader *r)
 bool inp_end_part(struct inp_reader *r)
 {
     if (r->depth != r->m->lines.depth)
-        return FAIL(r, r->depth ? "*PART and *END PART must stand in one file" : "*END PART without *PART");
+        return FAIL(r, r->depth ? "*PART and *END PART must be in the same file" : "*END PART without *PART");
     if (!r->over)
         inp_go_back(&r->m->lines);
     r->over = false;
@@ -33,7 +33,7 @@ bool inp_begin_instance(struct inp_reader *r)
 {
     struct inp_text name, part;
     if (r->instance)
-        return FAIL(r, "*INSTANCE within an instance");
+        return FAIL(r, "*INSTANCE must not be inside an instance");
     if (!inp_parameter(&r->m->lines, "NAME", &name) || !inp_parameter(&r->m->lines, "PART", &part))
         return FAIL(r, "*INSTANCE needs NAME= and PART=");
     r->begun = r->m->lines.place;
@@ -45,7 +45,7 @@ bool inp_begin_instance(struct inp_reader *r)
     return true;
 }
 
-/* Translation, then two points of an axis and an angle, as they follow the part. */
+/* Reads an instance's place: translation, then two points of an axis and an angle. */
 bool inp_read_place(struct inp_reader *r)
 {
     enum { TRANSLATION = 3, ALL = 10 };
@@ -56,7 +56,7 @@ bool inp_read_place(struct inp_reader *r)
     double *place = r->m->instance[r->instance - 1].place;
     while (r->numbers < end && inp_field(&r->m->lines, &t)) {
         if (t.n > 0 && !(inp_real(t, &place[r->numbers]) && isfinite(place[r->numbers])))
-            return FAIL(r, "'%s' is not a number", inp_show(t).s);
+            return FAIL(r, "'%s' must be a number", inp_show(t).s);
         r->numbers++;
     }
     r->numbers = end;

@@ -1,15 +1,15 @@
-/* Keywords of surfaces and of pairs of them: contact pairs, general contact of named surfaces, and ties. */
+/* Keywords of surfaces and pairs: contact pairs, general contact of named surfaces, and ties. */
 #include "inp_reader.h"
 
 #include <string.h>
 
-/* What stands for something that is not supported: an error where contact needs it. */
+/* Returns an item for an unsupported feature, an error only if contact needs it. */
 static struct inp_item refused_item(const struct inp_reader *r, const char *why)
 {
     return (struct inp_item){.name = -1, .refused = why, .face = INP_FACE_NONE, .at = r->m->lines.place};
 }
 
-/* What COMBINE= asks for. */
+/* Reads the operation of COMBINE=. */
 static bool read_combine(struct inp_reader *r, enum inp_combine *combine)
 {
     static const char *const word[] = {"", "UNION", "INTERSECTION", "DIFFERENCE"};
@@ -22,10 +22,10 @@ static bool read_combine(struct inp_reader *r, enum inp_combine *combine)
             *combine = (enum inp_combine)i;
             return true;
         }
-    return FAIL(r, "COMBINE=%s is none of UNION, INTERSECTION and DIFFERENCE", inp_show(t).s);
+    return FAIL(r, "COMBINE=%s must be UNION, INTERSECTION or DIFFERENCE", inp_show(t).s);
 }
 
-/* Faces and nodes may share a surface's name; a second *SURFACE extends the first, as in CalculiX. */
+/* Begins a surface. Faces and nodes may share a surface's name; a second *SURFACE extends the first, as in CalculiX. */
 bool inp_begin_surface(struct inp_reader *r)
 {
     struct inp_model *m = r->m;
@@ -36,7 +36,7 @@ bool inp_begin_surface(struct inp_reader *r)
     r->what = inp_equals(t, "NODE") ? INP_NODE : INP_ELEMENT;
     r->skip = r->what == INP_ELEMENT && !inp_equals(t, "ELEMENT");
     if (!inp_parameter(&m->lines, "NAME", &t))
-        return FAIL(r, "*SURFACE has no NAME=");
+        return FAIL(r, "*SURFACE needs NAME=");
     if (!inp_read_name(r, r->instance, t, &name) || !read_combine(r, &combine) || !inp_choose_instance(r))
         return false;
     int *surface = &m->names.name[name].surface[r->what];
@@ -45,14 +45,14 @@ bool inp_begin_surface(struct inp_reader *r)
         *surface = (int)m->surfaces;
         m->surface[m->surfaces++] = (struct inp_surface){.what = r->what, .combine = combine, .at = m->lines.place};
     } else if (m->surface[*surface].combine != combine)
-        return FAIL(r, "surface '%s' is defined twice, with COMBINE= and without", inp_show(t).s);
+        return FAIL(r, "surface '%s' is defined both with COMBINE= and without", inp_show(t).s);
     r->surface = (size_t)*surface;
     if (r->skip)
-        inp_add_item(&m->surface[r->surface].items, refused_item(r, "surface type is not supported: ELEMENT or NODE"));
+        inp_add_item(&m->surface[r->surface].items, refused_item(r, "surface type must be ELEMENT or NODE"));
     return inp_follow_input(r);
 }
 
-/* Names of surfaces, as many as there are on the line. */
+/* Reads all names of surfaces on the line. */
 static bool read_surfaces(struct inp_reader *r)
 {
     struct inp_text t;
@@ -68,7 +68,7 @@ static bool read_surfaces(struct inp_reader *r)
     return true;
 }
 
-/* Node or node set (what follows is a node's area), or element or element set and face label. */
+/* Reads a node or node set (what follows is a node's area), or an element or element set and a face label. */
 bool inp_read_surface(struct inp_reader *r)
 {
     struct inp_text t;
@@ -80,7 +80,7 @@ bool inp_read_surface(struct inp_reader *r)
     if (!inp_field(&r->m->lines, &t) || !inp_read_member(r, t, &item))
         return false;
     if (r->what == INP_ELEMENT && inp_field(&r->m->lines, &t) && t.n > 0 && !inp_face_read(t, &item.face))
-        return FAIL(r, "face label '%s' is none of S1 to S6, SPOS and SNEG", inp_show(t).s);
+        return FAIL(r, "face label '%s' must be S1 to S6, SPOS or SNEG", inp_show(t).s);
     inp_add_item(&r->m->surface[r->surface].items, item);
     return true;
 }
@@ -98,7 +98,7 @@ bool inp_begin_inclusions(struct inp_reader *r)
     return true;
 }
 
-/* Ties of other sorts, of faces that are far apart, are none. */
+/* Begins a tie; other types of tie, between distant faces, are skipped. */
 bool inp_begin_tie(struct inp_reader *r)
 {
     static const char *const other[] = {"CYCLICSYMMETRY", "MULTISTAGE", "FLUIDPERIODIC", "FLUIDCYCLIC"};
@@ -119,7 +119,7 @@ static bool add_pair(struct inp_reader *r, struct inp_text slave, struct inp_tex
     return true;
 }
 
-/* Two surfaces, or one in contact with itself. */
+/* Reads two surfaces, or one in contact with itself. */
 bool inp_read_pair(struct inp_reader *r)
 {
     struct inp_text slave, master;
@@ -131,7 +131,7 @@ bool inp_read_pair(struct inp_reader *r)
     return add_pair(r, slave, master);
 }
 
-/* Either surface is master of the other.  The surface without a name is that of all exterior faces. */
+/* Reads a pair of which either surface is master of the other. A surface without a name contains all exterior faces. */
 bool inp_read_inclusion(struct inp_reader *r)
 {
     struct inp_text a, b;

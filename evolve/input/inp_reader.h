@@ -1,4 +1,4 @@
-/* State of the reader of input files, and the handlers of its keywords: what inp_item.c and inp_read*.c share. */
+/* State of the reader of input files and handlers of its keywords, shared by inp_item.c and inp_read*.c. */
 #ifndef FOOTPOINT_INP_READER_H
 #define FOOTPOINT_INP_READER_H
 
@@ -6,23 +6,23 @@
 
 struct inp_reader {
     struct inp_model *m;
-    size_t set;                  /* that receives nodes or elements, if any */
-    bool in_set, run, generate;  /* run: its last item may grow */
+    size_t set;                  /* open set for nodes or elements, if any */
+    bool in_set, run, generate;  /* run: the last item of the set may grow */
     enum inp_what what;          /* of the set or surface */
-    size_t surface;              /* that receives lines */
-    bool skip;                   /* the lines are of a surface that is not supported */
-    bool open;                   /* the last element goes on in the next line */
+    size_t surface;              /* open surface */
+    bool skip;                   /* lines belong to an unsupported surface */
+    bool open;                   /* the last element continues on the next line */
     const struct inp_type *type; /* of the elements */
-    bool needs_pair;             /* *CONTACT PAIR without a data line so far */
+    bool needs_pair;             /* a *CONTACT PAIR has no data line yet */
     enum inp_pair_kind kind;     /* of the pairs */
     struct inp_place keyword;
     struct inp_place begun; /* the instance */
-    int instance;           /* that nodes, elements and names belong to; 0: the model itself */
-    int members;            /* that members of the set belong to */
-    size_t depth;           /* of the file whose part is passed over or read again; 0: none is */
-    bool over;              /* it is passed over */
-    int numbers;            /* of the instance's place so far */
-    char *assembly;         /* owned: its name; NULL: there is none */
+    int instance;           /* instance of nodes, elements and names; 0: the model itself */
+    int members;            /* instance of the set's members */
+    size_t depth;           /* of the file whose part is skipped or read again; 0: not in a part */
+    bool over;              /* the part is skipped */
+    int numbers;            /* numbers of the instance's place read so far */
+    char *assembly;         /* owned: its name, or NULL */
 };
 
 #define FAIL(r, ...) inp_fail(&(r)->m->lines, (r)->m->lines.place, __VA_ARGS__)
@@ -30,16 +30,16 @@ struct inp_reader {
 /* ---- names, numbers and items: inp_item.c ---- */
 
 bool inp_read_number(struct inp_reader *r, struct inp_text t, int *number);
-/** A name of an instance, or, for instance 0, of the model, which may be written ASSEMBLY.NAME. */
+/** Reads a name in an instance; for instance 0, in the model, where it may be written ASSEMBLY.NAME. */
 bool inp_read_name(struct inp_reader *r, int instance, struct inp_text t, int *name);
-/** Takes "INSTANCE." off a member of a set or surface; returns the instance, or that of all members. */
+/** Removes "INSTANCE." from a member of a set or surface; returns that instance, or the one of all members. */
 int inp_read_instance(const struct inp_reader *r, struct inp_text *t);
-/** Member of a set or surface: a number, or the name of a set. */
+/** Reads a member of a set or surface: a number, or the name of a set. */
 bool inp_read_member(struct inp_reader *r, struct inp_text t, struct inp_item *item);
 void inp_add_item(struct inp_items *items, struct inp_item item);
-/** Chooses the instance that INSTANCE= names, or that is open, for members. */
+/** Chooses the instance of members: the one that INSTANCE= names, or the open one. */
 bool inp_choose_instance(struct inp_reader *r);
-/** Data lines may lie in a file of their own. */
+/** Follows INPUT=, a separate file of data lines. */
 bool inp_follow_input(struct inp_reader *r);
 
 /* ---- surfaces and pairs: inp_read_surface.c ---- */

@@ -1,5 +1,5 @@
-/* From the names of sets to nodes and elements: sets within sets, numbers and ranges within sets.  Sets are walked with a
- * stack of their own and each once, so that deep nesting and sets that contain themselves are harmless. */
+/* Resolves names of sets to nodes and elements: sets within sets, numbers and ranges. An explicit stack visits each set
+ * once, so that deep nesting and sets that contain themselves are harmless. */
 #include "inp.h"
 
 #include <stdlib.h>
@@ -7,14 +7,14 @@
 
 static const char *const what_name[] = {"node", "element"};
 
-/* Search for the members of sets: positions in a sorted table, each once thanks to `mark`. */
+/* A search for the members of sets: positions in a sorted table, made unique by `mark`. */
 struct set_walk {
     struct inp_model *m;
     enum inp_what what;
     const struct inp_numbers *table; /* not owned */
     unsigned char *mark;             /* not owned; by position */
     struct inp_list *found;          /* not owned */
-    struct inp_list pending, lent;   /* owned; sets to be walked, names of element sets that lend their nodes */
+    struct inp_list pending, lent;   /* owned; sets to visit, and element sets that contribute their nodes */
     size_t visit, missing;           /* members of sets that are not defined */
     int64_t first_missing;
 };
@@ -37,7 +37,7 @@ static void add(struct set_walk *s, size_t at)
     s->mark[at] = 1;
 }
 
-/* Numbers on a surface's own lines must be defined, of a range at least one. */
+/* Finds numbers. On a surface's own lines they must be defined; of a range, at least one must be. */
 static bool find_numbers(struct set_walk *s, const struct inp_item *item, bool of_set)
 {
     const struct inp_numbers *t = s->table;
@@ -95,7 +95,7 @@ static bool walk(struct set_walk *s, const struct inp_item *line)
     return true;
 }
 
-/* Nodes of the elements of sets. */
+/* Adds the nodes of the elements of sets. */
 static bool add_lent(struct set_walk *s, struct inp_place at)
 {
     struct inp_model *m = s->m;

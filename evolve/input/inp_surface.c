@@ -1,5 +1,5 @@
-/* From the names of surfaces to faces and nodes.  What a surface of faces covers is a byte for each element, with a bit for
- * each of its faces, so that surfaces are combined by operations on bits.  What a combined surface covers is found once. */
+/* Resolves names of surfaces to faces and nodes. The cover of a surface is a byte for each element with a bit for each
+ * face, so that bit operations combine surfaces. The cover of a combined surface is computed once. */
 #include "inp.h"
 
 #include <stdlib.h>
@@ -28,7 +28,7 @@ bool inp_has_faces(const struct inp_model *m, int name)
     return m->names.name[name].surface[INP_ELEMENT] >= 0;
 }
 
-/* The surface of this name, of what is preferred if there are both. */
+/* Returns the surface with this name, the preferred type if there are both. */
 static struct inp_surface *surface_of(const struct inp_model *m, int name, enum inp_what preferred, struct inp_place at)
 {
     const int *s = m->names.name[name].surface;
@@ -40,8 +40,8 @@ static struct inp_surface *surface_of(const struct inp_model *m, int name, enum 
     return NULL;
 }
 
-/* The faces of an element that a line's label names, those exposed where it has none.  Elements whose faces are not known
- * lend their nodes. */
+/* Adds the faces of an element that a line's label names, or its exposed faces if there is no label. Elements without
+ * known faces contribute their nodes. */
 static bool add_element(struct inp_model *m, size_t at, const struct inp_item *line, struct inp_cover *cover)
 {
     const struct inp_entry *entry = &m->elements.entry[at];
@@ -97,10 +97,11 @@ static void combine(unsigned char *to, const unsigned char *with, size_t n, enum
                                                           : to[i] & ~with[i]);
 }
 
-/* What a surface of faces covers; NULL with the diagnostic filled.  The caller frees that of a surface that is not combined. */
+/* Returns the cover of a surface of faces, or NULL with the diagnostic filled. The caller frees it if the surface is
+ * not combined. */
 static struct inp_cover *cover_of(struct inp_model *m, int name, struct inp_place at, int depth);
 
-/* Of a surface that is not combined, whose cover is the caller's. */
+/* Frees a cover that its surface does not keep. */
 static void cover_done(const struct inp_model *m, int name, struct inp_cover *cover)
 {
     if (cover && m->surface[m->names.name[name].surface[INP_ELEMENT]].cover != cover)
@@ -135,8 +136,9 @@ static struct inp_cover *cover_of(struct inp_model *m, int name, struct inp_plac
     if (s->what == INP_NODE || s->open || depth > MOST_COMBINED) {
         inp_fail(&m->lines, at,
                  s->what == INP_NODE ? "surface '%s' is made of nodes; it must be made of element faces"
-                 : s->open           ? "surface '%s' is combined of itself"
-                                     : "surface '%s' is combined of surfaces that are combined, 100 times over",
+                 : s->open           ? "surface '%s' must not be combined of itself"
+                                     : "surface '%s' is combined of combined surfaces, nested more than 100 "
+                                       "levels deep",
                  inp_name_shown(m, name).s);
         return NULL;
     }
@@ -174,7 +176,7 @@ int inp_face_nodes(const struct inp_model *m, size_t face, int node[9])
     return n;
 }
 
-/* An empty surface is an error. */
+/* Fails if a surface is empty. */
 static bool finish(const struct inp_model *m, int name, struct inp_place at, const struct inp_list *list)
 {
     return list->n > 0 || inp_fail(&m->lines, at, "surface '%s' is empty", inp_name_shown(m, name).s);
@@ -192,15 +194,15 @@ bool inp_master_faces(struct inp_model *m, const struct inp_pair *pair, struct i
     const struct inp_entry *other = cover->other;
     if (other)
         inp_fail(&m->lines, cover->at,
-                 "element %d of a master surface is of type %s, whose faces are not known; master surfaces are of "
-                 "solids, shells and membranes",
+                 "element %d of a master surface has type %s without known faces; it must be a solid, shell or "
+                 "membrane",
                  inp_number_of(other->key), m->element[other->order].type->name);
     list_faces(m, cover, faces);
     cover_done(m, pair->master, cover);
     return !other && finish(m, pair->master, s->at, faces);
 }
 
-/* Nodes of element faces, and of elements whose faces are not known. */
+/* Finds the nodes of element faces, and of elements without known faces. */
 static bool slave_faces(struct inp_model *m, const struct inp_pair *pair, struct inp_list *faces, unsigned char *mark)
 {
     struct inp_cover *cover = cover_of(m, pair->slave, pair->at, 0);

@@ -1,5 +1,5 @@
-/* Tables of an input file's numbers and names.  Numbers: sorted once, then found by position where they run without
- * gaps, as most do, and by bisection elsewhere.  Names: in capitals, in a search tree. */
+/* Tables of an input file's numbers and names. Numbers are sorted once. They are found by position where they run
+ * without gaps, as most do, otherwise by bisection. Names are stored in capitals in a search tree. */
 #include "inp.h"
 
 #include "../../codegen/genome/names.h"

@@ -1,6 +1,5 @@
-/* Contact surfaces of an Abaqus or CalculiX input file: the model as the file tells it (inp_read.c), its sets and
- * surfaces resolved (inp_surface.c), copied out as node coordinates and, for each contact pair, slave nodes and master
- * faces. */
+/* Contact surfaces of an Abaqus or CalculiX input file: reads the model (inp_read.c), resolves its sets and surfaces
+ * (inp_surface.c), and copies node coordinates and each contact pair's slave nodes and master faces. */
 #include "mesh.h"
 #include "inp.h"
 
@@ -25,7 +24,7 @@ static void mark_faces(const struct inp_list *faces, unsigned char *carries)
         carries[faces->index[i] / INP_MAX_FACES] = 1;
 }
 
-/* carries: 1 for elements that a face of the pair belongs to, by position. */
+/* Copies a pair. carries: 1 for elements with a face of the pair, by position. */
 static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct mesh_pair *to, unsigned char *carries)
 {
     struct inp_list slaves = {0}, faces = {0}, masters = {0};
@@ -50,7 +49,7 @@ static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct m
 
 enum { IS_SLAVE = 1, IS_MASTER = 2 };
 
-/* IS_SLAVE and IS_MASTER by node. */
+/* Returns IS_SLAVE and IS_MASTER for each node. */
 static unsigned char *contact_nodes(const struct mesh *mesh)
 {
     unsigned char *is = new_array(mesh->nodes, sizeof *is);
@@ -82,7 +81,8 @@ static void copy_elements(const struct inp_model *m, const unsigned char *carrie
     free(is);
 }
 
-/* Contact, or where there is none tied surfaces.  A surface of nodes that is named to contact one of faces is its slave. */
+/* Returns true if a pair is used: contact pairs, or ties if the model has no contact. If a surface of nodes and one of
+ * faces are paired, the nodes are slaves. */
 static bool is_used(const struct inp_model *m, const struct inp_pair *pair, bool ties)
 {
     return ties == (pair->kind == INP_TIE) && (pair->kind != INP_INCLUSION || inp_has_faces(m, pair->master));
@@ -99,8 +99,8 @@ static bool copy_pairs(struct inp_model *m, struct mesh *mesh, unsigned char *ca
         if (is_used(m, &m->pair[i], ties) && !copy_pair(m, &m->pair[i], &mesh->pair[mesh->pairs++], carries))
             return false;
     return mesh->pairs > 0 || diag_at(d, m->lines.file[0].path, 0, 0,
-                                      "no contact pair: *CONTACT PAIR expected, *CONTACT INCLUSIONS of named surfaces, "
-                                      "or *TIE");
+                                      "no contact pair; a model must contain *CONTACT PAIR, *CONTACT INCLUSIONS "
+                                      "of named surfaces, or *TIE");
 }
 
 struct mesh *mesh_read(const char *path, struct diag *d)

@@ -5,8 +5,8 @@
 #include "../../codegen/base/base.h"
 #include "../../codegen/genome/segment_kind.h"
 
-/** Corner nodes (and mid-side nodes, and the middle, in Abaqus order) of one element face, counter-clockwise seen from
- * outside. */
+/** Corner nodes of an element face, counter-clockwise seen from outside, then mid-side nodes and the middle if it has
+ *  them (Abaqus order). */
 struct mesh_face {
     int nodes;   /* 3, 4, 6, 8 or 9 */
     int node[9]; /* indices into xyz */
@@ -23,35 +23,35 @@ struct mesh_element {
 /** The slave nodes and the master faces of all contact pairs of a model. */
 struct mesh {
     double (*xyz)[3]; /* owned; nodes x 3, mesh length */
-    int *label;       /* owned; the file's own node numbers, of each instance from 1 or so */
+    int *label;       /* owned; the file's own node numbers, unique only within an instance */
     size_t nodes;
     struct mesh_pair {
-        int *slave; /* owned: node indices, ascending by label, each once */
+        int *slave; /* owned: node indices, ascending by label, no duplicates */
         size_t slaves;
         struct mesh_face *master; /* owned */
         size_t masters;
     } * pair; /* owned */
     size_t pairs;
     struct mesh_element
-        *element; /* owned: elements under contact surfaces that hold both slave nodes and nodes of masters */
+        *element; /* owned: elements under contact surfaces that have both slave nodes and nodes of master faces */
     size_t elements;
-    char *notes; /* owned: lines about what was skipped, or NULL */
-    char **file; /* owned: the paths that it was read from, included files, too */
+    char *notes; /* owned: notes about skipped input, or NULL */
+    char **file; /* owned: paths of all files read, including included files */
     size_t files;
 };
 
-/** Read a model.  Returns NULL with *d "file:line: error: ..." (line within the included file where it stands). */
+/** Reads a model. Returns NULL with *d "file:line: error: ..." (file and line of the included file, if it is one). */
 struct mesh *mesh_read(const char *path, struct diag *d);
 void mesh_free(struct mesh *m);
 
-/** Shortest edge between corners of master faces, collapsed ones apart; INFINITY: there is no other. */
+/** Returns the shortest edge between corners of master faces, ignoring collapsed edges, or INFINITY. */
 double mesh_shortest_edge(const struct mesh *m);
 
-/** The kind of segment that all master faces are, or NULL: there are several.  `text` says how many of each, "7 of
+/** Returns the kind of segment of all master faces, or NULL if there are several. text: the number of each, "7 of
  *  quad4, 2 of tri3". */
 const struct segment_kind *mesh_segment(const struct mesh *m, char *text, size_t size);
 
-/** Leave the master faces of one kind alone; returns how many there are. */
+/** Removes all master faces of other kinds; returns the number left. */
 size_t mesh_keep_faces(struct mesh *m, const struct segment_kind *kind);
 
 #endif

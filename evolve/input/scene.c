@@ -1,4 +1,4 @@
-/* What a scene says of itself; see scene.h. */
+/* Names and properties of a scene; see scene.h. */
 #include "scene.h"
 
 #include <stdlib.h>

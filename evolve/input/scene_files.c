@@ -1,4 +1,4 @@
-/* What a scene reads, beside what a program writes; see scene_files.h. */
+/* Checks that outputs do not overwrite a scene's inputs; see scene_files.h. */
 #include "scene_files.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@ bool scene_files_apart(const char *program, const char *root, const struct scene
 {
     enum { SCENES = 2 };
     struct file_use *all = new_array(n + SCENES + s->mesh.reads + s->tiers, sizeof *all);
-    char *kind = scene_path(root, s->segment->name); /* frame and tiers may come from there */
+    char *kind = scene_path(root, s->segment->name); /* may supply frame and tiers */
     char(*frame)[FRAME_PATH] = new_array(s->tiers, sizeof *frame);
     size_t used = n;
     memcpy(all, file, n * sizeof *all);

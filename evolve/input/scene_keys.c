@@ -131,7 +131,7 @@ bool key_two(const struct scene_reader *r, const config_setting_t *s, const char
            read_number(r, config_setting_get_elem(s, 1), key, low, high, NULL, &value[1]);
 }
 
-/* An angle with its unit, in radians. */
+/* Reads an angle with its unit, in radians. */
 static bool read_angle(const struct scene_reader *r, const config_setting_t *s, const struct scene_key *k,
                        double *radians)
 {
@@ -142,11 +142,11 @@ static bool read_angle(const struct scene_reader *r, const config_setting_t *s, 
         return key_fail(r, s, "'%s' must be an angle with its unit, \"45 deg\" or \"0.8 rad\"", key);
     end += strspn(end, " ");
     if (*end == '\0')
-        return key_fail(r, s, "'%s' lacks its unit, deg or rad", key);
+        return key_fail(r, s, "'%s' needs a unit, deg or rad", key);
     if (strcmp(end, "deg") == 0)
         *radians *= M_PI / 180;
     else if (strcmp(end, "rad") != 0)
-        return key_fail(r, s, "'%s' has the unknown unit '%s'; deg or rad", key, end);
+        return key_fail(r, s, "'%s' has the unknown unit '%s'; it must be deg or rad", key, end);
     if (!(*radians >= 0 && *radians <= k->high * M_PI / 180 * (1 + GSL_DBL_EPSILON)))
         return key_fail(r, s, "'%s' must be in 0..%g deg; %s is usual", key, k->high, k->usual);
     return true;
@@ -174,7 +174,7 @@ bool key_word(const struct scene_reader *r, const config_setting_t *s, const cha
     return key_fail(r, s, "'%s' must be %s", key, list);
 }
 
-/* Two numbers of which the first or the second must not be too small. */
+/* Reads two numbers, of which one must not be too small. */
 static bool read_pair(const struct scene_reader *r, const config_setting_t *s, const struct scene_key *k,
                       double value[2])
 {

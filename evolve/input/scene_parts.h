@@ -1,26 +1,27 @@
-/* The longer parts of a scene, read into it; for scene_read.c. */
+/* Functions that read the longer parts of a scene, for scene_read.c. */
 #ifndef FOOTPOINT_SCENE_PARTS_H
 #define FOOTPOINT_SCENE_PARTS_H
 
 #include "scene.h"
 #include "scene_keys.h"
 
-/** Exactly one of lattice, shapes and mesh: scene->source and its setting, NULL if there is none, which is gathered. */
+/** Finds the setting of the scene's source, lattice, shapes or mesh, and sets scene->source. A missing source is
+ *  collected, with *setting NULL. There must not be two. */
 bool scene_find_source(const struct scene_reader *r, config_setting_t *root, struct scene *scene,
                        config_setting_t **setting);
 
-/** Its keys are known ones; those that lack are gathered.  Nothing is said of a setting NULL or, but for meshes, of one
- *  whose kind of segment is not known. */
+/** Checks the source's keys and collects missing ones. Checks nothing if `setting` is NULL or, except for meshes, if
+ *  the kind of segment is unknown. */
 bool scene_check_source(const struct scene_reader *r, config_setting_t *setting, const struct scene *scene);
 
-/** Reads it.  Where a scene of a mesh names no segment, scene->segment becomes what the master faces are.  The mesh is
- *  added to the scene's digest. */
+/** Reads the source. If a scene of a mesh names no segment, scene->segment becomes the kind of the master faces. The
+ *  mesh is added to the scene's digest. */
 bool scene_read_source(const struct scene_reader *r, config_setting_t *setting, struct scene *scene);
 
-/** The keys of tiers, as above. */
+/** Checks the keys of tiers in the same way. */
 bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root);
 
-/** `frame` and `tiers`, or neither.  Tiers for which no frame is named have none. */
+/** Reads `frame` and `tiers`, if present. Tiers without a frame name get none. */
 bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, struct scene *scene);
 
 #endif

@@ -19,7 +19,7 @@ static void print_limits(const struct scene_key *k, FILE *f)
     fputc(')', f);
 }
 
-/* "name = value;  // help (limits)", in a comment where the key may be left out, or all of its group. */
+/* Prints "name = value;  // help (limits)", as a comment if the key or its whole group is optional. */
 static void print_key(const struct scene_key *k, const char *value, const char *indent, bool comment, FILE *f)
 {
     const int column = fprintf(f, "%s%s%s = %s;", comment ? "// " : "", indent, k->name, value);
@@ -42,9 +42,8 @@ static void print_group(const struct scene_key *group, const struct segment_kind
 static void print_tiers(const struct segment_kind *kind, FILE *f)
 {
     const struct scene_group *g = &tier_group;
-    fprintf(f, "\n// The functions of the header.  Without tiers the scene has those of the scene that is called %s.\n",
-            kind->name);
-    fputs("// What all tiers share may stand before them:\n", f);
+    fprintf(f, "\n// The functions of the header. Without tiers, the scene takes those of scene %s.\n", kind->name);
+    fputs("// Keys that all tiers share may precede them:\n", f);
     for (const struct scene_key *k = g->key; k < g->key + g->keys; k++)
         if (k->shared)
             print_key(k, k->usual, "", true, f);
@@ -60,13 +59,13 @@ void scene_print(const struct segment_kind *kind, FILE *f)
     const struct scene_group *g = &scene_group;
     char segment[32];
     snprintf(segment, sizeof segment, "\"%s\"", kind->name);
-    fputs("// What is in comments may be left out.\n", f);
+    fputs("// Keys in comments are optional.\n", f);
     for (const struct scene_key *k = g->key; k < g->key + g->keys; k++)
         if (strcmp(k->name, "segment") == 0)
             print_key(k, segment, "", false, f);
         else if (!k->group && key_suits(k, kind))
             print_key(k, k->usual, "", !k->required, f);
-    fputs("\n// Where samples come from, one of these:\n", f);
+    fputs("\n// The source of samples, one of these:\n", f);
     for (const struct scene_key *k = g->key; k < g->key + g->keys; k++)
         if (k->type == KEY_GROUP && key_suits(k, kind))
             print_group(k, kind, k->group != &shapes_group, f);

@@ -1,4 +1,4 @@
-/* An example of a scene, made of the tables of keys. */
+/* Prints an example scene from the tables of keys. */
 #ifndef FOOTPOINT_SCENE_PRINT_H
 #define FOOTPOINT_SCENE_PRINT_H
 
@@ -6,8 +6,8 @@
 
 #include <stdio.h>
 
-/** Prints a scene of random segments of that kind, which reads back.  Every key stands there with what it means; those
- *  that may be left out are comments. */
+/** Prints a scene of random segments of a kind, which can be read back. It contains every key with its meaning;
+ *  optional keys are comments. */
 void scene_print(const struct segment_kind *kind, FILE *stream);
 
 #endif

@@ -1,5 +1,5 @@
-/* Reads a scene: a libconfig text (its meaning: evolve/README.md).  Every key, type, unit and range is checked,
- * and each complaint names its line. */
+/* Reads a scene: a libconfig text (documented in evolve/README.md). Checks every key, type, unit and range; each error
+ * names its line. */
 #include "scene_parts.h"
 
 #include <ctype.h>
@@ -10,7 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* NULL where the scene has none, which a mesh will do for. */
+/* Reads the segment; NULL if the scene has none, in which case a mesh determines it. */
 static bool read_segment(const struct scene_reader *r, const config_setting_t *s, const struct segment_kind **segment)
 {
     char *name = NULL;
@@ -26,7 +26,7 @@ static bool read_segment(const struct scene_reader *r, const config_setting_t *s
     return found;
 }
 
-/* Every key is known, and those are there that have no usual value. */
+/* Checks that every key is known and that all required keys are present. */
 static bool check_keys(const struct scene_reader *r, config_setting_t *root, struct scene *scene,
                        config_setting_t **source)
 {
@@ -39,7 +39,7 @@ static bool check_keys(const struct scene_reader *r, config_setting_t *root, str
     return scene_check_source(r, *source, scene) && scene_check_tiers(r, root) && keys_complete(r);
 }
 
-/* What segments of the scene's kind have not. */
+/* Rejects settings that segments of the scene's kind do not have. */
 static bool suits_segment(const struct scene_reader *r, const config_setting_t *root, const struct scene *scene)
 {
     const struct segment_kind *kind = scene->segment;
@@ -56,13 +56,13 @@ static bool read_scene(const struct scene_reader *r, config_setting_t *root, str
     config_setting_t *source = NULL;
     if (!check_keys(r, root, scene, &source))
         return false;
-    const bool mesh = scene->source == SOURCE_MESH; /* which says what the segments are */
+    const bool mesh = scene->source == SOURCE_MESH; /* a mesh determines the segments */
     return (!mesh || scene_read_source(r, source, scene)) && keys_read(r, root, &scene_group, NULL, scene) &&
            suits_segment(r, root, scene) && (mesh || scene_read_source(r, source, scene)) &&
            scene_read_tiers(r, root, scene);
 }
 
-/* Line of an @include directive, or 0.  The digest covers one text, so that a scene has no others. */
+/* Returns the line of an @include directive, or 0. The digest covers one text, so a scene must not include others. */
 static int include_line(const char *text)
 {
     for (int line = 1;; line++) {
@@ -75,7 +75,7 @@ static int include_line(const char *text)
     }
 }
 
-/* The text behind a comment or string that begins at `at`, or NULL where none does. */
+/* Returns the text after a comment or string that begins at `at`, or NULL if none begins there. */
 static const char *behind_other_text(const char *at)
 {
     const char *end;
@@ -89,7 +89,8 @@ static const char *behind_other_text(const char *at)
     return *at == '#' || (*at == '/' && at[1] == '/') ? at + strcspn(at, "\n") : NULL;
 }
 
-/* Line of a whole number that is too large to be one without an L behind it, or 0: libconfig 1.5 takes its last 32 bits. */
+/* Returns the line of a whole number that needs the suffix L, or 0. Without it, libconfig 1.5 takes the last 32
+ * bits. */
 static int wrapped_line(const char *text)
 {
     int line = 1;
@@ -122,7 +123,7 @@ static char *scene_name(const char *path)
     return new_text(base, named ? length - suffix : length);
 }
 
-/* Tiers for which the scene names no frame take that of the scene of their kind. */
+/* Gives tiers without a frame the frame of their kind's scene. */
 static bool take_frame(const char *root, struct scene *scene, struct diag *d)
 {
     struct scene *usual = NULL;
@@ -161,11 +162,11 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
     bool good = strlen(text) == size;
     const int line = include_line(text), wrapped = wrapped_line(text);
     if (!good)
-        diag_at(d, path, 0, 0, "a NUL character in the text");
+        diag_at(d, path, 0, 0, "the text contains a NUL character");
     else if (line)
-        good = diag_at(d, path, line, 0, "a scene includes no other file");
+        good = diag_at(d, path, line, 0, "a scene must not include other files");
     else if (wrapped)
-        good = diag_at(d, path, wrapped, 0, "a whole number of more than %d ends in L", INT_MAX);
+        good = diag_at(d, path, wrapped, 0, "a whole number above %d must end in L", INT_MAX);
     else if (!config_read_string(&config, text))
         good = diag_at(d, path, config_error_line(&config), 0, "%s", config_error_text(&config));
     else
@@ -189,14 +190,13 @@ struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag
     char *path = scene_path(root, kind);
     struct scene *usual = NULL;
     if (strcmp(path, s->path) == 0)
-        diag_at(d, path, 0, 0, "frame and tiers are missing, which other scenes of segments %s take from here", kind);
+        diag_at(d, path, 0, 0, "frame and tiers are missing; other scenes of segment %s take them from here", kind);
     else if (segment_find(s->name) && segment_find(s->name) != s->segment)
-        diag_at(d, s->path, 0, 0, "a scene called %s, which scenes of that kind take tiers from, is of segments %s",
-                s->name, kind);
+        diag_at(d, s->path, 0, 0, "scene %s supplies tiers for its kind; its segment must not be %s", s->name, kind);
     else
         usual = scene_read(root, kind, d);
     if (usual && usual->tiers == 0) {
-        diag_at(d, path, 0, 0, "no tiers, which scene '%s' of segments %s should take from here", s->name, kind);
+        diag_at(d, path, 0, 0, "no tiers; scene '%s' of segment %s takes them from here", s->name, kind);
         scene_free(usual);
         usual = NULL;
     }

@@ -1,4 +1,4 @@
-/* Where a scene's samples come from: a lattice, random shapes, or a mesh; see scene_parts.h. */
+/* Reads the source of a scene's samples: a lattice, random shapes, or a mesh; see scene_parts.h. */
 #include "scene_parts.h"
 
 #include "../../codegen/base/text.h"
@@ -15,8 +15,8 @@ static void add(SHA2_CTX *sum, const void *data, size_t bytes)
         SHA256Update(sum, data, bytes);
 }
 
-/* What the mesh contributes to the scene's digest: its nodes, contact pairs and the elements that join slave nodes to
- * masters, whatever files they stand in. */
+/* Adds the mesh to the scene's digest: nodes, contact pairs and the elements that join slave nodes to master faces,
+ * whichever files contain them. */
 static void add_mesh(SHA2_CTX *sum, const struct mesh *m)
 {
     add(sum, m->xyz, m->nodes * sizeof *m->xyz);
@@ -30,7 +30,7 @@ static void add_mesh(SHA2_CTX *sum, const struct mesh *m)
         add(sum, m->element[i].node, (size_t)m->element[i].nodes * sizeof *m->element[i].node);
 }
 
-/* The scene's kind of segment is the one that it names, or what all master faces are. */
+/* Sets the scene's kind of segment: the one that it names, or that of all master faces. */
 static bool choose_segment(const struct scene_reader *r, const config_setting_t *group, struct mesh *m,
                            struct scene *scene)
 {
@@ -38,13 +38,13 @@ static bool choose_segment(const struct scene_reader *r, const config_setting_t 
     const struct segment_kind *kind = mesh_segment(m, faces, sizeof faces);
     if (scene->segment)
         return mesh_keep_faces(m, scene->segment) > 0 ||
-               key_fail(r, group, "no master face is of segment '%s'; there are %s", scene->segment->name, faces);
+               key_fail(r, group, "no master face has segment '%s'; there are %s", scene->segment->name, faces);
     scene->segment = kind;
     return kind ||
-           key_fail(r, group, "master faces of several kinds: %s; choose one of them, segment = \"...\";", faces);
+           key_fail(r, group, "master faces are of several kinds: %s; choose one with segment = \"...\";", faces);
 }
 
-/* A path that is relative to the scene's folder; the caller frees it. */
+/* Returns a path relative to the scene's folder; the caller frees it. */
 static char *beside_scene(const struct scene_reader *r, const char *file)
 {
     const char *slash = strrchr(r->path, '/');
@@ -53,7 +53,7 @@ static char *beside_scene(const struct scene_reader *r, const char *file)
     return new_format("%.*s/%s", (int)(slash - r->path), r->path, file);
 }
 
-/* A largest gap: the scene's, or a part of the shortest edge of the mesh. */
+/* Sets the largest gap: the scene's, or a fraction of the shortest edge of the mesh. */
 static bool choose_distance(const struct scene_reader *r, const config_setting_t *g, const struct mesh *m,
                             struct mesh_pairs *pairs)
 {
@@ -62,11 +62,10 @@ static bool choose_distance(const struct scene_reader *r, const config_setting_t
     if (pairs->distance == 0)
         pairs->distance = usual * edge;
     else if (pairs->distance > most * edge)
-        key_warn(
-            r, config_setting_get_member(g, "distance"),
-            "'distance' of %g is more than %g times the shortest master edge, %.3g; it is the penetration and what a "
-            "step moves, and functions for larger gaps are worse in contact",
-            pairs->distance, most, edge);
+        key_warn(r, config_setting_get_member(g, "distance"),
+                 "'distance' of %g is more than %g times the shortest master edge, %.3g; it is the penetration plus "
+                 "the motion of a step, and functions for larger gaps are less accurate in contact",
+                 pairs->distance, most, edge);
     return pairs->distance < INFINITY || key_fail(r, g, "all master faces have edges of length 0");
 }
 
@@ -74,7 +73,7 @@ static bool read_mesh(const struct scene_reader *r, config_setting_t *g, struct 
 {
     struct mesh_pairs *m = &scene->mesh;
     if (scene->segment && *scene->segment->normals)
-        return key_fail(r, g, "segments '%s' come from 'lattice' or 'shapes', not from a mesh file",
+        return key_fail(r, g, "segment '%s' needs 'lattice' or 'shapes'; a mesh file has no such faces",
                         scene->segment->name);
     if (!keys_read(r, g, &mesh_group, NULL, m))
         return false;
@@ -112,7 +111,9 @@ bool scene_find_source(const struct scene_reader *r, config_setting_t *root, str
         if (!s)
             continue;
         if (*setting)
-            return key_fail(r, s, "both '%s' and '%s'; a scene has one of lattice, shapes and mesh",
+            return key_fail(r, s,
+                            "both '%s' and '%s' are given; a scene must have exactly one of lattice, shapes "
+                            "and mesh",
                             config_setting_name(*setting), source[i]->name);
         if (!config_setting_is_group(s))
             return key_fail(r, s, "'%s' must be a group, { ... }", source[i]->name);
@@ -131,7 +132,7 @@ bool scene_check_source(const struct scene_reader *r, config_setting_t *setting,
     if (!setting || (!mesh && !scene->segment))
         return true;
     if (scene->source == SOURCE_LATTICE && !key_suits(group_find(&scene_group, "lattice"), scene->segment))
-        return key_fail(r, setting, "a 'lattice' is of segments quad4, gregory and bezier");
+        return key_fail(r, setting, "a 'lattice' must have segment quad4, gregory or bezier");
     return keys_check(r, setting, g->name, g, mesh ? NULL : scene->segment, NULL, NULL);
 }
 

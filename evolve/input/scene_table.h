@@ -1,5 +1,5 @@
-/* Every key that a scene may have, once: its type, limits and default, a usual value and what it means.  scene_keys.h reads
- * by these tables, scene_print.h prints an example of them. */
+/* Tables of all keys of a scene: type, limits, default, example value and meaning. scene_keys.h reads by them,
+ * scene_print.h prints an example. */
 #ifndef FOOTPOINT_SCENE_TABLE_H
 #define FOOTPOINT_SCENE_TABLE_H
 
@@ -11,7 +11,7 @@
 enum key_type {
     KEY_NUMBER, /* double */
     KEY_COUNT,  /* size_t, a whole number */
-    KEY_INT,    /* int, the same */
+    KEY_INT,    /* int, a whole number */
     KEY_ANGLE,  /* double in radians: "45 deg" or "0.8 rad"; limits are in degrees */
     KEY_POINT,  /* double[2]: [a, b] */
     KEY_GRID,   /* struct grid_range: [largest, step] */
@@ -19,7 +19,7 @@ enum key_type {
     KEY_WORD,   /* an enum that counts `word` */
     KEY_CHOICE, /* const char *: one of `word` */
     KEY_TEXT,   /* char *, owned */
-    KEY_OWN,    /* read by code of its own */
+    KEY_OWN,    /* read by separate code */
     KEY_GROUP   /* the keys of `group` */
 };
 
@@ -29,13 +29,13 @@ struct scene_key {
     size_t at; /* offset of the value in the group's struct */
     bool required;
     double low, high;
-    double standard;         /* the value if the key is left out */
-    double strange;          /* few meshes go beyond; 0: no matter */
+    double standard;         /* default */
+    double strange;          /* few meshes exceed it; 0: no limit */
     const char *const *word; /* ends with NULL */
-    const char *usual; /* a value as text; of a key that may be left out the default, if there is one text for it */
+    const char *usual;       /* an example as text; for an optional key the default, if it can be written as one text */
     const char *help;
-    bool (*suits)(const struct segment_kind *kind); /* NULL: segments of any kind have it */
-    bool shared;                                    /* of tiers: may stand in the scene, for all of them */
+    bool (*suits)(const struct segment_kind *kind); /* kinds of segment that have the key; NULL: all */
+    bool shared;                                    /* of tiers: may be in the scene, for all of them */
     const struct scene_group *group;
 };
 
@@ -47,10 +47,10 @@ struct scene_group {
 };
 extern const struct scene_group scene_group, shapes_group, mesh_group, lattice_group, tier_group;
 
-/** The key of that name, or NULL. */
+/** Returns the key with this name, or NULL. */
 const struct scene_key *group_find(const struct scene_group *g, const char *name);
 
-/** Whether segments of that kind have the key; any key of a kind NULL. */
+/** Returns true if segments of this kind have the key; always true if kind is NULL. */
 static inline bool key_suits(const struct scene_key *k, const struct segment_kind *kind)
 {
     return !kind || !k->suits || k->suits(kind);

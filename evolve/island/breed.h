@@ -1,4 +1,4 @@
-/* The two ways of breeding: how a population starts, goes on, and takes n migrants of a parcel in. */
+/* The two ways of breeding: how a population starts, makes a generation, and accepts n migrants from a parcel. */
 #ifndef FOOTPOINT_BREED_H
 #define FOOTPOINT_BREED_H
 

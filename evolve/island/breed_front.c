@@ -1,9 +1,9 @@
-/* Breeding towards the front of error against cost.  Parents come from the population and from the front; children are
- * made by operators that mostly change little, and those that were seen lately are made anew.  Parents and children
- * then compete by the ratio of their error to that of the front, at their own cost, as the front was when the
- * generation began: every size is under the same pressure, and growth must pay.  Equal errors and equal structures are
- * kept once, and no cost may crowd out the others.  A child whose ratio is sure to exceed the parents' worst is not
- * evaluated to the end, as it would not be let in. */
+/* Breeding towards the front of error against cost. Parents come from the population and from the front. Most operators
+ * change little; a child seen lately is made anew. Parents and children then compete by the ratio of their error to the
+ * front's error at their own cost, as the front was when the generation began. So every size is under the same
+ * pressure, and growth must pay. Equal errors and equal structures are kept once, and the number of individuals of one
+ * cost is limited. A child is rejected before all samples are evaluated once its ratio is certain to exceed the worst
+ * parent's. */
 #include "breed.h"
 
 #include "../../codegen/base/random.h"
@@ -12,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIES = 4 };                    /* to make a child that was not seen lately */
-static const double smallest = 1e-300; /* an error of 0 is compared, too */
-static const double immigrants = 0.02; /* random programs among the children */
+enum { TRIES = 4 };                    /* attempts to make a child not seen lately */
+static const double smallest = 1e-300; /* errors are clamped to it, so that 0 can be compared */
+static const double immigrants = 0.02; /* fraction of random programs among the children */
 
 static double ratio(const struct island *is, const struct individual *x)
 {
@@ -24,7 +24,7 @@ static double ratio(const struct island *is, const struct individual *x)
     return (x->error + smallest) / (is->reference[place] + smallest);
 }
 
-/* The error of an individual that is counted already. */
+/* Computes the error of an individual whose cost is known. */
 static void evaluate(struct island *is, struct individual *x)
 {
     const size_t place = front_place(is->front, x->cost);
@@ -50,7 +50,7 @@ static void fix_reference(struct island *is)
 /* Returns true if the key is new to the table, and adds it. */
 static bool meet(struct island *is, uint64_t key)
 {
-    const uint64_t hash = random_mix(key); /* no two keys have the same */
+    const uint64_t hash = random_mix(key); /* a bijection: different keys, different hashes */
     size_t probe = 0;
     const bool fresh = index_next(&is->met, hash, &probe) < 0;
     if (fresh)
@@ -60,7 +60,7 @@ static bool meet(struct island *is, uint64_t key)
 
 enum fate { LIVES, CROWDED_OUT, DOUBLE, FATES };
 
-/* What becomes of an individual, all better ones being known. */
+/* Decides whether an individual survives, given that all better individuals were decided. */
 static enum fate fate_of(struct island *is, const struct individual *x)
 {
     uint64_t bits;
@@ -73,8 +73,8 @@ static enum fate fate_of(struct island *is, const struct individual *x)
     return ++is->crowd[front_place(is->front, x->cost)] > is->plan->crowd ? CROWDED_OUT : LIVES;
 }
 
-/* Of the first n in now[], let the population's number live: by ratio, none twice, at most `crowd` of one cost.  Others
- * fill up where there are too few. */
+/* Selects the survivors among the first n of now[], by ratio: no duplicates, at most `crowd` of one cost. If too few
+ * remain, rejected individuals fill the population. */
 static void select_survivors(struct island *is, size_t n)
 {
     size_t ordered = 0;
@@ -92,7 +92,7 @@ static void select_survivors(struct island *is, size_t n)
     memcpy(is->now, is->order, n * sizeof *is->now);
 }
 
-/* The generation is over: the living are ranked against the front as it is now. */
+/* Ends the generation: ranks the survivors against the current front. */
 static void rank_population(struct island *is)
 {
     const size_t n = is->plan->population;
@@ -113,7 +113,7 @@ static void fill_at_random(struct island *is, size_t first)
     rank_population(is);
 }
 
-/* Two numbers, which insertions can add terms to: from this alone, if there is no seed. */
+/* Starts with two numbers, to which insertions can add terms. Without seeds, evolution starts from this program. */
 static void begin_with_numbers(struct island *is)
 {
     struct individual *x = &is->now[0];
@@ -127,7 +127,8 @@ void breed_front_start(struct island *is, const struct genes *seed, size_t n)
     size_t living = 1;
     fix_reference(is);
     begin_with_numbers(is);
-    for (size_t i = 0; i < n; i++) { /* more of them than live here are parents by the front */
+    for (size_t i = 0; i < n; i++) { /* if the front has more members than the population, the rest are parents through
+                                      * the front */
         struct individual *x = &is->now[living];
         genes_copy(&seed[i], &x->genes);
         population_count(is, x);
@@ -137,7 +138,7 @@ void breed_front_start(struct island *is, const struct genes *seed, size_t n)
     fill_at_random(is, living);
 }
 
-/* Of the front mostly the dear ones: those near the budget. */
+/* Chooses a member of the front, mostly an expensive one, near the budget. */
 static const struct genes *choose(struct island *is)
 {
     const size_t n = front_count(is->front);
@@ -170,7 +171,7 @@ static void make_child(struct island *is, struct individual *x)
     }
 }
 
-/* Fits the numbers of the best children; each fitted one that is better takes its child's place. */
+/* Fits the numbers of the best children. A fitted program replaces its child if it is better. */
 static void tune_children(struct island *is)
 {
     const struct fitting *f = is->goal.fit;
@@ -192,7 +193,7 @@ static void tune_children(struct island *is)
     }
 }
 
-/* Fit the constants of the front's new members. */
+/* Fits the constants of the front's new members. */
 static void polish(struct island *is)
 {
     const struct fitting *f = is->goal.fit;

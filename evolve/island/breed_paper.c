@@ -1,7 +1,7 @@
-/* The paper's pd-LinearGP on one island.  A generation keeps the best individual and fills up with children: parents
- * are chosen by roulette on fitness 1/error (the paper) or by tournament, then crossed or mutated.  Genomes seen lately
- * are remembered: a child that repeats one is changed once more.  A child whose error is sure to exceed a multiple of
- * its parents' median is not evaluated to the end and counts as hopeless, at the same block on every machine. */
+/* The paper's pd-LinearGP on one island. A generation keeps the best individual and adds children. Parents are chosen
+ * by roulette with fitness 1/error (the paper) or by tournament, then crossed or mutated. A child that repeats a genome
+ * seen lately is mutated once more. Evaluation of a child stops once its error is certain to exceed a multiple of the
+ * parents' median, at the same block on every machine. */
 #include "breed.h"
 
 #include "../genotype/tree.h"
@@ -25,7 +25,7 @@ static void evaluate(struct island *is, struct individual *x)
     population_record(is, x);
 }
 
-/* Change genes of a tree that was seen lately, so that hardly a child is bred for nothing. */
+/* Mutates a tree that was seen lately, so that few evaluations are wasted. */
 static void renew(struct island *is, struct genes *t)
 {
     for (int tries = 2; tries > 0; tries--) {
@@ -36,7 +36,7 @@ static void renew(struct island *is, struct genes *t)
     }
 }
 
-/* Sort, and set the bound for the children. */
+/* Sorts the population and sets the bound for the children. */
 static void rank_population(struct island *is)
 {
     const size_t n = is->plan->population;
@@ -72,7 +72,7 @@ static void make_children(struct island *is, struct genes *child_a, struct genes
             tree_mutate_gene(is->rng, is->goal.genes, child[k]);
 }
 
-/* The children stand behind their parents; the last one may come with a brother too many. */
+/* Children follow their parents in the array. The last crossover may make one child too many. */
 void breed_paper_step(struct island *is)
 {
     const size_t n = is->plan->population;

@@ -1,4 +1,4 @@
-/* What one island is to find, and the individuals that it breeds. */
+/* The goal of an island, and the individuals that it breeds. */
 #ifndef FOOTPOINT_GOAL_H
 #define FOOTPOINT_GOAL_H
 
@@ -6,24 +6,24 @@
 #include "../fit/fitting.h"
 #include "plan.h"
 
-/** What one island is to find. */
+/** The goal of one island. */
 struct goal {
-    bool program;                 /* programs are bred, else trees */
-    size_t column;                /* of trees: what they are measured against */
-    int last;                     /* of programs: the function that they end in; -1: none */
-    size_t max_length;            /* genes */
+    bool program;                 /* breeds programs; otherwise trees */
+    size_t column;                /* for trees: column of the target */
+    int last;                     /* for programs: function that they end in, or -1 */
+    size_t max_length;            /* in genes */
     const struct gene_set *genes; /* not owned */
-    uint64_t ring, place;         /* key of its random streams: which ring, where in it */
-    const struct fitting *fit;    /* not owned; of programs */
-    size_t limit;                 /* largest cost that a front keeps; 0: the plan's */
-    struct tails tails;           /* of programs: what their largest errors may be */
+    uint64_t ring, place;         /* key of its random streams: ring, and place in the ring */
+    const struct fitting *fit;    /* not owned; for programs */
+    size_t limit;                 /* largest cost of the front's members; 0: the plan's limit */
+    struct tails tails;           /* for programs: their largest permitted errors */
 };
 
 struct individual {
-    struct genes genes; /* genes not owned: in the island's pool; constants are decimal numbers */
-    double fitness;     /* what selection minimises, the paper's 1/fitness */
-    double error;       /* INFINITY when not finite, or so bad that it was not evaluated to the end */
-    double cost;        /* by the plan's model, with the values of the frame that it needs */
+    struct genes genes; /* not owned: in the island's pool; constants are decimal numbers */
+    double fitness;     /* minimised by selection; the paper's 1/fitness */
+    double error;       /* INFINITY if not finite, or if evaluation stopped early */
+    double cost;        /* by the plan's model, including the frame's values that it needs */
     uint64_t hash;      /* of its operations */
 };
 

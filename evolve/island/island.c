@@ -1,5 +1,5 @@
-/* Islands; see island.h.  All randomness comes from the stream of (seed, ring, place in the ring,
- * generation), and whatever an island does depends on itself, its migrants and their order alone. */
+/* Islands; see island.h. All random numbers come from the stream of (seed, ring, place in the ring, generation). An
+ * island's results depend only on itself and on its migrants and their order. */
 #include "island.h"
 
 #include "../common/stream.h"
@@ -93,7 +93,8 @@ static void pack(const struct genes *t, int *parcel)
     parcel[0] = (int)packed.length;
 }
 
-/* In a front breeding: members of the front, at even distances where there are more than n, then the living. */
+/* With front breeding, packs members of the front, evenly spaced if there are more than n, then individuals of the
+ * population. */
 void island_pack(const struct island *is, size_t n, int *parcel)
 {
     const size_t members = is->plan->breeding == BREED_FRONT ? front_count(is->front) : 0;

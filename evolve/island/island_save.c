@@ -1,5 +1,5 @@
-/* The state of an island as bytes: all of struct island that the next generations depend on.  Whatever is read is
- * checked before anything of the island changes. */
+/* The state of an island as bytes: everything in struct island that the next generations depend on. A state is checked
+ * whole before the island changes. */
 #include "island.h"
 
 #include "../common/decimal.h"
@@ -14,11 +14,11 @@ struct facts {
     double bound;
 };
 
-/* An individual or a member of a front; its genes stand behind it, max_length of them. */
+/* An individual or a member of a front, followed by max_length genes. */
 struct record {
-    uint64_t length; /* of a member: 0 where the place is empty */
+    uint64_t length; /* of a member; 0: empty place */
     double fitness, error, cost;
-    uint64_t mark; /* hash, or polished */
+    uint64_t mark; /* an individual's hash, or a member's `polished` */
 };
 
 static size_t record_size(const struct island *is)
@@ -91,7 +91,7 @@ static bool known_gene(const struct gene_set *s, int gene)
     return false;
 }
 
-/* The next record, with its genes in gene[0..max_length-1]; false where there can be no such tree. */
+/* Reads the next record and its genes into gene[0..max_length-1]. Returns false if the genes are not valid. */
 static bool take_record(const struct island *is, const unsigned char **from, struct record *r, int *gene)
 {
     take(from, r, sizeof *r);
@@ -106,7 +106,7 @@ static bool take_record(const struct island *is, const unsigned char **from, str
     return r->length == 0 || gene_span(gene, (size_t)r->length) == r->length;
 }
 
-/* Individuals have genes, and members of a front stand at their place with falling errors. */
+/* Returns true if all individuals have genes, and the front's members are in their places with falling errors. */
 static bool check(const struct island *is, const unsigned char *from)
 {
     const size_t n = is->plan->population;

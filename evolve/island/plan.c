@@ -1,4 +1,4 @@
-/* Plans and their usual values; see plan.h. */
+/* Default plans; see plan.h. */
 #include "plan.h"
 
 struct plan plan_default(void)

@@ -1,4 +1,4 @@
-/* What both ways of breeding share; see population.h. */
+/* Functions shared by both ways of breeding; see population.h. */
 #include "population.h"
 
 #include "../common/decimal.h"
@@ -49,7 +49,7 @@ const struct genes *population_choose(struct island *is)
 {
     const size_t n = is->plan->population;
     size_t chosen = n;
-    if (is->plan->selection == SELECT_TOURNAMENT) { /* now[] is sorted: the lowest index wins */
+    if (is->plan->selection == SELECT_TOURNAMENT) { /* now[] is sorted, so the lowest index wins */
         for (int i = 0; i < TOURNAMENT; i++) {
             const size_t k = gsl_rng_uniform_int(is->rng, n);
             chosen = k < chosen ? k : chosen;
@@ -74,7 +74,8 @@ void population_numbers(struct genes *t)
     genes_copy(&numbers, t);
 }
 
-/* One of the front of all times, changed a few times; two numbers, as long as nothing has had a finite error. */
+/* Makes a random program: a member of the front with a few changes, or two numbers until some program has a finite
+ * error. */
 static void random_program(struct island *is, struct genes *t)
 {
     const struct fitting *f = is->goal.fit;
@@ -102,7 +103,7 @@ void population_draw(struct island *is, size_t k, struct genes *t)
     tree_random(is->rng, is->goal.genes, depth, k % 2 == 0, is->goal.max_length, t);
 }
 
-/* In a front breeding, the best is a member of the front. */
+/* Finds the best individual; with front breeding, a member of the front. */
 static void find_best(struct island *is)
 {
     is->best = is->now[0];

@@ -1,4 +1,4 @@
-/* The population of an island, and what both ways of breeding do with it; for the files of this room. */
+/* The population of an island and the operations that both ways of breeding share. For the files of this room. */
 #ifndef FOOTPOINT_POPULATION_H
 #define FOOTPOINT_POPULATION_H
 
@@ -16,49 +16,51 @@ struct remembered {
 };
 
 struct island {
-    const struct plan *plan; /* not owned, as are goal's genes and fits and the objective */
+    const struct plan *plan; /* not owned, like the goal's genes and fits, and the objective */
     struct goal goal;
     struct objective *objective;
 
-    /* All that the next generations depend on; random streams start anew in each. */
+    /* State that the next generations depend on. Random streams start anew in each generation. */
     uint64_t generation;
-    uint64_t evaluations;     /* for show alone */
-    struct individual *now;   /* owned: room for 2 * population + 2; the first `population` live, best first */
-    double bound;             /* BREED_PAPER: errors above it are hopeless; BREED_FRONT: multiples of the front's */
+    uint64_t evaluations;     /* for display only */
+    struct individual *now;   /* owned: room for 2 * population + 2; the first `population` are the living, best
+                               * first */
+    double bound;             /* evaluation stops above it. BREED_PAPER: an error; BREED_FRONT: a multiple of the
+                               * front's error */
     struct remembered *cache; /* owned: 1 << CACHE_BITS */
     struct front *front;      /* owned: the best so far */
 
-    /* Scratch, and what follows from the rest. */
+    /* Scratch, and values derived from the state. */
     gsl_rng *rng;                /* owned */
     struct counter *counter;     /* owned */
     struct frame_cost *frame;    /* owned: of the objective's program */
-    struct lines_counter *lines; /* owned: of programs, which cost what they need of the frame with the rest */
-    int *pool;                   /* owned: genes of now[] and of scratch */
-    struct individual *order;    /* owned: as now[] */
-    unsigned char *fate;         /* owned: as now[] */
-    size_t *crowd;               /* owned: how many of each cost */
-    struct index_table met;      /* hashes and errors of those that live already */
+    struct lines_counter *lines; /* owned: for programs, whose cost includes the frame's values that they need */
+    int *pool;                   /* owned: genes of now[] and scratch */
+    struct individual *order;    /* owned: like now[] */
+    unsigned char *fate;         /* owned: like now[] */
+    size_t *crowd;               /* owned: number of individuals of each cost */
+    struct index_table met;      /* hashes and errors of the survivors so far */
     double *cumulative;          /* owned: roulette wheel of the living */
-    double *reference;           /* owned: error at each cost of the front when the generation began */
+    double *reference;           /* owned: the front's error at each cost when the generation began */
     struct genes scratch;        /* in the pool */
     struct individual best;      /* lowest plan_fitness; its tree is in the front */
 };
 
 struct remembered *population_memory(const struct island *is, uint64_t hash);
-/* Operations, hash and cost of an individual. */
+/* Computes the operations, hash and cost of an individual. */
 void population_count(struct island *is, struct individual *x);
-/* A measured individual enters the front. */
+/* Offers a measured individual to the front. */
 void population_record(struct island *is, const struct individual *x);
-/* Lowest fitness first, then error, length and genes. */
+/* Compares by fitness, then error, length and genes, lowest first. */
 int population_compare(const void *a, const void *b);
-/* Make what follows from the rest: wheel, reference and best; now[] is sorted. */
+/* Recomputes derived values: wheel, reference and best. now[] must be sorted. */
 void population_refresh(struct island *is);
 const struct genes *population_choose(struct island *is);
-/* The k-th individual of a new population. */
+/* Draws the k-th individual of a new population. */
 void population_draw(struct island *is, size_t k, struct genes *t);
-/* Two numbers: programs that nothing is known of begin with them. */
+/* Makes a program of two numbers, the start when nothing better is known. */
 void population_numbers(struct genes *t);
-/* Ints of an individual in a parcel. */
+/* Returns the number of ints of an individual in a parcel. */
 static inline size_t population_parcel(const struct island *is)
 {
     return 1 + is->goal.max_length;

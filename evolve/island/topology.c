@@ -1,5 +1,5 @@
-/* Topologies of migration; see topology.h.  All are permutations of the places, so that an island's migrants of one
- * migration come in one parcel. */
+/* Topologies of migration; see topology.h. All are permutations of the places, so that each island receives one parcel
+ * per migration. */
 #include "topology.h"
 
 #include "../common/stream.h"
@@ -8,10 +8,10 @@
 
 #include <stdlib.h>
 
-/* Place of a random stream's key that no island has. */
+/* place in a random stream's key that no island has */
 static const uint64_t key_of_migration = UINT64_MAX;
 
-/* The next place along the torus' rows or columns: `step` of +1 or -1. */
+/* Returns the next place along the torus' rows or columns; `step` is +1 or -1. */
 static size_t along_torus(const struct migration *m, size_t place, int step)
 {
     size_t columns = 1;
@@ -24,7 +24,7 @@ static size_t along_torus(const struct migration *m, size_t place, int step)
     return (row + (step > 0 ? 1 : rows - 1)) % rows * columns + column;
 }
 
-/* The circle of this migration by Sattolo's algorithm: next[place], a permutation of a single cycle. */
+/* Draws the circle of this migration by Sattolo's algorithm: next[place] is a permutation with a single cycle. */
 static size_t *random_circle(const struct migration *m)
 {
     size_t *next = new_array(m->places, sizeof *next);

@@ -1,4 +1,4 @@
-/* Messages on their way; see mail.h.  A rank's messages to itself go the same way as all others. */
+/* Messages in transit; see mail.h. A rank's messages to itself are sent like all others. */
 #include "mail.h"
 #include "mpi_check.h"
 
@@ -49,7 +49,7 @@ bool inbound_here(struct inbound *in)
 {
     int here = 1;
     if (in->parcel)
-        CHECK(MPI_Test(&in->request, &here, MPI_STATUS_IGNORE)); /* a request that is done stays done */
+        CHECK(MPI_Test(&in->request, &here, MPI_STATUS_IGNORE)); /* a completed request stays completed */
     return here;
 }
 

@@ -1,4 +1,4 @@
-/* Messages on their way. */
+/* Messages in transit. */
 #ifndef FOOTPOINT_MAIL_H
 #define FOOTPOINT_MAIL_H
 
@@ -7,26 +7,27 @@
 /** Messages that this rank has sent and that may not have left yet. */
 struct mail {
     MPI_Request *request; /* owned */
-    void **parcel;        /* owned: what they carry */
+    void **parcel;        /* owned: contents */
     size_t n, request_room, parcel_room;
 };
-/** Send `bytes` at `parcel`, an array that is taken over.  Messages between two ranks of one tag keep their order. */
+/** Sends `bytes` bytes of `parcel`, an array that the mail takes over. Messages between two ranks with the same tag
+ *  keep their order. */
 void mail_send(const struct team *t, struct mail *m, void *parcel, size_t bytes, int to, int tag);
-/** Let go of what has left. */
+/** Frees messages that have left. */
 void mail_sweep(struct mail *m);
-/** Wait until all has left, and free everything. */
+/** Waits until all messages have left, then frees everything. */
 void mail_free(struct mail *m);
 
-/** A message that is expected, of known length and source. */
+/** An expected message of known length and source. */
 struct inbound {
     MPI_Request request;
-    void *parcel; /* owned; NULL: none is expected */
+    void *parcel; /* owned; NULL: no message is expected */
 };
 void inbound_expect(const struct team *t, struct inbound *in, size_t bytes, int from, int tag);
-/** True once it is there, or if none is expected. */
+/** Returns true if the message has arrived or no message is expected. */
 bool inbound_here(struct inbound *in);
 
-/** Blocks 0, 1, ... on their way from the ranks that own them to this one, in that order; a few at a time. */
+/** Blocks 0, 1, ... in transit, in this order, from the ranks that own them to this rank; a few at a time. */
 enum { GATHER_WINDOW = 32 };
 struct gather {
     bool active;
@@ -36,8 +37,8 @@ struct gather {
     struct inbound in[GATHER_WINDOW];
 };
 void gather_start(struct gather *g, int tag, const int *owner, size_t n);
-/** The next block, if it is there (or, with `wait`, when it is), owned by the caller; NULL: not yet.  The gather ends
- *  with the last block.  bytes[i]: length of block i; where bytes is NULL all have `same`. */
+/** Returns the next block, owned by the caller, or NULL if it has not arrived; with `wait`, waits for it. The gather
+ *  ends after the last block. bytes[i] is the length of block i; if `bytes` is NULL, every block has length `same`. */
 void *gather_next(const struct team *t, struct gather *g, const size_t *bytes, size_t same, bool wait);
 
 #endif

@@ -1,4 +1,4 @@
-/* A failure of the network cannot be agreed on: it ends the job. */
+/* Ends the job on a network failure, because ranks cannot agree on anything then. */
 #ifndef FOOTPOINT_MPI_CHECK_H
 #define FOOTPOINT_MPI_CHECK_H
 

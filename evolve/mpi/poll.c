@@ -1,5 +1,5 @@
-/* Polls by reductions that do not block; see poll.h.  A rank joins a poll when it has done a generation, and reads the
- * result some generations later; a rank that is slow holds up the others no sooner than that. */
+/* Polls by nonblocking reductions; see poll.h. A rank joins a poll after each generation and reads the result some
+ * generations later. A slow rank delays the others only after that many generations. */
 #include "poll.h"
 #include "mpi_check.h"
 

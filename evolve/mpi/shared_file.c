@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Open MPI's own input and output does not say when a disk is full, and opens no file where its shared pointers, which
- * nobody needs here, lack something.  ROMIO, which comes with it, and with every other MPI, does. */
+/* Selects ROMIO, which comes with Open MPI and every other MPI. Open MPI's own I/O does not report a full disk, and
+ * fails to open files if its shared file pointers, unused here, lack a resource. */
 void shared_file_prepare(void)
 {
     setenv("OMPI_MCA_io", "^ompio", 0);
 }
 
-/* A code of MPI is as good as the system's reason, which it leaves behind. */
+/* Checks a code of MPI. errno, which MPI leaves set, gives the reason. */
 static bool written(const struct shared_file *f, int code, struct diag *d)
 {
     char text[MPI_MAX_ERROR_STRING] = "";

@@ -1,4 +1,4 @@
-/* The ranks before and after a run; see team.h. */
+/* Agreement of the ranks before and after a run; see team.h. */
 #include "team.h"
 #include "mpi_check.h"
 

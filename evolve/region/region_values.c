@@ -33,13 +33,13 @@ static bool has_quotient(const struct genome_file *f, const struct genome_expr *
     return false;
 }
 
-/* Values within a function have no name. */
+/* Returns true if a value has a name; values within a function have none. */
 static bool has_name(const struct genome_file *f, size_t symbol)
 {
     return genome_find_symbol(f, genome_symbol_name(f, symbol)) == (long)symbol;
 }
 
-/* By let. */
+/* Returns an array indexed by let: the let is a quotient or made of quotients. */
 static bool *quotients(const struct genome_file *f)
 {
     bool *quotient = new_array(f->lets, sizeof *quotient);

@@ -1,25 +1,25 @@
-/* Which values of a genome file regions speak of. */
+/* The values of a genome file that regions bound. */
 #ifndef FOOTPOINT_REGION_VALUES_H
 #define FOOTPOINT_REGION_VALUES_H
 
 #include "../../codegen/genome/genome.h"
 
-/** By let: the genomes depend on it.  Caller frees. */
+/** Returns an array indexed by let: a genome depends on it. The caller frees it. */
 bool *used_lets(const struct genome_file *f);
 
-/** By let: it is used, a quotient or made of such, and has a name.  Caller frees. */
+/** Returns an array indexed by let: it is used, named, and a quotient or made of quotients. The caller frees it. */
 bool *named_quotients(const struct genome_file *f, const bool *used);
 
-/** Whether an output is more than a let or an input, and made of quotients. */
+/** Returns true if an output is made of quotients and is not itself a let or an input. */
 bool output_is_quotient(const struct genome_file *f, const struct genome_expr *out);
 
-/** The range of an input, widened to two decimals. */
+/** Adds the range of an input, widened to two decimals. */
 void add_range(struct genome_file *f, size_t input, double lo, double hi);
 
-/** Require an expression of `length` genes to be below a number, of a magnitude; in two digits. */
+/** Requires the magnitude of an expression of `length` genes to be below `most`, rounded to two digits. */
 void require_magnitude(struct genome_file *f, const int *gene, size_t length, double most);
 
-/** The same to be above `nearest`, or below it where that is below 0. */
+/** Requires an expression to be above `nearest`, or below it if `nearest` is negative. */
 void require_sign(struct genome_file *f, const int *gene, size_t length, double nearest);
 
 #endif

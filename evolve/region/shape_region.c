@@ -1,13 +1,15 @@
-/* Segments by their shape; see shape_region.h.  About a reference point, u = xi - xi0 and v = eta - eta0,
+/* Segments by their shape; see shape_region.h. About a reference point, with u = xi - xi0 and v = eta - eta0,
+ *
  *     r = r0 + u e1 + v e2 + sum of u^i v^j c_ij,   c_ij = a_ij e1 + b_ij e2 + h_ij ez,
  *     e1 = k ex,   e2 = stretch (skew ex + ey),   k stretch = 1:
- * e1 is along x, both are in the x-y plane, and the parallelogram that they span has area 1.  The slave node is
- * S = r + l n, n = dr/dxi x dr/deta.  What varies of h and l is these times stretch + k, about the longer of e1 and e2, so that
- * ranges are about the same for all aspect ratios.
  *
- * Scalar products of these vectors are polynomials of the numbers, and so are p and q, d = S - r0 in the directions of e1
- * and e2: the block gives all of them, for what the frames compute of nodes is equal to them, or a multiple.  With n x ez = U
- * in the plane, U = u1 e1 + u2 e2: n.e1 = u2, n.e2 = -u1. */
+ * e1 is along x, both are in the x-y plane, and the parallelogram that they span has area 1. The slave node is S = r +
+ * l n, n = dr/dxi x dr/deta. The inputs for h and l are these times stretch + k, about the length of the longer of e1
+ * and e2, so that their ranges hardly depend on the aspect ratio.
+ *
+ * Scalar products of these vectors are polynomials of the shape numbers, as are p and q, the components of d = S - r0
+ * along e1 and e2. The block contains all of them, because the values that frames compute from nodes are equal to them
+ * or multiples of them. With n x ez = U in the plane, U = u1 e1 + u2 e2: n.e1 = u2, n.e2 = -u1. */
 #include "shape_region.h"
 
 #include "../../codegen/base/text.h"
@@ -31,10 +33,10 @@ static const char *const power_text[NODES][6] = {
     [7] = {"* v m11", "m02", "* 2 m11", "0", "* 2 v", "* 2 u"},
     [8] = {"* m11 m11", "* 2 m12", "* 2 m21", "* 2 m02", "* 4 m11", "* 2 m20"}};
 
-/* The kinds: which powers they have, and their reference points, those of the frames. */
+/* The kinds: their powers and their frames' reference points. */
 static const struct row {
     const char *kind, *reference;
-    int powers[NODES]; /* by node, an index of power[] */
+    int powers[NODES]; /* indexed by node: an index of power[] */
 } table[] = {{"tri3", "/ 1 3", {0, 1, 2}},
              {"quad4", "0", {0, 1, 2, 3}},
              {"tri6", "/ 1 3", {0, 1, 2, 3, 4, 5}},
@@ -52,7 +54,7 @@ struct shape {
     const struct row *row;
     size_t nodes;
     double reference;
-    double inverse[NODES][NODES]; /* coefficients of the powers from nodes */
+    double inverse[NODES][NODES]; /* maps nodes to coefficients of the powers */
 };
 
 static const char *const *node_place(const struct shape *p, size_t node)
@@ -116,7 +118,7 @@ size_t shape_numbers(const struct shape *p)
     return 2 + 3 * (p->nodes - LINEAR) + 3;
 }
 
-/* Whether edges are. */
+/* Returns true if the kind has curved edges. */
 static bool is_curved(const struct shape *p)
 {
     return p->nodes > LINEAR + 1;
@@ -124,14 +126,14 @@ static bool is_curved(const struct shape *p)
 
 /* ---- the block ---- */
 
-/* "+ ", once less than there are terms. */
+/* Writes "+ ", once less than there are terms. */
 static void add_signs(FILE *out, size_t terms)
 {
     for (size_t i = 1; i < terms; i++)
         fputs("+ ", out);
 }
 
-/* A node's u or v. */
+/* Writes a node's u or v. */
 static void add_local(const struct shape *p, FILE *out, size_t node, int which)
 {
     const char *at = node_place(p, node)[which];
@@ -141,7 +143,7 @@ static void add_local(const struct shape *p, FILE *out, size_t node, int which)
         fprintf(out, "- %s %s ", at, p->row->reference);
 }
 
-/* r - r0 at a node. */
+/* Writes r - r0 at a node. */
 static void add_node(const struct shape *p, FILE *out, size_t node)
 {
     add_signs(out, p->nodes - 1);
@@ -155,7 +157,7 @@ static void add_node(const struct shape *p, FILE *out, size_t node)
     }
 }
 
-/* The sum of coefficients LETTERij times powers FACTORij, which may be derivatives; `first`: what goes before. */
+/* Writes the sum of coefficients LETTERij times powers FACTORij, which may be derivatives, after the text `first`. */
 static void add_sum(const struct shape *p, FILE *out, const char *name, const char *first, const char *letter,
                     const char *factor)
 {
@@ -180,7 +182,7 @@ static void add_inputs(const struct shape *p, FILE *out)
     fputs(" xi eta lift\nrange A 0 0 0 0 0 0\nrange ex 1 1 0 0 0 0\nrange ey 0 0 1 1 0 0\nrange ez 0 0 0 0 1 1\n", out);
 }
 
-/* u^i v^j and their derivatives. */
+/* Writes u^i v^j and their derivatives. */
 static void add_powers(const struct shape *p, FILE *out)
 {
     fprintf(out, "let u = - xi %s, v = - eta %s\n", p->row->reference, p->row->reference);
@@ -216,7 +218,7 @@ static void add_vectors(const struct shape *p, FILE *out)
     fputs("let S = + - r rA * l cross ru rv\n", out);
 }
 
-/* Products of c_ij with another vector of coefficients, of these alone. */
+/* Writes the products of c_ij with another vector of coefficients, for these vectors only. */
 static void add_products(const struct shape *p, FILE *out)
 {
     fputs("let e11 = * k k, e22 = * * stretch stretch + 1 * skew skew\n", out);
@@ -233,7 +235,7 @@ static void add_products(const struct shape *p, FILE *out)
         }
 }
 
-/* u1, u2 and n.ez; what cancels in them where c11 is all there is is left out. */
+/* Writes u1, u2 and n.ez. If c11 is the only coefficient, terms that cancel are left out. */
 static void add_normal(const struct shape *p, FILE *out)
 {
     if (p->nodes == LINEAR + 1) {
@@ -251,7 +253,7 @@ static void add_normal(const struct shape *p, FILE *out)
           out);
 }
 
-/* d and its products with the vectors. */
+/* Writes d and its products with the vectors. */
 static void add_distance(const struct shape *p, FILE *out)
 {
     add_sum(p, out, "pm", "u", "a", "m");
@@ -271,8 +273,8 @@ static void add_distance(const struct shape *p, FILE *out)
     }
 }
 
-/* The first fundamental form at the foot point and what the gap takes from it: of straight edges; else, by products of
- * vectors.  Local coordinates as frames of triangles have them. */
+/* Writes the first fundamental form at the foot point and its reduction by the gap: for straight edges as polynomials,
+ * otherwise by products of vectors. Triangles use the local coordinates of their frames. */
 static void add_forms(const struct shape *p, FILE *out)
 {
     if (!is_curved(p)) {
@@ -293,8 +295,8 @@ static void add_forms(const struct shape *p, FILE *out)
         fputs("let foot_u = * 3 u, foot_v = * 3 v\n", out);
 }
 
-/* What Newton's steps make of values at the foot point itself: that form, its determinant, right-hand sides of the step for
- * u and v. */
+/* Writes values of Newton's steps at the foot point itself: that form, its determinant, and right-hand sides of the
+ * steps for u and v. */
 static void add_foot(const struct shape *p, FILE *out)
 {
     if (p->nodes == LINEAR)
@@ -330,7 +332,7 @@ struct genome_file *shape_region(const struct shape *p)
         f->region = NULL;
         genome_file_free(f);
         for (size_t i = 1; i < region->statements; i++)
-            region->statement[i].joined = true; /* nobody needs to read these by the line */
+            region->statement[i].joined = true; /* long lines are fine: nobody needs to read these */
     }
     free(text);
     return region;
@@ -338,14 +340,14 @@ struct genome_file *shape_region(const struct shape *p)
 
 /* ---- samples ---- */
 
-/* The vector in the axes. */
+/* Rotates and scales a vector into the axes. */
 static void turn(double axis[3][3], const double v[3], double scale, double to[3])
 {
     for (int k = 0; k < 3; k++)
         to[k] = scale * vector_dot(axis[k], v);
 }
 
-/* By power, coefficients of differences from A, which lose nothing far from the origin. */
+/* Computes coefficients, indexed by power, from differences to A, which keep their digits far from the origin. */
 static void expand(const struct shape *p, const struct sample *s, double c[NODES][3])
 {
     for (size_t i = 0; i < p->nodes; i++)
@@ -356,7 +358,7 @@ static void expand(const struct shape *p, const struct sample *s, double c[NODES
         }
 }
 
-/* Axes and scale of the block. */
+/* Finds axes and scale of the block. */
 static double find_axes(double c[NODES][3], double axis[3][3])
 {
     double n[3];
@@ -370,7 +372,7 @@ static double find_axes(double c[NODES][3], double axis[3][3])
     return 1 / sqrt(area);
 }
 
-/* l of the slave node; c is in the axes. */
+/* Returns l of the slave node; c must be in the axes. */
 static double find_lift(const struct shape *p, double c[NODES][3], const struct sample *placed)
 {
     const double u = placed->xi - p->reference, v = placed->eta - p->reference;

@@ -1,6 +1,5 @@
-/* Segments by their shape: the numbers that say all of a segment and a slave node but place, size and orientation, and
- * the region block of genome text that makes the nodes of them again.  Of kinds whose points are polynomials of xi and
- * eta. */
+/* Segments by their shape: numbers that determine a segment and a slave node up to position, size and orientation, and
+ * the region block of genome text that recomputes the nodes. For kinds whose points are polynomials of xi and eta. */
 #ifndef FOOTPOINT_SHAPE_REGION_H
 #define FOOTPOINT_SHAPE_REGION_H
 
@@ -11,16 +10,16 @@ enum { SHAPE_NUMBERS = 2 + 3 * 6 + 3 }; /* at most */
 
 struct shape;
 
-/** NULL if the kind is none of these. */
+/** Returns a shape, or NULL if the kind has none. */
 struct shape *shape_new(const struct segment_kind *kind);
 void shape_free(struct shape *p);
 
 size_t shape_numbers(const struct shape *p);
 
-/** The region block, without ranges of the numbers, which are its last inputs. */
+/** Returns the region block without ranges of the shape numbers, which are its last inputs. */
 struct genome_file *shape_region(const struct shape *p);
 
-/** The numbers of a sample, and the sample as the block places it. */
+/** Computes the shape numbers of a sample, and the sample as the block places it. */
 void shape_measure(const struct shape *p, const struct sample *s, double number[SHAPE_NUMBERS], struct sample *placed);
 
 #endif

@@ -19,7 +19,7 @@ void checkpoint_seal(unsigned char *data, size_t bytes)
     data[bytes + CHECKPOINT_SEAL - 1] = '\n';
 }
 
-/* Of so many bytes, the seal behind them is theirs. */
+/* Returns true if the seal after these bytes matches them. */
 static bool sealed(const void *data, size_t bytes)
 {
     const unsigned char *seal = (const unsigned char *)data + bytes;
@@ -28,7 +28,7 @@ static bool sealed(const void *data, size_t bytes)
     return memcmp(hex, seal, CHECKPOINT_SEAL - 1) == 0 && seal[CHECKPOINT_SEAL - 1] == '\n';
 }
 
-/* Where each section stands, from the lengths; false where the file would be too long for a number. */
+/* Computes the place of each section from the lengths. Returns false on overflow. */
 static bool place_sections(struct checkpoint *c)
 {
     c->size = c->head_bytes;
@@ -66,7 +66,7 @@ struct checkpoint checkpoint_new(const char *facts, const size_t *bytes, size_t 
     return c;
 }
 
-/* A number of the first line, and the one character after it. */
+/* Reads a number of the first line and the character that follows it. */
 static bool read_number(const char **text, char after, size_t *value)
 {
     char *rest;
@@ -79,7 +79,7 @@ static bool read_number(const char **text, char after, size_t *value)
     return errno == 0 && *rest == after;
 }
 
-/* The first line: the length of the facts, and of all of the head, which has `most` bytes at most. */
+/* Reads the first line: the length of the facts and of the whole head, which must have at most `most` bytes. */
 static bool read_first(struct checkpoint *c, const char *path, const char *text, size_t most, size_t *facts,
                        struct diag *d)
 {
@@ -88,17 +88,17 @@ static bool read_first(struct checkpoint *c, const char *path, const char *text,
     if (strncmp(text, magic, sizeof magic - 1) != 0)
         return diag_at(d, path, 0, 0, "no checkpoint");
     if (!read_number(&at, ' ', &format))
-        return diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+        return diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
     if (format != CHECKPOINT_FORMAT)
-        return diag_at(d, path, 0, 0, "checkpoint of format %zu; this program reads %d", format, CHECKPOINT_FORMAT);
+        return diag_at(d, path, 0, 0, "checkpoint has format %zu; this program reads %d", format, CHECKPOINT_FORMAT);
     if (!read_number(&at, ' ', facts) || !read_number(&at, '\n', &c->sections) || *facts > most ||
         c->sections > most / SIZE_BYTES)
-        return diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+        return diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
     c->head_bytes = (size_t)(at - text) + *facts + c->sections * SIZE_BYTES + CHECKPOINT_SEAL;
-    return c->head_bytes <= most || diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+    return c->head_bytes <= most || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
 }
 
-/* The head at c->head, of c->head_bytes. */
+/* Parses the head at c->head, of c->head_bytes. */
 static bool read_head(struct checkpoint *c, size_t facts)
 {
     const size_t lengths = c->head_bytes - CHECKPOINT_SEAL - c->sections * SIZE_BYTES;
@@ -133,7 +133,7 @@ static bool read_file(struct checkpoint *c, const char *path, FILE *f, struct di
     rewind(f);
     if (fread(c->head, 1, c->head_bytes, f) != c->head_bytes && ferror(f))
         return diag_system(d, path, "cannot read");
-    return (read_head(c, facts) && c->size == size) || diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+    return (read_head(c, facts) && c->size == size) || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
 }
 
 bool checkpoint_read(struct checkpoint *c, const char *path, struct diag *d)
@@ -156,7 +156,7 @@ bool checkpoint_take(struct checkpoint *c, const char *path, const char *head, s
     if (!read_first(c, path, head, SIZE_MAX, &facts, d))
         return false;
     c->head = new_text(head, c->head_bytes);
-    return read_head(c, facts) || diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+    return read_head(c, facts) || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
 }
 
 unsigned char *checkpoint_section(const struct checkpoint *c, const char *path, size_t i, struct diag *d)
@@ -171,7 +171,7 @@ unsigned char *checkpoint_section(const struct checkpoint *c, const char *path, 
     unsigned char *data = new_array(bytes + 1, 1);
     bool good = fseeko(f, (off_t)part->place, SEEK_SET) == 0;
     good = (good && (fread(data, 1, bytes, f) == bytes || !ferror(f))) || diag_system(d, path, "cannot read");
-    good = good && (sealed(data, part->bytes) || diag_at(d, path, 0, 0, "checkpoint is cut or damaged"));
+    good = good && (sealed(data, part->bytes) || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged"));
     fclose(f);
     data[part->bytes] = '\0';
     if (good)

@@ -1,13 +1,13 @@
-/* Checkpoint files: facts as text, and sections of bytes.  The head says where each section stands, so that ranks write
- * and read theirs side by side; a SHA-256 seals the head and each section, which a reader checks first.
+/* Checkpoint files: facts as text, and sections of bytes. The head locates each section, so that ranks write and read
+ * theirs side by side. A SHA-256 seals the head and each section; a reader checks it first.
  *
  *   footpoint-checkpoint 2 <bytes of the facts> <sections>
  *   key value                              any number of lines: the facts
- *   ...                                    of each section: its length in 8 bytes, least first
- *   <64 hexadecimal digits>                SHA-256 of all before
- *   ...                                    each section: its bytes, and a line of digits, their SHA-256
+ *   ...                                    for each section: its length in 8 bytes, least significant first
+ *   <64 hexadecimal digits>                SHA-256 of all the above
+ *   ...                                    for each section: its bytes, then a line with their SHA-256
  *
- * What the facts and sections mean is the caller's matter. */
+ * The caller defines the facts and the sections. */
 #ifndef FOOTPOINT_CHECKPOINT_H
 #define FOOTPOINT_CHECKPOINT_H
 
@@ -15,9 +15,9 @@
 
 enum { CHECKPOINT_FORMAT = 2, CHECKPOINT_SEAL = 65 /* bytes: digits and a line feed */ };
 
-/** What stands where in a checkpoint. */
+/** The layout of a checkpoint. */
 struct checkpoint {
-    char *head; /* owned, as are these: all before the first section */
+    char *head; /* owned: everything before the first section */
     size_t head_bytes;
     char *facts;
     size_t sections;
@@ -27,21 +27,22 @@ struct checkpoint {
     size_t size; /* of the file */
 };
 
-/** A checkpoint to be written: its sections have so many bytes. */
+/** Lays out a checkpoint whose sections have these numbers of bytes. */
 struct checkpoint checkpoint_new(const char *facts, const size_t *bytes, size_t sections);
-/** Seal a section, or a head: the line of digits goes behind its bytes, where there is room for it. */
+/** Seals a section or a head: writes the line of digits after its bytes, where there must be room. */
 void checkpoint_seal(unsigned char *data, size_t bytes);
 
-/** Read the head of a file.  False with *d "FILE: error: ...": cannot be read, is none, is cut or damaged, or of another
- *  format. */
+/** Reads the head of a file. Returns false with *d "FILE: error: ..." if it cannot be read, is not a checkpoint, is
+ *  damaged, or has another format. */
 bool checkpoint_read(struct checkpoint *c, const char *path, struct diag *d);
-/** The same of a head that another rank has read. */
+/** Parses a head that another rank has read. */
 bool checkpoint_take(struct checkpoint *c, const char *path, const char *head, struct diag *d);
-/** The bytes of a section, NUL-terminated and owned by the caller; NULL with *d: cannot be read, or damaged. */
+/** Returns the bytes of a section, NUL-terminated and owned by the caller, or NULL with *d if it cannot be read or is
+ *  damaged. */
 unsigned char *checkpoint_section(const struct checkpoint *c, const char *path, size_t i, struct diag *d);
 void checkpoint_free(struct checkpoint *c);
 
-/** Copy the value of a key among facts to value[0..n-1]; false where there is none, or no room. */
+/** Copies the value of a key to value[0..n-1]. Returns false if the key is missing or there is no room. */
 bool checkpoint_fact(const char *facts, const char *key, char *value, size_t n);
 
 #endif

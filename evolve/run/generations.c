@@ -1,8 +1,9 @@
-/* The generations of a run; see generations.h.  An island goes on as soon as the parcel of its own migration is there,
- * and a rank works on whichever of its islands is ready and furthest behind; ranks meet at checkpoints alone.  Each
- * generation that all islands of a rank have done is a vote in a poll; what a poll decides (a checkpoint, the end) takes
- * place `lag` generations later, which no island can have passed, since none goes on more than that before the polls are
- * counted.  So all ranks save, and end, at the same generation, and what the islands find does not depend on time. */
+/* The generations of a run; see generations.h. An island continues as soon as the parcel of its own migration has
+ * arrived. A rank works on the ready island that is furthest behind; ranks synchronise only at checkpoints. Whenever
+ * all islands of a rank have completed a generation, the rank votes in a poll. What a poll decides (a checkpoint, the
+ * end) happens `lag` generations later. No island can have passed that generation, because none runs further ahead
+ * before the polls are counted. So all ranks save and end at the same generation, and islands' results do not depend on
+ * time. */
 #include "generations.h"
 
 #include "../../codegen/base/console.h"
@@ -14,19 +15,19 @@
 #include <stdlib.h>
 #include <time.h>
 
-/* The sums of a poll over the ranks: genes times samples evaluated, ranks that wish a checkpoint, and, by reason, ranks
- * that wish to end. */
+/* Sums of a poll over the ranks: genes times samples evaluated, ranks that want a checkpoint, and ranks that want to
+ * end, by reason. */
 enum { POLL_WORK, POLL_SAVE, POLL_STOP, POLL_SUMS = POLL_STOP + STOP_REASONS };
 
-/* What the loop knows of an island of this rank. */
+/* State of an island of this rank. */
 struct local {
     size_t island, generation;
     struct inbound migrants; /* of the migration after this generation */
-    struct log_row *row;     /* owned: of the last generations */
+    struct log_row *row;     /* owned: the last generations */
 };
 
 struct loop {
-    const struct call *call; /* not owned, as are these */
+    const struct call *call; /* not owned */
     const struct problem *problem;
     const struct islands *islands;
     struct outcome *out;
@@ -34,9 +35,9 @@ struct loop {
     struct saving saving;
     struct local *local; /* owned: by island */
     size_t locals;
-    size_t base, done, end; /* first generation; done by all islands of this rank; the last */
-    size_t save_at;         /* generation of the next checkpoint; 0: none */
-    struct poll poll;       /* number k is on generation base + k */
+    size_t base, done, end; /* first generation; completed by all islands of this rank; last generation */
+    size_t save_at;         /* generation of the next checkpoint; 0: not decided */
+    struct poll poll;       /* poll k is about generation base + k */
     struct mail mail;
     size_t rows;
     double started;
@@ -52,7 +53,7 @@ static size_t counted(const struct loop *l)
     return l->base + l->poll.counted;
 }
 
-/* No island may be further than this, nor than a checkpoint that is still to be written. */
+/* Returns the generation that no island may pass: limited by uncounted polls and by a pending checkpoint. */
 static size_t horizon(const struct loop *l)
 {
     const size_t last = counted(l) + l->poll.lag,
@@ -68,7 +69,7 @@ static size_t furthest_behind(const struct loop *l)
     return least;
 }
 
-/* Send the migrants of this generation, and expect those of another island. */
+/* Sends the migrants of this generation and expects those of another island. */
 static void migrate(struct loop *l, struct local *b)
 {
     const struct evolve_options *o = l->call->options;
@@ -107,8 +108,8 @@ static void advance(struct loop *l, struct local *b)
     migrate(l, b);
 }
 
-/* Let the island go on that is ready and furthest behind; false if none is.  None is a migration ahead of another of
- * this rank, so that parcels between two ranks keep their order. */
+/* Advances the ready island that is furthest behind; returns false if no island is ready. No island is a migration
+ * ahead of another of this rank, so parcels between two ranks keep their order. */
 static bool advance_one(struct loop *l)
 {
     const size_t close = furthest_behind(l) + l->call->options->migrate_every, far = horizon(l);
@@ -133,7 +134,7 @@ static void send_rows(struct loop *l, size_t generation)
     }
 }
 
-/* All ranks meet here: their islands are at this generation. */
+/* Saves a checkpoint. All ranks synchronise here, with their islands at this generation. */
 static void save(struct loop *l, size_t generation)
 {
     char facts[FACTS];
@@ -142,8 +143,8 @@ static void save(struct loop *l, size_t generation)
     rank0_saved(&l->rank0, saving_write(&l->saving, facts, &d), &d);
 }
 
-/* True when the time left may not suffice for the generations to come until all can end, and for the end itself, which
- * is reckoned to take as long as the beginning did. */
+/* Returns true if the time left may not suffice for the generations until all ranks can end and for the end itself,
+ * which is assumed to take as long as the start did. */
 static bool time_is_up(const struct loop *l)
 {
     const struct call *c = l->call;
@@ -174,7 +175,7 @@ static void vote(struct loop *l)
     free(best);
 }
 
-/* All islands of this rank have done one generation more. */
+/* Records that all islands of this rank have completed one more generation. */
 static void pass(struct loop *l)
 {
     const struct evolve_options *o = l->call->options;
@@ -186,7 +187,7 @@ static void pass(struct loop *l)
     vote(l);
 }
 
-/* What a poll decided; it holds for all ranks alike. */
+/* Acts on the result of a poll, which is the same on all ranks. */
 static void decide(struct loop *l, const struct poll_slot *s)
 {
     const size_t then = counted(l) + l->poll.lag;
@@ -208,7 +209,7 @@ static bool count_polls(struct loop *l)
     return s != NULL;
 }
 
-/* Nothing to do until others have sent something. */
+/* Waits for messages of other ranks. */
 static void rest(unsigned *idle)
 {
     const struct timespec moment = {0, 50000};
@@ -218,7 +219,7 @@ static void rest(unsigned *idle)
         nanosleep(&moment, NULL);
 }
 
-/* The islands of this rank. */
+/* Finds the islands of this rank. */
 static void find_locals(struct loop *l)
 {
     const size_t n = islands_count(l->islands);

@@ -1,4 +1,4 @@
-/* Islands over the ranks; see islands.h. */
+/* Distributes islands over ranks; see islands.h. */
 #include "islands.h"
 
 #include <stdlib.h>
@@ -8,8 +8,8 @@ size_t islands_count(const struct islands *s)
     return s->rings * s->places;
 }
 
-/* One ring after the other, from the dearest on: each island to the rank with the least to do, found on
- * a heap of ranks by load and rank: there may be 100,000 of both, and each rank works this out. */
+/* Assigns ring after ring, most expensive first, each island to the rank with the least load. A heap orders ranks by
+ * load and rank, because there may be 100,000 of both and each rank computes this itself. */
 struct load {
     double sum;
     int rank;
@@ -61,7 +61,7 @@ bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct
     const int last = team_last_tag(t);
     if (islands_count(s) <= (size_t)(last - TAG_MIGRANTS))
         return true;
-    diag_at(d, "footpoint-evolve", 0, 0, "%zu islands, but this MPI has tags for %d alone", islands_count(s), last);
+    diag_at(d, "footpoint-evolve", 0, 0, "%zu islands need more tags than this MPI's %d", islands_count(s), last);
     d->code = EXIT_USAGE;
     return false;
 }

@@ -1,4 +1,4 @@
-/* The islands of a run, shared out over the ranks, and what rank 0 gathers from them. */
+/* The islands of a run, distributed over the ranks, and the data that rank 0 gathers from them. */
 #ifndef FOOTPOINT_ISLANDS_H
 #define FOOTPOINT_ISLANDS_H
 
@@ -7,54 +7,54 @@
 #include "../mpi/mail.h"
 
 /** Tags of messages: blocks for rank 0, and migrants. */
-enum tag { TAG_LOG, TAG_REPORT, TAG_MIGRANTS /* + the receiving island: the last */ };
+enum tag { TAG_LOG, TAG_REPORT, TAG_MIGRANTS /* + the receiving island; must be last */ };
 
-/** What a ring of islands searches for. */
+/** A ring of islands and its search. */
 struct ring {
     struct quest *quest; /* not owned */
-    size_t max_length;   /* genes */
-    double load;         /* of its islands: what an individual costs, about */
+    size_t max_length;   /* in genes */
+    double load;         /* of its islands: approximate cost of an individual */
 };
-/** Its key in random streams. */
+/** Returns its key in random streams. */
 static inline size_t ring_key(const struct ring *r)
 {
     return 2 * r->quest->tier + (size_t)(r->quest->output == 1);
 }
 
-/** All islands of a run.  Ring r holds the islands r * places .. r * places + places - 1. */
+/** All islands of a run. Ring r contains islands r * places .. r * places + places - 1. */
 struct islands {
     size_t rings, places;
-    struct ring *ring;      /* owned, as are these, by island: */
-    struct island **island; /* NULL where another rank owns it */
+    struct ring *ring;      /* owned, indexed by ring; those below by island */
+    struct island **island; /* NULL on ranks that do not own it */
     int *owner;             /* rank */
     bool *seeded;           /* started from a champion */
 };
 size_t islands_count(const struct islands *s);
 void islands_free(struct islands *s);
 
-/** Share the islands out over so many ranks, the dearest first, always to the rank with the least to do.  Not
- *  collective: all ranks find the same. */
+/** Distributes the islands over `size` ranks, most expensive first, each to the rank with the least load. Not
+ *  collective: all ranks compute the same distribution. */
 void islands_share(struct islands *s, int size);
 
-/** False with *d where MPI has not tags enough for this many islands.  Not collective. */
+/** Returns false with *d if MPI has too few tags for this many islands. Not collective. */
 bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct diag *d);
 
-/** Collective: a size of each island, as the rank that has it says, to size[0..n-1] on all ranks. */
+/** Collects a size of each island, computed by its owner, into size[0..n-1] on all ranks. Collective. */
 void islands_sizes(const struct islands *s, const struct team *t, size_t (*of)(const struct island *), size_t *size);
 
 /** A tree that an island reports. */
 struct reported {
     size_t island;
-    struct genes genes; /* genes in the list's memory */
-    double error;       /* that the islands of its ring minimise */
+    struct genes genes; /* not owned: in the list's memory */
+    double error;       /* as minimised by the islands of its ring */
 };
 struct reports {
     struct reported *found; /* owned: by island, in the order of its report */
     size_t n, room;
-    int **memory; /* owned: an island's report each */
+    int **memory; /* owned: one report per island */
     size_t islands;
 };
-/** Collective: what all islands report (island_report), on rank 0; empty on the others. */
+/** Gathers the reports of all islands (island_report) on rank 0; empty on other ranks. Collective. */
 struct reports islands_reports(const struct islands *s, const struct team *t);
 void reports_free(struct reports *f);
 

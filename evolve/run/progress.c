@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum { LOG_LINES = 20, LINE = 400 };
-/* Seconds between lines: least on a terminal; most in a log, at first and ever after. */
+/* Seconds between lines: minimum on a terminal; maximum in a log, at first and later. */
 static const double blink = 0.2, first_silence = 10, last_silence = 600;
 
 void progress_phase(bool shown, const char *text)
@@ -53,8 +53,8 @@ void number_text(double value, char text[NUMBER_TEXT])
     memmove(zero, zero + zeros - (zeros == length), length - zeros + 1 + (zeros == length));
 }
 
-/* The first generations, and those on a machine that others used, say little of the next: pace is measured from the mark
- * before the last one, and marks are set wherever the number of generations has doubled. */
+/* The first generations predict later ones poorly, as do generations on a machine shared with others. So pace is
+ * measured from the mark before the last, and a mark is set whenever the number of generations has doubled. */
 static void set_mark(struct progress *p, size_t generation, double t)
 {
     if (generation - p->first < 2 * (p->mark[1].generation - p->first) || generation == p->mark[1].generation)
@@ -63,7 +63,7 @@ static void set_mark(struct progress *p, size_t generation, double t)
     p->mark[1] = (struct progress_mark){generation, t};
 }
 
-/* Seconds until the last generation, or until the time is up: then *limited. */
+/* Returns the seconds until the last generation, or until the time limit, in which case *limited is true. */
 static double time_left(const struct progress *p, size_t generation, double t, bool *limited)
 {
     const struct progress_mark *from = &p->mark[0];

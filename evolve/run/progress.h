@@ -1,4 +1,4 @@
-/* Progress of a run on stderr: one line that updates itself on a terminal, plain lines now and then in a log. */
+/* Progress of a run on stderr: one line that updates itself on a terminal, occasional plain lines in a log. */
 #ifndef FOOTPOINT_PROGRESS_H
 #define FOOTPOINT_PROGRESS_H
 
@@ -6,35 +6,35 @@
 #include <stddef.h>
 
 struct progress {
-    bool shown, open;          /* open: the terminal's cursor stands behind a line */
-    int terminal;              /* that shows stderr; -1: none */
-    size_t first, generations; /* begins after, ends with */
-    size_t logged;             /* of the last line in a log */
+    bool shown, open;          /* open: the terminal's cursor is after a line */
+    int terminal;              /* the terminal on stderr, or -1 */
+    size_t first, generations; /* first: the generation before the first one */
+    size_t logged;             /* generation of the last line in a log */
     double start, last;        /* seconds */
     struct progress_mark {
         size_t generation;
         double at;
-    } mark[2]; /* two of those passed: the last quarter or half of the run so far, whose pace is that of what is left */
-    double silence; /* longest time between lines of a log: seconds, longer with each */
-    double until;   /* seconds_now() at which time is up; 0: never */
+    } mark[2];      /* two past marks: the last quarter or half of the run so far, whose pace is extrapolated */
+    double silence; /* seconds, longest time between lines of a log; grows with each line */
+    double until;   /* seconds_now() at the time limit; 0: no limit */
 };
 
-/** On a terminal: what is being done before and after the generations; "" clears the line. */
+/** Shows, on a terminal, the current activity before and after the generations; "" clears the line. */
 void progress_phase(bool shown, const char *text);
 
 struct progress progress_start(bool shown, size_t first, size_t generations, double until);
 
-/** Show how far the run is.
- *  @param[in] best   what the best are, one line
- *  @param[in] brief  the same in short, for terminals that are too narrow
+/** Shows the progress of the run.
+ *  @param[in] best   the best errors, in one line
+ *  @param[in] brief  a shorter text for narrow terminals
  *  @param[in] work   genes times samples evaluated since the start, on all processes */
 void progress_show(struct progress *p, size_t generation, const char *best, const char *brief, double work);
 
 enum { NUMBER_TEXT = 16 };
-/** "1.2e-3": two digits, no zeros in the exponent. */
+/** Writes "1.2e-3": two digits, no zeros in the exponent. */
 void number_text(double value, char text[NUMBER_TEXT]);
 
-/** Leave the line as it is, so that others may write to stderr. */
+/** Ends the line, so that others may write to stderr. */
 void progress_break(struct progress *p);
 
 #endif

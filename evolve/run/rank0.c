@@ -1,4 +1,4 @@
-/* Rank 0's side of a run; see rank0.h. */
+/* Rank 0's duties in a run; see rank0.h. */
 #include "rank0.h"
 
 #include "../../codegen/base/console.h"
@@ -31,7 +31,7 @@ bool rank0_open(struct rank0 *k, size_t generation, struct diag *d)
                : run_log_open(&k->log, o->log, d);
 }
 
-/* Say once, not each time, that a file cannot be written. */
+/* Reports a file that cannot be written, only the first time. */
 static void complain(struct rank0 *k, bool good, bool *bad, const struct diag *d)
 {
     if (!good && !*bad) {
@@ -53,7 +53,7 @@ static bool take_row(struct rank0 *k, bool wait)
     return true;
 }
 
-/* Lines up to `generation`, as far as they have come in. */
+/* Writes the log lines up to `generation` that have arrived. */
 static void take_log(struct rank0 *k, size_t generation, bool wait)
 {
     const size_t every = k->call->options->log_every;
@@ -105,7 +105,7 @@ void rank0_saved(struct rank0 *k, bool good, const struct diag *d)
 
 enum { BEST = 200 };
 
-/* Append "  NAME ERROR"; what does not fit is left out. */
+/* Appends "  NAME ERROR" if it fits. */
 static void append(char text[BEST], const char *name, double error)
 {
     char number[NUMBER_TEXT];

@@ -1,6 +1,5 @@
-/* What rank 0 does beside its islands: it collects log lines as they come in, knows when checkpoints are due,
- * and shows the progress.
- */
+/* Rank 0's duties besides its islands: it collects log lines as they arrive, decides when checkpoints are due, and
+ * shows progress. */
 #ifndef FOOTPOINT_RANK0_H
 #define FOOTPOINT_RANK0_H
 
@@ -9,34 +8,35 @@
 #include "run_parts.h"
 
 struct rank0 {
-    const struct call *call; /* not owned, as are these */
+    const struct call *call; /* not owned */
     const struct scene *scene;
     const char *frames_sha256;
     const struct islands *islands;
     struct run_log log;
     struct gather rows;
     size_t logged; /* generations whose lines are written, or that have none */
-    double saved;  /* when the last checkpoint was written */
+    double saved;  /* time of the last checkpoint */
     bool bad_log, bad_save;
     struct progress progress;
 };
 
-/** The pointers in *k are set, and `generation` is where the islands are.  False with *d: the log cannot be written, or
- *  is another run's. */
+/** Opens the log. The pointers in *k must be set; `generation` is the islands' current one. Returns false with *d if
+ *  the log cannot be written or belongs to another run. */
 bool rank0_open(struct rank0 *k, size_t generation, struct diag *d);
-/** Take what has come in.  All islands of this rank have done `generation`; nothing later is expected. */
+/** Processes messages that have arrived. All islands of this rank have completed `generation`; nothing later is
+ *  expected. */
 void rank0_poll(struct rank0 *k, size_t generation);
-/** True when the next checkpoint is due. */
+/** Returns true if the next checkpoint is due. */
 bool rank0_wishes_save(const struct rank0 *k);
-/** The facts of a checkpoint of this generation.  Waits for the log lines up to it, so that the two agree after a
- *  restart. */
+/** Writes the facts of a checkpoint of this generation. Waits for the log lines up to it, so that log and checkpoint
+ *  agree after a restart. */
 void rank0_facts(struct rank0 *k, size_t generation, char facts[FACTS]);
-/** The checkpoint is written, or, with *d, not. */
+/** Records that the checkpoint was written or, with *d, that it failed. */
 void rank0_saved(struct rank0 *k, bool good, const struct diag *d);
-/** Show what a poll said: the best error of each ring, and the work done. */
+/** Shows the result of a poll: the best error of each ring, and the work done. */
 void rank0_show(struct rank0 *k, size_t generation, const double *best, double work);
-/** Wait for all that is on its way up to `generation`, and close the files.  False where the last checkpoint or the log
- *  could not be written, which has been said. */
+/** Waits for all messages up to `generation` and closes the files. Returns false if the last checkpoint or the log
+ *  could not be written; the error was already reported. */
 bool rank0_close(struct rank0 *k, size_t generation);
 
 #endif

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* States are the machine's bytes. */
+/* Describes the machine, because states are its raw bytes. */
 static const char *machine(void)
 {
     const int one = 1;
@@ -42,7 +42,7 @@ static bool write_section(struct shared_file *f, const struct checkpoint *c, siz
     return shared_file_write(f, part->place, data, part->bytes + CHECKPOINT_SEAL, d);
 }
 
-/* The sections of this rank, those of its islands one by one. */
+/* Writes the sections of this rank's islands, one by one. */
 static bool write_sections(const struct saving *s, const struct checkpoint *c, struct shared_file *f, struct diag *d)
 {
     size_t most = s->bytes[RESUME_START];
@@ -64,7 +64,7 @@ static bool write_sections(const struct saving *s, const struct checkpoint *c, s
     return good;
 }
 
-/* Collective: the file aside, written by all. */
+/* Writes the file under a temporary name, on all ranks. Collective. */
 static bool write_aside(const struct saving *s, const char *facts, const char *aside, struct diag *d)
 {
     struct shared_file f = {.path = s->path};
@@ -105,9 +105,9 @@ static bool known(struct resume *r, struct diag *d)
 {
     char value[128], rest;
     if (!checkpoint_fact(r->file.facts, "version", value, sizeof value) || strcmp(value, FOOTPOINT_VERSION) != 0)
-        return diag_at(d, r->path, 0, 0, "checkpoint of version %s; this is %s", value, FOOTPOINT_VERSION);
+        return diag_at(d, r->path, 0, 0, "checkpoint has version %s; this program has %s", value, FOOTPOINT_VERSION);
     if (!checkpoint_fact(r->file.facts, "machine", value, sizeof value) || strcmp(value, machine()) != 0)
-        return diag_at(d, r->path, 0, 0, "checkpoint of a %s machine; this is a %s one", value, machine());
+        return diag_at(d, r->path, 0, 0, "checkpoint is from a %s machine; this machine is %s", value, machine());
     if (!checkpoint_fact(r->file.facts, "generation", value, sizeof value) ||
         sscanf(value, "%zu%c", &r->generation, &rest) != 1 ||
         !checkpoint_fact(r->file.facts, "log-mark", value, sizeof value) ||
@@ -125,7 +125,7 @@ bool resume_read(struct resume *r, const struct team *t, const char *path, struc
     char *head = team_tell(t, r->file.head, r->file.head_bytes);
     bool good = first || checkpoint_take(&r->file, path, head, d);
     free(head);
-    good = good && (r->file.sections >= RESUME_ISLANDS || diag_at(d, path, 0, 0, "checkpoint lacks its start"));
+    good = good && (r->file.sections >= RESUME_ISLANDS || diag_at(d, path, 0, 0, "checkpoint lacks its start genomes"));
     unsigned char *start = good && first ? checkpoint_section(&r->file, path, RESUME_START, d) : NULL;
     if (team_agree(t, good && (!first || start), d))
         r->start = team_tell(t, (const char *)start, first ? r->file.section[RESUME_START].bytes : 0);
@@ -138,11 +138,11 @@ bool resume_suits(const struct resume *r, const char *scene_sha256, size_t gener
     char sha256[65] = "";
     checkpoint_fact(r->file.facts, "scene-sha256", sha256, sizeof sha256);
     if (strcmp(sha256, scene_sha256) != 0)
-        return diag_at(d, r->path, 0, 0, "checkpoint of another scene: SHA-256 %.12s..., not %.12s...", sha256,
+        return diag_at(d, r->path, 0, 0, "checkpoint belongs to another scene: SHA-256 %.12s..., not %.12s...", sha256,
                        scene_sha256);
     if (generations >= r->generation)
         return true;
-    diag_at(d, r->path, 0, 0, "checkpoint of generation %zu, beyond --generations %zu", r->generation, generations);
+    diag_at(d, r->path, 0, 0, "checkpoint is at generation %zu, beyond --generations %zu", r->generation, generations);
     d->code = EXIT_USAGE;
     return false;
 }
@@ -152,7 +152,7 @@ bool resume_suits_frames(const struct resume *r, const char *frames_sha256, stru
     char sha256[65] = "";
     checkpoint_fact(r->file.facts, "frames-sha256", sha256, sizeof sha256);
     return strcmp(sha256, frames_sha256) == 0 ||
-           diag_at(d, r->path, 0, 0, "checkpoint of other frames: SHA-256 %.12s..., not %.12s...", sha256,
+           diag_at(d, r->path, 0, 0, "checkpoint belongs to other frames: SHA-256 %.12s..., not %.12s...", sha256,
                    frames_sha256);
 }
 

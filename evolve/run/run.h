@@ -5,7 +5,7 @@
 #include "resume.h"
 #include "run_options.h"
 
-/** Collective: the whole run.  False with *d; *status is the exit status of one that ended well. */
+/** Runs everything. Collective. Returns false with *d on failure; otherwise *status is the exit status. */
 bool run_evolution(const struct evolve_options *o, const struct team *team, const struct resume *resume, double begun,
                    int *status, struct diag *d);
 

@@ -1,4 +1,4 @@
-/* The files of a run: where they are, and whether they suit each other; see run_files.h. */
+/* Finds the files of a run and checks that they are compatible; see run_files.h. */
 #include "run_files.h"
 
 #include "../../codegen/base/text.h"
@@ -20,7 +20,7 @@ bool run_files_choose(const struct call *call, const struct scene *scene, struct
     for (int i = 0; i < 2; i++) {
         const char *path = i ? o->start : o->output;
         if (path && strlen(path) >= sizeof f->output)
-            return diag_at(d, path, 0, 0, "the path is too long");
+            return diag_at(d, path, 0, 0, "path is too long");
     }
     if (root_is_installed(o->root))
         snprintf(f->output, sizeof f->output, "%.250s.gen", scene->name);
@@ -28,7 +28,7 @@ bool run_files_choose(const struct call *call, const struct scene *scene, struct
         genomes_path(call, scene->name, f->output);
     if (o->output)
         snprintf(f->output, sizeof f->output, "%s", o->output);
-    f->shipped = call->resume != NULL; /* which of its genomes suit was found out when the run began */
+    f->shipped = call->resume != NULL; /* decided when the run first started */
     if (call->resume)
         return !*call->resume->start || resume_start_file(call->resume, f->start, sizeof f->start, d);
     if (o->start)

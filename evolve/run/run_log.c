@@ -40,7 +40,7 @@ bool run_log_continue(struct run_log *l, const char *path, const struct log_mark
     }
     free(text);
     if (!good)
-        return diag_at(d, path, 0, 0, "not the log of the run that the checkpoint is of");
+        return diag_at(d, path, 0, 0, "log does not belong to the checkpoint's run");
     l->stream = fopen(path, "r+b");
     if (!l->stream || ftruncate(fileno(l->stream), (off_t)mark->bytes) != 0 || fseek(l->stream, 0, SEEK_END) != 0) {
         diag_system(d, path, "cannot write");
@@ -64,7 +64,7 @@ bool run_log_sync(struct run_log *l, struct diag *d)
 {
     if (!l->stream)
         return true;
-    /* A terminal or a pipe knows no fsync. */
+    /* fsync fails on terminals and pipes. */
     const bool good = fflush(l->stream) == 0 && !ferror(l->stream);
     if (good)
         fsync(fileno(l->stream));

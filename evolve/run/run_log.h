@@ -1,5 +1,5 @@
-/* The log of a run: CSV, a line for each island and logged generation, in that order; without times, so that its bytes
- * depend on nothing but the run's options. */
+/* The log of a run: CSV, a line for each logged generation and island, in that order. It contains no times, so its
+ * bytes depend only on the run's options. */
 #ifndef FOOTPOINT_RUN_LOG_H
 #define FOOTPOINT_RUN_LOG_H
 
@@ -8,16 +8,16 @@
 #include <sha256.h>
 #include <stdint.h>
 
-/** What an island says of one generation. */
+/** The log entry of an island for one generation. */
 struct log_row {
-    uint64_t generation, length, evaluations; /* length: genes of the best */
-    double best, median;                      /* errors in the scene's norm */
+    uint64_t generation, length, evaluations; /* length: genes of the best individual */
+    double best, median;                      /* in the scene's norm */
 };
 
 struct run_log {
-    FILE *stream; /* owned; NULL: none */
+    FILE *stream; /* owned, or NULL */
     const char *path;
-    uint64_t bytes; /* written so far, and the sum over them */
+    uint64_t bytes; /* written so far, and their checksum */
     SHA2_CTX sum;
 };
 
@@ -27,14 +27,14 @@ struct log_mark {
     char sha256[65];
 };
 
-/** Start a log anew. */
+/** Starts a new log. */
 bool run_log_open(struct run_log *l, const char *path, struct diag *d);
-/** Go on with a log: it must begin with what `mark` tells, and loses all behind. */
+/** Continues a log: it must begin with the bytes of `mark`; the rest is cut off. */
 bool run_log_continue(struct run_log *l, const char *path, const struct log_mark *mark, struct diag *d);
-/** Append a line; errors of writing show in run_log_sync. */
+/** Appends a line; run_log_sync reports write errors. */
 void run_log_add(struct run_log *l, size_t island, const char *tier, const char *output, size_t place,
                  const struct log_row *row);
-/** Bring all lines to the disk; false with *d where that failed. */
+/** Flushes all lines to disk; returns false with *d on failure. */
 bool run_log_sync(struct run_log *l, struct diag *d);
 struct log_mark run_log_mark(const struct run_log *l);
 void run_log_close(struct run_log *l);

@@ -1,4 +1,4 @@
-/* What the files of a run hand each other: how it was called, what it is to find, how far it has come. */
+/* Data that the files of a run share: how it was called, its goal, its progress. */
 #ifndef FOOTPOINT_RUN_PARTS_H
 #define FOOTPOINT_RUN_PARTS_H
 
@@ -9,36 +9,36 @@
 #include "resume.h"
 #include "run_options.h"
 
-/** How it was called. */
+/** How the run was called. */
 struct call {
-    const struct evolve_options *options; /* not owned, as are these */
+    const struct evolve_options *options; /* not owned */
     const struct team *team;
     const struct resume *resume; /* NULL: a new run */
     double begun;                /* seconds_now() */
 };
 
-/** Its files, beside those of the options. */
+/** Its files, besides those of the options. */
 struct run_files {
-    char start[1024], output[1024]; /* paths; start is empty where there is none */
-    bool shipped;                   /* start is not the scene's own, but its kind's */
+    char start[1024], output[1024]; /* start is empty if there is none */
+    bool shipped;                   /* start belongs to the scene's kind, not to the scene */
     char *start_text;               /* owned; on rank 0: the start file, for checkpoints */
     size_t start_bytes;
-    char frames_sha256[65]; /* of what genes in checkpoints mean */
+    char frames_sha256[65]; /* of the frames that define genes in checkpoints */
 };
 
-/** What it is to find, and what that is measured by: the same on all ranks. */
+/** The goal of the run and its measures, the same on all ranks. */
 struct problem {
     struct scene *scene;
     struct archive *archive;
-    struct gene_set *genes; /* one for each tier */
+    struct gene_set *genes; /* indexed by tier */
     struct columns table;   /* of the training samples */
     struct objective *objective;
-    struct fits *fits;    /* of constants, for the islands */
-    struct fitting hooks; /* the same as the islands call it */
+    struct fits *fits;    /* for constants, for the islands */
+    struct fitting hooks; /* `fits` as the islands call it */
     struct plan plan;
 };
 
-/** How far it has come. */
+/** The progress of the run. */
 struct outcome {
     size_t generation;       /* reached */
     enum stop_reason reason; /* why it ended */

@@ -20,9 +20,9 @@
 #include <gsl/gsl_poly.h>
 #include <math.h>
 
-#define BOUND 1e-12 /* rounding of a coordinate on the bound of a box */
+#define BOUND 1e-12 /* rounding of a coordinate at the bound of a box */
 
-/* Scalar products: all that (7) and (8) depend on. */
+/* The scalar products on which (7) and (8) depend. */
 struct products {
     long double c11, c22, c33, c12, c13, c23, d1, d2, d3;
 };
@@ -61,7 +61,7 @@ static bool localise(const double x[4][3], const double xs[3], struct local *l)
     return true;
 }
 
-/* With `swap`, of the segment with xi and eta exchanged. */
+/* Computes the products; with `swap`, for the segment with xi and eta exchanged. */
 static struct products multiply(const struct local *l, bool swap)
 {
     const long double *c1 = swap ? l->c2 : l->c1, *c2 = swap ? l->c1 : l->c2;
@@ -76,7 +76,7 @@ static struct products multiply(const struct local *l, bool swap)
                              .d3 = long_dot(l->d, l->c3)};
 }
 
-/* One Newton step on (7), (8) at (xi, eta); false where their derivative is singular. */
+/* Computes one Newton step on (7), (8) at (xi, eta). Returns false if the Jacobian is singular. */
 static bool newton_step(const struct local *l, long double xi, long double eta, long double step[2], bool *minimum)
 {
     long double t1[3], t2[3], v[3];
@@ -96,8 +96,8 @@ static bool newton_step(const struct local *l, long double xi, long double eta, 
     return true;
 }
 
-/* Newton's iteration from (xi, eta), until steps are rounding alone: tiny, or small and shrinking no more.  Near a
- * double root it converges linearly, hence the many steps. */
+/* Iterates Newton's method from (xi, eta) until steps are at the level of rounding: tiny, or small and no longer
+ * shrinking. Near a double root it converges linearly, so it needs many steps. */
 static bool polish(const struct local *l, long double *xi, long double *eta, bool *minimum)
 {
     long double last = INFINITY;
@@ -117,7 +117,7 @@ static bool polish(const struct local *l, long double *xi, long double *eta, boo
     return false;
 }
 
-/* product += a b. */
+/* Adds a b to product. */
 static void multiply_quadratics(long double product[5], const long double a[3], const long double b[3])
 {
     for (int i = 0; i < 3; i++)
@@ -125,7 +125,7 @@ static void multiply_quadratics(long double product[5], const long double a[3], 
             product[i + j] += a[i] * b[j];
 }
 
-/* Roots of the quintic in eta; real and imaginary parts alternate.  Returns how many. */
+/* Computes the roots of the quintic in eta, real and imaginary parts alternating; returns their number. */
 static int quintic_roots(const struct products *p, double root[10])
 {
     const long double e[3] = {p->c11, 2 * p->c13, p->c33};
@@ -167,7 +167,7 @@ static long double distance_at(const struct local *l, long double xi, long doubl
     return sqrtl(long_dot(v, v));
 }
 
-/* Insert in ascending distance; a point found twice is kept once. */
+/* Inserts by ascending distance; drops a point found twice. */
 static int insert(struct stationary found[5], int n, const struct stationary *s)
 {
     int k;
@@ -222,7 +222,7 @@ int foot_bilinear_stationary(const double x[4][3], const double xs[3], struct st
     return localise(x, xs, &l) ? all_stationary(&l, found) : -1;
 }
 
-/* (xs - r).n; false where the surface has no normal. */
+/* Computes (xs - r).n; returns false if the surface has no normal. */
 static bool gap_at(const double x[4][3], const double xs[3], long double xi, long double eta, double *gap)
 {
     struct local l;
@@ -242,14 +242,14 @@ static bool gap_at(const double x[4][3], const double xs[3], long double xi, lon
     return true;
 }
 
-/* lo < v <= hi, where v on a bound is told from v beside it in spite of rounding. */
+/* Returns true if lo < v <= hi, with values within rounding of a bound treated as on it. */
 static bool inside(double v, double lo, double hi)
 {
     return v > lo + BOUND && v <= hi + BOUND;
 }
 
-/* Is the left side of (7) of one sign all over the box?  It is linear in the first coordinate and quadratic in the
- * second: its Bernstein coefficients tell.  Signs count only beyond a margin for rounding. */
+/* Returns true if the left side of (7) has one sign on the whole box. It is linear in the first coordinate and
+ * quadratic in the second, so its Bernstein coefficients decide. Signs count only beyond a margin for rounding. */
 static bool one_sign(const double c1[3], const double c2[3], const double c3[3], const double d[3],
                      const double first[2], const double second[2])
 {
@@ -269,8 +269,8 @@ static bool one_sign(const double c1[3], const double c2[3], const double c3[3],
     return above || below;
 }
 
-/* No stationary point in the box: one equation has one sign all over it, or the same holds for each of its quarters,
- * and so on `depth` times. */
+/* Returns true if the box has no stationary point: one equation has one sign on it, or each of its quarters has no
+ * stationary point, to a depth of `depth` subdivisions. */
 static bool empty_box(const double c[3][3], const double d[3], const double xi[2], const double eta[2], int depth)
 {
     if (one_sign(c[0], c[1], c[2], d, xi, eta) || one_sign(c[1], c[0], c[2], d, eta, xi))
@@ -284,7 +284,7 @@ static bool empty_box(const double c[3][3], const double d[3], const double xi[2
     return true;
 }
 
-/* Quick and certain: no stationary point in the box.  Most pairs of a search end here. */
+/* Excludes stationary points in the box, quickly and with certainty. Most pairs of a search end here. */
 static bool excluded(const double x[4][3], const double xs[3], const double lo[2], const double hi[2])
 {
     const double xi[2] = {lo[0] - 1e-6, hi[0] + 1e-6}, eta[2] = {lo[1] - 1e-6, hi[1] + 1e-6};

@@ -12,12 +12,12 @@ struct stationary {
     bool minimum; /* local minimum of the distance: the Hessian is positive definite */
 };
 
-/** All real stationary points of the unbounded bilinear surface, nearest first.  x[4][3], xs[3] as in struct sample.
- *  Returns how many (0..5), or -1 if the segment is degenerate or not finite. */
+/** Finds all real stationary points of the unbounded bilinear surface, nearest first. x[4][3], xs[3] as in struct
+ *  sample. Returns their number (0..5), or -1 if the segment is degenerate or not finite. */
 int foot_bilinear_stationary(const double x[4][3], const double xs[3], struct stationary found[5]);
 
-/** Foot point of the scene's meaning: the local minimum nearest to xs whose (xi,eta) lies in lo < xi,eta <= hi
- *  (component-wise).  Fills xi, eta, gap of *s.  False if there is none. */
+/** Finds the foot point as scenes define it: the local minimum nearest to xs with lo < xi,eta <= hi (component-wise).
+ *  Fills xi, eta, gap of *s. Returns false if there is none. */
 bool foot_bilinear(struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

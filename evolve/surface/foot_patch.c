@@ -1,6 +1,6 @@
-/* The certain closest point on a Gregory patch: the nearest of its stationary points (foot_patch_boxes.h), of those of
- * its edges, and of its corners.  Edges are cubic curves: the zeros of a quintic are isolated by the signs of its
- * Bernstein coefficients. */
+/* The certain closest point on a Gregory patch: the nearest among its stationary points (foot_patch_boxes.h), the
+ * stationary points of its edges, and its corners. Edges are cubic curves: signs of Bernstein coefficients isolate the
+ * zeros of a quintic. */
 #include "foot_patch.h"
 
 #include "foot_patch_boxes.h"
@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-#define MARGIN 1e-13 /* of rounding, in units of the patch's size */
-#define BOUND 1e-12  /* rounding of a coordinate on the bound of a box */
+#define MARGIN 1e-13 /* for rounding, in units of the patch's size */
+#define BOUND 1e-12  /* rounding of a coordinate at the bound of a box */
 
 static struct patch_box box_of(const double lo[2], const double hi[2])
 {
@@ -27,7 +27,7 @@ int foot_patch_stationary(const struct footpoint_gregory *patch, const double xs
 
 struct edge_search {
     const struct patch_local *l;
-    int edge, budget; /* v = 0, v = 1, u = 0, u = 1; intervals that may still be looked at */
+    int edge, budget; /* v = 0, v = 1, u = 0, u = 1; intervals that may still be examined */
     struct stationary *best;
 };
 
@@ -38,8 +38,8 @@ static void offer(const struct patch_local *l, double u, double v, struct statio
         *best = s;
 }
 
-/* Offer the points of an edge where its quintic may vanish, from `start`, `width` on: b are its Bernstein coefficients
- * there.  False: they are too many. */
+/* Offers the points of an edge where its quintic may vanish, in the interval [start, start + width]; b contains its
+ * Bernstein coefficients there. Returns false if there are too many. */
 static bool search_edge(struct edge_search *e, const double b[6], double start, double width)
 {
     double a[6], left[6], least = b[0], most = b[0];
@@ -65,7 +65,7 @@ static bool search_edge(struct edge_search *e, const double b[6], double start, 
     return search_edge(e, left, start, width / 2) && search_edge(e, a, start + width / 2, width / 2);
 }
 
-/* r' . r of an edge's cubic. */
+/* Computes r' . r of an edge's cubic. */
 static void edge_quintic(const struct patch_local *l, int edge, double b[6])
 {
     static const double three[4] = {1, 3, 3, 1}, two[3] = {1, 2, 1}, five[6] = {1, 5, 10, 10, 5, 1};
@@ -111,7 +111,7 @@ static bool inside(double v, double lo, double hi)
     return v > lo + BOUND && v <= hi + BOUND;
 }
 
-/* (xs - r).n; false where the surface has no normal. */
+/* Computes (xs - r).n; returns false if the surface has no normal. */
 static bool gap_at(const struct footpoint_gregory *patch, const double xs[3], double xi, double eta, double *gap)
 {
     struct patch_local l;

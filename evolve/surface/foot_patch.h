@@ -1,4 +1,4 @@
-/* The certain closest point on a Gregory patch (or a Bezier patch: one whose twins are its inner points). */
+/* The certain closest point on a Gregory patch (or on a Bezier patch, whose twins are its inner points). */
 #ifndef FOOTPOINT_FOOT_PATCH_H
 #define FOOTPOINT_FOOT_PATCH_H
 
@@ -6,18 +6,18 @@
 #include "patch.h"
 #include "sample.h"
 
-/** All stationary points of the distance from xs to the patch in the box lo <= xi,eta <= hi, within -1..1, nearest
- *  first.  Returns how many, or PATCH_UNCERTAIN where they cannot be told apart: near a centre of curvature, or in the
- *  corner of a patch whose second derivatives jump there. */
+/** Finds all stationary points of the distance from xs to the patch in the box lo <= xi,eta <= hi, within -1..1,
+ *  nearest first. Returns their number, or PATCH_UNCERTAIN if they cannot be separated: near a centre of curvature, or
+ *  at a corner of a patch where second derivatives jump. */
 int foot_patch_stationary(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
                           const double hi[2], struct stationary found[PATCH_STATIONARY_MAX]);
 
-/** The closest point of the whole patch, its edges and corners among them; `minimum` tells that it is a stationary
- * point within.  False: it cannot be told with certainty. */
+/** Finds the closest point of the whole patch, including edges and corners. `minimum`: it is an interior stationary
+ *  point. Returns false if no point is certain. */
 bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest);
 
-/** Foot point of the scene's meaning: the local minimum nearest to xs with lo < xi,eta <= hi.  Fills xi, eta and gap of
- *  *s from its corners, normals and slave node.  False if there is none, or none that is certain. */
+/** Finds the foot point as scenes define it: the local minimum nearest to xs with lo < xi,eta <= hi. Fills xi, eta and
+ *  gap of *s from its corners, normals and slave node. Returns false if there is none, or if it is not certain. */
 bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

@@ -1,37 +1,39 @@
-/* Stationary points solve F = (r_u . r, r_v . r) = 0, r the vector from the slave node.  A box of (u,v) is bisected
- * until, for each piece, one of these is proven:
- *   it holds no zero, since F at its centre is larger than F' over the box can change it, or since Newton's step from
- *   the centre, widened by what F' varies (Krawczyk's operator), leads out of the box;
- *   it holds exactly one, since the widened step ends inside: that one is found by Newton's iteration in long double.
- * What resists down to the smallest box leaves the answer uncertain.
+/* Stationary points solve F = (r_u . r, r_v . r) = 0, where r is the vector from the slave node. A box of (u,v) is
+ * bisected until one of these is proved for each piece:
  *
- * Bounds of second derivatives over a box: those of the Bezier net by its third derivatives, which are bounded by third
- * differences of the net; those of the blends q = 9 s^2 t^2 u v w, s = 1 - u, t = 1 - v, w = v/(u + v) (see
- * runtime/geometry/gregory.c) in closed form, from factors that are monotonic and not negative.  First derivatives and
- * points follow by integration from the centre.  Bounds are computed in double; signs count only beyond a margin for
+ *   it contains no zero, since F at its centre exceeds the change that F' allows over the box, or since Newton's step
+ *   from the centre, widened by the variation of F' (Krawczyk's operator), leaves the box;
+ *   it contains exactly one zero, since the widened step ends inside: Newton's iteration in long double finds it.
+ *
+ * If the smallest box is still undecided, the answer is uncertain.
+ *
+ * Bounds of second derivatives over a box: for the Bezier net, from its third derivatives, which third differences of
+ * the net bound; for the blends q = 9 s^2 t^2 u v w, s = 1 - u, t = 1 - v, w = v/(u + v) (see
+ * runtime/geometry/gregory.c), in closed form, from factors that are monotonic and not negative. First derivatives and
+ * points follow by integration from the centre. Bounds are computed in double; signs count only beyond a margin for
  * rounding. */
 #include "foot_patch_boxes.h"
 
 #include <math.h>
 #include <string.h>
 
-#define MARGIN 1e-13  /* of rounding, in units of what is added up */
-#define SMALLEST 1e-9 /* half-width of a box that is not halved again */
+#define MARGIN 1e-13  /* for rounding, in units of the sum of magnitudes */
+#define SMALLEST 1e-9 /* half-width of a box that is not bisected again */
 
-enum { MOST_BOXES = 5000, MOST_DEPTH = 128 /* boxes that wait; each halving leaves one */ };
+enum { MOST_BOXES = 5000, MOST_DEPTH = 128 /* boxes waiting; each bisection leaves one */ };
 
 /* Vectors m[k] - rad[k] .. m[k] + rad[k]. */
 struct bounds {
     double m[3], rad[3];
 };
 
-/* Range of q_uu, q_uv, q_vv over a box, about the corner where the blend belongs: low and high ends. */
+/* Computes the range of q_uu, q_uv, q_vv over a box, relative to the blend's corner: low and high ends. */
 static void blend_range(const double u[2], const double v[2], double low[3], double high[3])
 {
     const double s[2] = {1 - u[1], 1 - u[0]}, t[2] = {1 - v[1], 1 - v[0]};
     const double w[2] = {v[0] > 0 ? v[0] / (u[1] + v[0]) : 0, u[0] > 0 ? v[1] / (u[0] + v[1]) : 1};
     double *end[2] = {low, high};
-    for (int i = 0; i < 2; i++) { /* a: where terms that are added take their end; b: those that are subtracted */
+    for (int i = 0; i < 2; i++) { /* a: bound for added terms; b: for subtracted terms */
         const int a = i, b = 1 - i;
         const double f = u[a] * v[a] * w[a], z = 1 - w[b];
         const double s2 = s[a] * s[a], t2 = t[a] * t[a], s2b = s[b] * s[b], t2b = t[b] * t[b];
@@ -50,7 +52,7 @@ static void short_dot(const struct bounds *a, const struct bounds *b, double *m,
     }
 }
 
-/* What is known of a box: F at its centre, and its derivative's middle and radius: 11, 12, 22. */
+/* The system on a box: F at its centre, and the midpoint and radius of its derivative: 11, 12, 22. */
 struct system {
     double f[2], h[3], rad[3], noise;
 };
@@ -73,7 +75,7 @@ static void add_blends(const struct patch_local *l, const struct patch_box *box,
     }
 }
 
-/* Bernstein polynomials in double, for boxes. */
+/* Evaluates Bernstein polynomials in double, for boxes. */
 static void short_bernstein(double t, double b[3][4])
 {
     const double s = 1 - t;
@@ -83,7 +85,7 @@ static void short_bernstein(double t, double b[3][4])
     memcpy(b, value, sizeof value);
 }
 
-/* q, q_u, q_v of the corner where the blend belongs. */
+/* Computes q, q_u, q_v relative to the blend's corner. */
 static void blend_at(double u, double v, double q[3])
 {
     const double s = 1 - u, t = 1 - v, w = u + v > 0 ? v / (u + v) : 0.5, f = 9 * s * t * w;
@@ -92,7 +94,7 @@ static void blend_at(double u, double v, double q[3])
     q[2] = f * s * u * (t * (2 - w) - 2 * v);
 }
 
-/* Point and derivatives by u and v at the centre; second derivatives of the net alone. */
+/* Computes point and derivatives by u and v at the centre; second derivatives of the net only. */
 static void centre(const struct patch_local *l, double u, double v, double r[3], struct bounds first[2],
                    struct bounds second[3])
 {
@@ -163,7 +165,7 @@ static struct system system_of(const struct patch_local *l, const struct patch_b
 
 enum verdict { EMPTY, ONE, NARROWED, WIDE };
 
-/* Cut the range of v down to middle - radius .. middle + radius; false if nothing is left. */
+/* Intersects the range of v with middle - radius .. middle + radius; returns false if it becomes empty. */
 static bool cut(double v[2], double middle, double radius)
 {
     v[0] = fmax(v[0], middle - radius);
@@ -171,7 +173,7 @@ static bool cut(double v[2], double middle, double radius)
     return v[0] <= v[1];
 }
 
-/* Krawczyk's operator; narrows the box. */
+/* Applies Krawczyk's operator; narrows the box. */
 static enum verdict judge(const struct patch_local *l, struct patch_box *box)
 {
     const double hu = (box->u[1] - box->u[0]) / 2, hv = (box->v[1] - box->v[0]) / 2;
@@ -211,7 +213,7 @@ static int insert(struct stationary *found, int n, const struct stationary *s)
     return n + 1;
 }
 
-/* The one zero of a box, found from its middle.  False: it was not found there. */
+/* Finds the only zero of a box from its middle. Returns false if the iteration does not find it. */
 static bool find_one(const struct patch_local *l, const struct patch_box *box, struct stationary *s)
 {
     long double u = (box->u[0] + box->u[1]) / 2, v = (box->v[0] + box->v[1]) / 2;

@@ -1,4 +1,4 @@
-/* Stationary points of a Gregory patch in a box of (u,v), all of them, with certainty. */
+/* All stationary points of a Gregory patch in a box of (u,v), with certainty. */
 #ifndef FOOTPOINT_FOOT_PATCH_BOXES_H
 #define FOOTPOINT_FOOT_PATCH_BOXES_H
 
@@ -10,7 +10,7 @@ struct patch_box {
 
 enum { PATCH_STATIONARY_MAX = 16, PATCH_UNCERTAIN = -1 };
 
-/** Returns how many there are, nearest first, or PATCH_UNCERTAIN. */
+/** Finds the stationary points in a box, nearest first; returns their number, or PATCH_UNCERTAIN. */
 int patch_boxes_search(const struct patch_local *l, const struct patch_box *whole,
                        struct stationary found[PATCH_STATIONARY_MAX]);
 

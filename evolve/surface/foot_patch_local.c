@@ -6,11 +6,11 @@
 #include <string.h>
 
 static const struct {
-    int i, j; /* derivatives by u and v */
+    int i, j; /* orders of derivatives by u and v */
     double factor;
 } third_order[4] = {{3, 0, 6}, {2, 1, 18}, {1, 2, 18}, {0, 3, 6}};
 
-/* The i-th difference of four numbers by the index, from the k-th on. */
+/* Returns the i-th difference of four numbers with respect to the index, starting at the k-th. */
 static double difference(const double a[4], int i, int k)
 {
     switch (i) {
@@ -68,7 +68,7 @@ static void bernstein(long double t, long double b[3][4])
     memcpy(b, value, sizeof value);
 }
 
-/* An inner point (47)-(50), weighted by x and y, and its derivatives by them: value, x, y, xx, xy, yy. */
+/* Computes an inner point (47)-(50), weighted by x and y, and its derivatives by them: value, x, y, xx, xy, yy. */
 static void inner_point(long double p0, long double p1, long double x, long double y, long double p[6])
 {
     const long double sum = x + y;
@@ -111,7 +111,8 @@ void patch_evaluate(const struct patch_local *l, long double u, long double v, s
         }
 }
 
-/* Newton's iteration from (u,v), until steps are rounding alone: tiny, or small and shrinking no more. */
+/* Iterates Newton's method from (u,v) until steps are at the level of rounding: tiny, or small and no longer
+ * shrinking. */
 bool patch_polish(const struct patch_local *l, long double *u, long double *v, bool *minimum)
 {
     long double last = INFINITY;

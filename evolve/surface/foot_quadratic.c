@@ -1,11 +1,11 @@
 /* The certain foot point on a segment r = sum of phi_k x_k whose shape functions are polynomials of degree up to 2 in
- * xi and in eta.  Half the square of the distance, D = |xs - r|^2 / 2, is a polynomial of degree 4 in each: its
- * Bernstein coefficients on a box bound D, and differences of them its derivatives.  A box that D_xi or D_eta keeps off
- * 0 holds no stationary point, one where the Hessian is positive definite at most one minimum, one where it never is
- * holds none; any other box is halved.  In a convex box Newton's iteration in long double finds the minimum if there is
- * one.  Where boxes get as small as rounding and nothing is settled there is no answer.  (Lane and Riesenfeld, "Bounds
- * on a polynomial", BIT 21, 1981; bisection with convexity: Hansen, Global Optimization Using Interval Analysis, 1992.)
- * Coordinates are relative to node A and divided by the size of the segment before anything else. */
+ * xi and in eta. Half the squared distance, D = |xs - r|^2 / 2, is a polynomial of degree 4 in each. Its Bernstein
+ * coefficients on a box bound D; their differences bound its derivatives. A box contains no stationary point if D_xi or
+ * D_eta does not vanish on it, at most one minimum if the Hessian is positive definite on it, and no minimum if the
+ * Hessian is positive definite nowhere. Any other box is halved. In a convex box, Newton's iteration in long double
+ * finds the minimum if there is one. If undecided boxes become as small as rounding, there is no answer. (Lane and
+ * Riesenfeld, "Bounds on a polynomial", BIT 21, 1981; bisection with convexity: Hansen, Global Optimization Using
+ * Interval Analysis, 1992.) Coordinates are first taken relative to node A and divided by the size of the segment. */
 #include "../common/vec3.h"
 #include "surface.h"
 
@@ -14,11 +14,11 @@
 #include <string.h>
 
 enum { DEGREE = 4, SIDE = DEGREE + 1, DEPTH_MAX = 45, BOXES_MAX = 4000 };
-#define BOUND 1e-12    /* rounding of a coordinate on the bound of a box */
-#define WIDER 1e-6     /* boxes searched begin so far outside */
-#define CONVERGED 1e-6 /* how far outside its box a minimum may be found, where the box is convex with some slack */
+#define BOUND 1e-12    /* rounding of a coordinate at the bound of a box */
+#define WIDER 1e-6     /* how far the search box extends beyond the bounds */
+#define CONVERGED 1e-6 /* how far outside its box a minimum may be found if the box is convex with some slack */
 #define SLACK 0.99
-#define MARGIN 5e-14 /* of the largest Bernstein coefficient of all: rounding of any, and of their differences */
+#define MARGIN 5e-14 /* rounding, in units of the largest of all Bernstein coefficients */
 
 /* v = xs - r as a polynomial: coefficient [i][j] of xi^i eta^j; in units of `size`. */
 struct local {
@@ -41,7 +41,7 @@ struct subdivision {
 
 /* ---- the segment ---- */
 
-/* Coefficients of the polynomial of degree 2 with these values at -1, 0, 1. */
+/* Computes coefficients of the polynomial of degree 2 with these values at -1, 0, 1. */
 static void parabola(const long double value[3], long double c[3])
 {
     c[0] = value[1];
@@ -92,7 +92,7 @@ static bool localise(const struct surface *f, const struct sample *s, struct loc
     return l->size > 0 && isfinite(l->size);
 }
 
-/* v, v_xi, v_eta, v_xixi, v_xieta, v_etaeta */
+/* Computes v, v_xi, v_eta, v_xixi, v_xieta, v_etaeta. */
 static void evaluate(const struct local *l, long double xi, long double eta, long double v[6][3])
 {
     for (int k = 0; k < 3; k++) {
@@ -113,7 +113,7 @@ static void evaluate(const struct local *l, long double xi, long double eta, lon
 
 /* ---- boxes ---- */
 
-/* From powers of t in 0..1 to Bernstein coefficients, both of degree 4; `step` apart. */
+/* Converts powers of t in 0..1 to Bernstein coefficients, both of degree 4, `step` apart. */
 static void to_bernstein(long double *c, int step)
 {
     static const long double binomial[SIDE][SIDE] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
@@ -161,7 +161,7 @@ static struct box whole_box(struct subdivision *s)
     return b;
 }
 
-/* Halves of a row of coefficients (de Casteljau), `step` apart. */
+/* Halves a row of coefficients (de Casteljau), `step` apart. */
 static void halve_row(const double *c, double *first, double *second, int step)
 {
     double t[SIDE];
@@ -175,7 +175,7 @@ static void halve_row(const double *c, double *first, double *second, int step)
     }
 }
 
-/* Across the direction in which it is longer. */
+/* Halves a box across its longer direction. */
 static void halve(const struct box *b, struct box half[2])
 {
     const int along = b->hi[1] - b->lo[1] > b->hi[0] - b->lo[0];
@@ -193,7 +193,7 @@ struct range {
     double lo, hi;
 };
 
-/* The derivative of order (m, n) of D on the box, up to a factor. */
+/* Returns the range of the derivative of order (m, n) of D on the box, up to a factor. */
 static struct range range_of(const struct box *b, int m, int n)
 {
     struct range r = {INFINITY, -INFINITY};
@@ -220,7 +220,7 @@ enum verdict { NO_MINIMUM, CONVEX, UNSETTLED };
 static enum verdict verdict_of(const struct subdivision *s, const struct box *b)
 {
     const struct range d = range_of(b, 0, 0), x = range_of(b, 1, 0), y = range_of(b, 0, 1);
-    const double margin = s->margin, factor = DEGREE - 1; /* D_xixi is 12 of its differences, D_xieta 16 */
+    const double margin = s->margin, factor = DEGREE - 1; /* D_xixi is 12 times its differences, D_xieta 16 times */
     if (d.lo - margin > (double)s->least || x.lo > margin || x.hi < -margin || y.lo > margin || y.hi < -margin)
         return NO_MINIMUM;
     const struct range xx = range_of(b, 2, 0), yy = range_of(b, 0, 2), xy = range_of(b, 1, 1);
@@ -235,7 +235,7 @@ static enum verdict verdict_of(const struct subdivision *s, const struct box *b)
 
 /* ---- minima ---- */
 
-/* Newton's iteration from the middle of the box; false if it does not converge to a minimum. */
+/* Iterates Newton's method from the middle of the box; returns false if it does not converge to a minimum. */
 static bool newton(const struct local *l, const struct box *b, long double at[2])
 {
     long double last = INFINITY;
@@ -271,7 +271,7 @@ static bool inside(const struct subdivision *s, const long double at[2])
     return !s->triangle || at[0] + at[1] <= s->hi[0] + BOUND;
 }
 
-/* True if the minimum that Newton's iteration finds is the box's own. */
+/* Adds the minimum that Newton's iteration finds, if it belongs to the box. */
 static bool take_minimum(struct subdivision *s, const struct box *b)
 {
     long double at[2], v[6][3];

@@ -39,7 +39,7 @@ static void point_of_shape(const struct surface *f, double (*x)[3], double xi, d
     }
 }
 
-/* A kind whose r is a sum of nodes. */
+/* A kind whose r is a weighted sum of nodes. */
 #define WEIGHTED(kind, count, triangle_)                                                                               \
     {                                                                                                                  \
         .name = #kind, .nodes = count, .triangle = triangle_, .shape = footpoint_##kind##_shape,                       \

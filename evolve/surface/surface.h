@@ -1,5 +1,5 @@
-/* Kinds of master segments as scenes need them: the geometry behind a segment_kind of codegen/genome/segment_kind.h,
- * and the certain foot point on them. */
+/* Geometry of the kinds of master segments, as scenes need it: one surface for each segment_kind of
+ * codegen/genome/segment_kind.h, with the certain foot point on it. */
 #ifndef FOOTPOINT_SURFACE_H
 #define FOOTPOINT_SURFACE_H
 
@@ -8,30 +8,30 @@
 
 #include <stdbool.h>
 
-/** One kind.  Segments are the vectors of a sample, in the order of the segment_kind; those of length are in one unit.
- */
+/** One kind. A segment is the vectors of a sample, in the order of the segment_kind; positions share one unit of
+ *  length. */
 struct surface {
-    const char *name; /* as the segment_kind's */
+    const char *name; /* the segment_kind's name */
     size_t nodes;
     bool triangle;
-    enum patch_kind patch; /* of the kinds with normals */
-    /** Where r is a sum of nodes: shape functions and derivatives as in runtime/; else NULL. */
+    enum patch_kind patch; /* for kinds with normals */
+    /** Shape functions and derivatives as in runtime/, if r is a weighted sum of nodes; otherwise NULL. */
     void (*shape)(double xi, double eta, double *phi);
-    /** r, r_xi and r_eta at (xi,eta). */
+    /** Computes r, r_xi and r_eta at (xi,eta). */
     void (*point)(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
-    /** Foot point of the scene's meaning: the local minimum of the distance nearest to s->xs whose (xi,eta) lies in
-     *  lo < xi,eta <= hi (component-wise; on triangles xi + eta <= hi[0], too).  Fills xi, eta, gap of *s.  False if
-     *  there is none, or if none can be told with certainty. */
+    /** Finds the foot point as scenes define it: the local minimum of the distance nearest to s->xs with lo < xi,eta <=
+     *  hi (component-wise; on triangles also xi + eta <= hi[0]). Fills xi, eta, gap of *s. Returns false if there is
+     *  none, or if it is not certain. */
     bool (*foot)(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 };
 
-/** Of a kind; never NULL for one that segment_find() knows. */
+/** Returns the surface of a kind; never NULL if segment_find() knows the kind. */
 const struct surface *surface_find(const struct segment_kind *k);
 
-/** Point r(xi,eta) and unit normal there; false where there is none. */
+/** Computes point r(xi,eta) and unit normal; returns false if there is no normal. */
 bool surface_normal(const struct surface *f, double (*x)[3], double xi, double eta, double r[3], double n[3]);
 
-/* The functions of the table's rows. */
+/* Functions of the table's rows. */
 
 /** Bilinear: the quintic of foot_bilinear.h. */
 bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);

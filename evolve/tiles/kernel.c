@@ -1,18 +1,19 @@
-/* The evaluator of evolution.  A prefix genome is translated once (kernel_translate.c) to instructions that each work
- * on a tile of eight vectors, which stays in registers from instruction to instruction: 64 samples with 512 bits.  Leaves are operands of their operator: columns are read in place from the first-level cache,
- * constants are broadcast from the instruction.  A second tile of registers takes the shorter branch of an operator of
- * two branches; what does not fit there is stored in slots of memory, rarely.  The error |value - target| is added up
- * in the end of the tile's run, and no value is written back.
+/* The evaluator of evolution. A prefix genome is translated once (kernel_translate.c) to instructions that each work on
+ * a tile of eight vectors. The tile stays in registers from instruction to instruction; with 512 bits it holds 64
+ * samples. Leaves are operands of their operators: columns are read in place from the first-level cache, constants are
+ * broadcast from the instruction. A second tile of registers holds the shorter branch of an operator with two branches.
+ * Rarely a branch does not fit there and is stored in a memory slot. The error |value - target| is summed at the end of
+ * the tile's run; no value is written back.
  *
- * The interpreter (kernel_engine.h) is direct threaded: each instruction ends in a jump of its own to the next one, and
- * its body is eight vector operations.  The same source is compiled for registers of 128, 256 and 512 bits, and the
- * widest that the machine has are taken when the workspace is made.
+ * The interpreter (kernel_engine.h) is direct threaded: each instruction ends in its own jump to the next, and its body
+ * is eight vector operations. The same source is compiled for registers of 128, 256 and 512 bits; a new workspace
+ * selects the widest that the machine supports.
  *
- * All widths give the same bits: values, because every sample goes through the same correctly rounded operations,
- * uncontracted, whatever tile it is in, and a quick division is correctly rounded too (kernel_divide.h); sums, because
- * their order is laid down: the errors of a block of 512 samples go to 64 lanes, sample i to lane i mod 64, which then
- * are added by halves, lane j + lane j + 32 and so on; the sums of the blocks are added in double, in their order.  The
- * bound is compared after each block, so all widths give up at the same one. */
+ * All widths give the same bits. Values agree because every sample goes through the same correctly rounded,
+ * uncontracted operations, whatever its tile; the quick division is also correctly rounded (kernel_divide.h). Sums
+ * agree because their order is fixed: the errors of a block of 512 samples go to 64 lanes, sample i to lane i mod 64;
+ * lanes are then added by halves, j + j + 32 and so on; block sums are added in double, in order. The bound is compared
+ * after each block, so all widths stop at the same block. */
 #include "kernel.h"
 
 #include "../../codegen/genome/gene_value.h"
@@ -25,7 +26,7 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic" /* goto *label */
 #if defined __clang__
-#pragma clang diagnostic ignored "-Wpass-failed" /* of INDEPENDENT, in builds that do not optimise */
+#pragma clang diagnostic ignored "-Wpass-failed" /* for INDEPENDENT, in unoptimised builds */
 #endif
 #include "kernel_tile.h"
 
@@ -36,7 +37,7 @@
 #endif
 
 #if defined __AVX512F__
-#define PLAIN_BYTES 64 /* where the compiler was told so */
+#define PLAIN_BYTES 64 /* set by the compiler's target options */
 #elif defined __AVX__
 #define PLAIN_BYTES 32
 #else

@@ -1,4 +1,4 @@
-/* The evaluator's speed, for every width of registers. */
+/* Measures the evaluator's speed for every register width. */
 #include "kernel_benchmark.h"
 
 #include "../common/stream.h"
@@ -35,7 +35,7 @@ static double kernel_sum(const struct workload *w, const struct genes *t, struct
     return kernel_error_sum(k, &task, VARIABLES, INFINITY);
 }
 
-/* Random genomes whose values are finite, so that they are evaluated to the end. */
+/* Makes random genomes with finite values, so that evaluation never stops early. */
 static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
 {
     static int symbol[VARIABLES], constant[4], operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
@@ -62,7 +62,7 @@ static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
     gsl_rng_free(rng);
 }
 
-/* Processor time in seconds: other processes of the machine count for nothing. */
+/* Returns processor time in seconds, which excludes other processes. */
 static double now(void)
 {
     struct timespec t;
@@ -70,7 +70,7 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Seconds for all genomes. */
+/* Returns the seconds that all genomes take. */
 static double lap(const struct workload *w, struct kernel *k)
 {
     volatile double sink;

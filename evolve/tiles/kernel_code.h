@@ -1,18 +1,18 @@
-/* The code that a genome is translated to, and that the engines of kernel_engine.h run over one tile of samples after
- * the other. */
+/* The code to which a genome is translated. The engines of kernel_engine.h run it over one tile of samples after the
+ * other. */
 #ifndef FOOTPOINT_KERNEL_CODE_H
 #define FOOTPOINT_KERNEL_CODE_H
 
 #include "kernel_task.h"
 
-/* Operands of an instruction of an operator of two, first and second.  A tile is computed in the registers A, or beside
- * a live A in the registers B.  Form f of B is form f of A plus FORMS_OF_ONE. */
+/* Operands of a binary instruction, first and second. A tile is computed in registers A, or in registers B while A is
+ * live. Form f of B is form f of A plus FORMS_OF_ONE. */
 enum kernel_form {
     A_COLUMN, /* A = A op column */
     COLUMN_A,
     A_CONSTANT,
     CONSTANT_A,
-    COLUMN_COLUMN, /* A = column op column: a new value begins */
+    COLUMN_COLUMN, /* A = column op column: starts a new value */
     COLUMN_CONSTANT,
     CONSTANT_COLUMN,
     FORMS_OF_ONE,
@@ -23,50 +23,51 @@ enum kernel_form {
     FORMS
 };
 
-/* Codes: gene * FORMS + form of + - * / % min max, then these. */
+/* Codes: gene * FORMS + form for + - * / % min max, then the following. */
 enum kernel_code {
     LOAD_COLUMN = (GENE_MAX + 1) * FORMS, /* A = column */
     LOAD_CONSTANT,
     STORE, /* slot = A */
-    SLOW,  /* A = op A: an operator of one operand, in memory */
+    SLOW,  /* A = op A: a unary operator, in memory */
     END,
     CODES
 };
 
-enum { SLOT = 512 /* bytes of a tile, at most */ };
+enum { SLOT = 512 /* most bytes of a tile */ };
 
 struct instruction {
     int code;
-    int gene; /* of SLOW */
-    size_t a; /* bytes: the column, the first column of two, or the slot, from where they begin */
+    int gene; /* for SLOW */
+    size_t a; /* byte offset of the column, of the first of two columns, or of the slot */
     union {
-        size_t b; /* bytes: the second column */
+        size_t b; /* byte offset of the second column */
         double number;
     } u;
 };
 
-/* A table as the engines see it. */
+/* A table as the engines use it. */
 struct kernel_table {
     const void *data;
-    size_t n, stride; /* stride: bytes from column to column */
+    size_t n, stride; /* stride: bytes between columns */
 };
 
-/* What an engine runs: for the error sum when `value` is NULL, or else for the values. */
+/* A run of an engine: computes the error sum if `value` is NULL, otherwise the values. */
 struct kernel_run {
     const struct instruction *code;
     struct kernel_table table;
-    size_t target; /* bytes: its column */
+    size_t target; /* byte offset of its column */
     double bound;
     double *value;
     char *slot;  /* aligned room for one tile more than the code has slots; the first is the engine's */
-    size_t done; /* samples that have been evaluated */
+    size_t done; /* samples evaluated */
 };
 
-/** Translator with its room. */
+/** The translator and its memory. */
 struct translator;
 struct translator *translator_new(void);
 void translator_free(struct translator *t);
-/** Code of a genome for a table; valid until the next call.  *slots: how many the code uses, the engine's own apart. */
+/** Returns the code of a genome for a table, valid until the next call. *slots: slots that the code uses, besides the
+ *  engine's own. */
 const struct instruction *translator_code(struct translator *t, const struct kernel_task *task,
                                           const struct kernel_table *table, size_t *slots);
 

@@ -1,18 +1,17 @@
-/* Division for the engines of 512 bits.  The divider takes 16 cycles for a vector of doubles, in which
- * the other units could do 32 operations.  So half of a tile is divided by Newton's method with fused multiply-add
- * meanwhile, to the same bits: the quotient is correctly rounded (Markstein, IBM J. Res. Dev. 34 (1990) 111; Muller et
- * al., Handbook of Floating-Point Arithmetic, 2nd ed., section 4.7).
+/* Division for the engines of 512 bits. The divider takes 16 cycles for a vector of doubles, in which the other units
+ * could do 32 operations. Meanwhile half of a tile is divided by Newton's method with fused multiply-add, to the same
+ * bits: the quotient is correctly rounded (Markstein, IBM J. Res. Dev. 34 (1990) 111; Muller et al., Handbook of
+ * Floating-Point Arithmetic, 2nd ed., section 4.7).
  *
- * From 14 bits of 1 / y, two steps leave an error of 2^-53 or so, and the residual e2 = 1 - y r2 is exact.  The third
- * step is correctly rounded but for rounding of errors below 2^-104.  They would matter where y is near all ones, for
- * 1 / y lies closely above the middle of two numbers there (y = 2^k (1 - 2^-53), with x a power of two, is the one case
- * that goes wrong); the 2^-105 in the step decides these upwards.  q2 = x r2 (1 + e2) is within one unit in the last
- * place of x / y, so that the remainder x - q2 y is exact wherever x / y is near the middle of two numbers, and the
- * last step rounds correctly.
+ * From 14 bits of 1 / y, two steps leave an error of about 2^-53, and the residual e2 = 1 - y r2 is exact. The third
+ * step is correctly rounded except for errors below 2^-104. These would matter for y near all ones, where 1 / y lies
+ * closely above the midpoint of two numbers (y = 2^k (1 - 2^-53), with x a power of two, is the only case that fails).
+ * The 2^-105 in the step rounds such cases up. q2 = x r2 (1 + e2) is within one unit in the last place of x / y, so the
+ * remainder x - q2 y is exact wherever x / y is near the midpoint of two numbers, and the last step rounds correctly.
  *
- * This holds while nothing leaves the range of exponents, which is so for x and 1 / y in [2^-511, 2^512): the two
- * highest bits of their exponents differ.  Zeros, subnormal and infinite numbers and NaN fail this test, as then does
- * the reciprocal, and the tile is left to the divider. */
+ * This holds while no exponent leaves the range, which is so for x and 1 / y in [2^-511, 2^512): the two highest bits
+ * of their exponents differ. Zeros, subnormal and infinite numbers and NaN fail this test, as does then the reciprocal,
+ * and the divider computes the tile. */
 #ifndef FOOTPOINT_KERNEL_DIVIDE_H
 #define FOOTPOINT_KERNEL_DIVIDE_H
 
@@ -20,7 +19,7 @@
 
 #define DIVIDE_FN static inline __attribute__((always_inline)) TARGET_512
 
-/* ordinary & (high ^ 2 high): bit 30 of a high half stays set if the top bits of its exponent differ. */
+/* Returns ordinary & (high ^ 2 high): bit 30 of a high half stays set if the top bits of its exponent differ. */
 DIVIDE_FN __m512i also_ordinary(__m512i ordinary, __m512i high)
 {
     return _mm512_ternarylogic_epi32(ordinary, high, _mm512_add_epi32(high, high), 0x60);
@@ -44,7 +43,7 @@ DIVIDE_FN bool all_ordinary(__m512i ordinary)
     return _mm512_test_epi32_mask(ordinary, _mm512_set1_epi32(1 << 30)) == 0xffff;
 }
 
-/* A tile of quotients: four vectors here, four in the divider. */
+/* Computes a tile of quotients: four vectors here, four in the divider. */
 #define NEWTON(M, op, t, X, Y) M(0, op, t, X, Y) M(1, op, t, X, Y) M(2, op, t, X, Y) M(3, op, t, X, Y)
 #define DIVIDER(M, op, t, X, Y) M(4, op, t, X, Y) M(5, op, t, X, Y) M(6, op, t, X, Y) M(7, op, t, X, Y)
 #define OPERATE(i, op, t, X, Y) OPERATE_##op(i, t, X(i), Y(i))

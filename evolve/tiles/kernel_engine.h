@@ -1,5 +1,5 @@
-/* The interpreter, included once for each width of registers.  Before: BYTES (of a register), TARGET (attribute of the
- * function), ENGINE (its name), DIVIDE_TILE (PLAIN_TILE, or a quicker division). */
+/* The interpreter, included once for each register width. The includer must define BYTES (of a register), TARGET
+ * (attribute of the function), ENGINE (its name) and DIVIDE_TILE (PLAIN_TILE, or a quicker division). */
 
 #define TILE (8 * BYTES / sizeof(double)) /* samples */
 #define VECTOR PASTE(ENGINE, _vector)
@@ -10,7 +10,7 @@ typedef double VECTOR __attribute__((vector_size(BYTES), may_alias));
 typedef int64_t BITS __attribute__((vector_size(BYTES), may_alias));
 typedef double ELSEWHERE __attribute__((vector_size(BYTES), may_alias, aligned(sizeof(double))));
 
-/* Not for sanitizers: they would make minutes of compilation of it. */
+/* Excluded from sanitizers, which would take minutes to compile it. */
 TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE(struct kernel_run *r)
 {
     static const void *const label[CODES] = {
@@ -50,7 +50,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
                 GENES_OF_ONE(SLOW_CASE)
             }
             EIGHT_DO(LOAD, r->slot)
-            EIGHT_DO(CLEAR, b) /* dead here: nothing has to live across the loops */
+            EIGHT_DO(CLEAR, b) /* tells the compiler that b is dead here: no value lives across the loops */
             NEXT
         }
         end:

@@ -1,11 +1,11 @@
-/* What the tile kernel computes. */
+/* The task of the tile kernel. */
 #ifndef FOOTPOINT_KERNEL_TASK_H
 #define FOOTPOINT_KERNEL_TASK_H
 
 #include "../common/columns.h"
 
-/** A genome in a table: symbol s of a gene is column s; constants are the program's, or, where `constant` is NULL,
- *  decimal numbers coded in their genes (decimal.h). */
+/** A genome over a table: symbol s is column s. Constants belong to the program or, if `constant` is NULL, are decimal
+ *  numbers coded in their genes (decimal.h). */
 struct kernel_task {
     const int *gene;
     size_t length;

@@ -1,4 +1,4 @@
-/* Macros of the interpreter kernel_engine.h: a tile is eight named vectors, so that they stay in registers. */
+/* Macros of the interpreter kernel_engine.h. A tile is eight named vectors, so that they stay in registers. */
 #define PASTE_(x, y) x##y
 #define PASTE(x, y) PASTE_(x, y)
 
@@ -26,7 +26,7 @@
         const BITS zero = (BITS)(divisor == (VECTOR){0});                                                              \
         t##i = (VECTOR)(((BITS)((x) / divisor) & ~zero) | ((BITS)((VECTOR){0} + 1) & zero));                           \
     }
-/* The one where `first` is true, else the other: one instruction, where the machine has it. */
+/* Selects x where `first` is true, otherwise y: one instruction if the machine has it. */
 #define OPERATE_CHOICE(t, x, y, first)                                                                                 \
     {                                                                                                                  \
         const VECTOR one = (x), other = (y);                                                                           \

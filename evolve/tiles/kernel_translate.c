@@ -1,10 +1,10 @@
-/* From prefix genomes to code for the register tiles.  The genome is read once, which folds operators of constants and
- * gives each branch its Ershov number: 0 for a leaf; as of its greater operand, but one more where both are equal and not
- * leaves.  Then the code is written from its end to its beginning, a
- * node before its operands.  Of two operands that are no leaves, the one of the greater number is computed first, in A.
- * The other one is computed in B if its number is 1, that is, if it is a chain of operators that each have a leaf among
- * their operands; or else in A too, after A was stored in a slot.  Thus a random genome of hundreds of genes stores few
- * tiles, and no genome of n genes needs more than log2(n) slots. */
+/* Translates prefix genomes to code for the register tiles. One pass over the genome folds operators on constants and
+ * gives each branch its Ershov number: 0 for a leaf; otherwise the larger operand's number, plus one if both are equal
+ * and not leaves. Then the code is written from its end to its beginning, a node before its operands. If neither
+ * operand is a leaf, the one with the larger number is computed first, in A. The other is computed in B if its number
+ * is 1, that is, if it is a chain of operators that each have a leaf as operand; otherwise in A too, after A was stored
+ * in a slot. Thus a random genome of hundreds of genes stores few tiles, and no genome of n genes needs more than
+ * log2(n) slots. */
 #include "kernel_code.h"
 
 #include "../../codegen/genome/gene_value.h"
@@ -16,7 +16,7 @@ enum kind { CONSTANT, COLUMN, BRANCH };
 
 struct node {
     enum kind kind;
-    int gene, a, b; /* a, b: operands; -1: none */
+    int gene, a, b; /* a, b: operands, or -1 */
     int number;
     double constant;
 };
@@ -24,9 +24,9 @@ struct node {
 /* A branch that is still to be written. */
 struct pending {
     int node;
-    size_t slot; /* the last one in use, from 1 */
+    size_t slot; /* the last slot in use, from 1 */
     bool in_b;
-    bool store; /* its value goes to `slot`, which it may use itself */
+    bool store; /* the value goes to `slot`, which the branch may use meanwhile */
 };
 
 struct translator {
@@ -53,7 +53,7 @@ void translator_free(struct translator *t)
     free(t);
 }
 
-/* A gene is at most one instruction and one store. */
+/* Reserves one instruction and one store for each gene, the most that it can need. */
 static void reserve(struct translator *t, size_t length)
 {
     if (length > t->room) {
@@ -118,7 +118,7 @@ static size_t column(const struct translator *t, int gene)
     return (size_t)(gene - GENE_SYMBOL) * t->table->stride;
 }
 
-/* The two operands of an operator, at least one of them a leaf. */
+/* Writes an operator with at least one leaf among its two operands. */
 static void write_chain(struct translator *t, const struct pending *p, const struct node *n)
 {
     static const int form[3][3] = {
@@ -141,7 +141,7 @@ static void write_chain(struct translator *t, const struct pending *p, const str
         }
 }
 
-/* An operator of two branches. */
+/* Writes an operator with two branches. */
 static void write_fork(struct translator *t, const struct pending *p, const struct node *n)
 {
     const bool x_first = t->node[n->a].number > t->node[n->b].number;

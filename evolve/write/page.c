@@ -1,5 +1,6 @@
-/* A picture of what a run found on a mesh; see page.h.  Above, a cell for each function and band of |gap|, of the run and of
- * the functions that ship, coloured by the logarithm of the error; below, histograms, with the limits of those functions. */
+/* Draws a picture of a run's results on a mesh; see page.h. Above: a cell for each function and band of |gap|, of this
+ * run and of the shipped functions, coloured by the logarithm of the error. Below: histograms, with the limits of the
+ * shipped functions. */
 #include "page.h"
 
 #include "../../codegen/base/outfile.h"
@@ -15,7 +16,7 @@ static void text(FILE *f, double x, double y, const char *how, const char *words
     fprintf(f, "<text x=\"%g\" y=\"%g\"%s%s>%s</text>\n", x, y, *how ? " " : "", how, words);
 }
 
-/* From red, 0.1 and worse, over yellow and green to blue, rounding. */
+/* Maps an error to a colour: red for 0.1 and above, through yellow and green to blue for rounding. */
 static void fill(double error, char colour[24])
 {
     const double part = fmin(1, fmax(0, (-1 - log10(fmax(error, 1e-16))) / 15));
@@ -41,7 +42,7 @@ static double draw_errors(FILE *f, double y, const char *scene, const char *kind
     for (int k = 0; k < 2; k++) {
         char words[80];
         snprintf(words, sizeof words, "footpoint_%.50s_...", name[k]);
-        for (char *c = words; *c; c++) /* as in names of functions; nor has the picture's text markup */
+        for (char *c = words; *c; c++) /* names of functions have none, and it keeps markup out of the picture's text */
             *c = strchr("-&<>", *c) ? '_' : *c;
         text(f, left[k], y, "class=\"h\"", words);
         for (int b = 0; b < GAP_BANDS; b++)
@@ -65,7 +66,7 @@ static int ascending(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* Bars from 0, or the least value, to the largest or to the limit, whichever is more. */
+/* Draws bars from 0 or the smallest value to the largest value or the limit, whichever is larger. */
 static void draw_histogram(FILE *f, double x, double y, struct page_measure *m)
 {
     size_t count[BINS] = {0}, most = 1;

@@ -1,11 +1,11 @@
-/* A picture of what a run found on a mesh: errors by function and gap, and the shapes of the faces. */
+/* A picture of a run's results on a mesh: errors by function and gap, and the shapes of the faces. */
 #ifndef FOOTPOINT_PAGE_H
 #define FOOTPOINT_PAGE_H
 
 #include "../../codegen/base/base.h"
 #include "../surface/sample.h"
 
-/** Mean errors of a function in the bands of |gap|, and of the function of its kind; negative: there is none. */
+/** Mean errors of a function in the bands of |gap|, and of its kind's shipped function; negative: no value. */
 struct page_row {
     const char *tier; /* not owned */
     double own[GAP_BANDS], shipped[GAP_BANDS];
@@ -13,13 +13,14 @@ struct page_row {
 
 /** A measure of all samples. */
 struct page_measure {
-    const char *name; /* not owned, with its unit */
+    const char *name; /* not owned; includes its unit */
     double *value;    /* owned by the caller; reordered */
     size_t n;
-    double limit; /* of the samples that the functions of the kind were bred on; negative: none */
+    double limit; /* range of the samples on which the shipped functions were bred; negative: no limit */
 };
 
-/** Writes the picture, SVG that is legible 400 pixels wide.  `scene` and `kind` name it.  False with *d filled. */
+/** Writes the picture, an SVG legible at a width of 400 pixels, titled by `scene` and `kind`. Returns false, with *d
+ *  filled, on failure. */
 bool page_write(const char *path, const char *scene, const char *kind, const struct page_row *row, size_t rows,
                 struct page_measure *measure, size_t measures, struct diag *d);
 

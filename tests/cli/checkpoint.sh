@@ -85,7 +85,7 @@ refused() { # refused NAME STATUS STDERR [OPTIONS...]: resumes $work/bad
     expect "$name" "$status" '' "$message" "$evolve" --resume "$work/bad" -o "$work/kept.gen" "$@"
     cmp -s "$work/kept.gen" "$work/whole.gen" && cmp -s "$work/bad" "$work/before" || report 0 "$name: files are left"
 }
-damaged="$work/bad: error: checkpoint is cut or damaged"
+damaged="$work/bad: error: checkpoint is truncated or damaged"
 head -c 100000 "$work/good" > "$work/bad"; refused 'cut' 1 "$damaged"
 : > "$work/bad"; refused 'empty' 1 "$work/bad: error: no checkpoint"
 cp "$work/good" "$work/bad"; printf x | dd of="$work/bad" bs=1 seek=200000 conv=notrunc 2> /dev/null
@@ -99,26 +99,26 @@ resealed() { # resealed SED: $work/bad with other facts and a good seal
     sum=$(sha256sum "$work/bad")
     { printf '%s\n' "${sum%% *}"; tail -c +$((${#first} + 2 + facts + lengths + 65)) "$work/good"; } >> "$work/bad"
 }
-resealed 's/^version .*/version 9/'; refused 'another version' 1 "$work/bad: error: checkpoint of version 9; this is 0.3.0"
+resealed 's/^version .*/version 9/'; refused 'another version' 1 "$work/bad: error: checkpoint has version 9; this program has 0.3.0"
 resealed 's/^islands 3/islands 2/'; refused 'other islands' 1 "$work/bad: error: checkpoint lacks islands"
 resealed "s/^population $population/population 50/"; refused 'other states' 1 "$work/bad: error: island 0 of the checkpoint is malformed"
 resealed 's/^islands 3/islands x/'; refused 'no number' 2 "footpoint-evolve: error: --islands needs a whole number, not 'x'"
 resealed '/^scene /d'; refused 'no scene' 2 'footpoint-evolve: error: --scene is missing; see --help'
 resealed ''; refused 'another seed' 2 'footpoint-evolve: error: --seed 6 contradicts the checkpoint, which has 5' --seed 6
 refused 'another preset' 2 'footpoint-evolve: error: --islands 5 contradicts the checkpoint, which has 3' --preset paper
-refused 'too few generations' 2 "$work/bad: error: checkpoint of generation 6, beyond --generations 5" --generations 5
+refused 'too few generations' 2 "$work/bad: error: checkpoint is at generation 6, beyond --generations 5" --generations 5
 sed 's/^seed .*/seed = 4;/' "$work/small.scene" > "$work/other.scene"
 sum=$(sed -n 's/^scene-sha256 //p' "$work/good" | cut -c1-12)
 other=$("$evolve" --scene "$work/other.scene" --resume "$work/bad" 2>&1 | sed -n 's/.*, not \(.*\)\.\.\.$/\1/p')
-refused 'another scene' 1 "$work/bad: error: checkpoint of another scene: SHA-256 $sum..., not $other..." --scene "$work/other.scene"
+refused 'another scene' 1 "$work/bad: error: checkpoint belongs to another scene: SHA-256 $sum..., not $other..." --scene "$work/other.scene"
 mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/"
 sed 's/ p = dp\*inv, q = dq\*inv,/ q = dq*inv, p = dp*inv,/' evolve/frames/parallelogram.gen \
     > "$work/root/evolve/frames/parallelogram.gen"
 sum=$(sed -n 's/^frames-sha256 //p' "$work/good" | cut -c1-12)
 other=$("$evolve" --resume "$work/bad" --root "$work/root" 2>&1 | sed -n 's/.*, not \(.*\)\.\.\.$/\1/p')
-refused 'another frame' 1 "$work/bad: error: checkpoint of other frames: SHA-256 $sum..., not $other..." --root "$work/root"
+refused 'another frame' 1 "$work/bad: error: checkpoint belongs to other frames: SHA-256 $sum..., not $other..." --root "$work/root"
 echo x > "$work/log.csv"
-refused 'another log' 1 "$work/log.csv: error: not the log of the run that the checkpoint is of" --generations 40 --log "$work/log.csv"
+refused 'another log' 1 "$work/log.csv: error: log does not belong to the checkpoint's run" --generations 40 --log "$work/log.csv"
 rm "$work/bad"
 expect 'no checkpoint' 3 '' "$work/bad: error: cannot open: No such file or directory" "$evolve" --resume "$work/bad"
 expect 'no folder for checkpoints' 3 '' "$work/none/ck: error: cannot write: No such file or directory" \

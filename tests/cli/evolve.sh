@@ -20,15 +20,15 @@ expect 'unknown scene' 3 '' './evolve/scenes/nowhere.scene: error: cannot open: 
 
 scene 's/^norm/colour/';           refused 'unknown key' "$work/s.scene:5: error: unknown key 'colour' in scene"
 scene 's/"20 deg"/20.0/';          refused 'angle without a unit' "$work/s.scene:10: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""
-scene 's/"20 deg"/"20 mm"/';       refused 'wrong unit' "$work/s.scene:10: error: 'skew' has the unknown unit 'mm'; deg or rad"
+scene 's/"20 deg"/"20 mm"/';       refused 'wrong unit' "$work/s.scene:10: error: 'skew' has the unknown unit 'mm'; it must be deg or rad"
 scene 's/aspect = 2.0/aspect = 0.5/'; refused 'out of range' "$work/s.scene:10: error: 'aspect' must be in 1..1000; 5.0 is usual"
 scene 's/training  = 700/training  = 0/'; refused 'zero samples' "$work/s.scene:8: error: 'training' must be in 1..100000000"
 scene 's/"parallelogram"/"trapezium"/'; frames=$(ls evolve/frames | sed 's/.gen$//' | paste -s -d , | sed 's/,/, /g')
-refused 'unknown frame' "$work/s.scene:11:9: error: tier 'steps': no frame 'trapezium'; there are $frames"
-scene 's/"similarity"/"similar"/'; refused 'unknown frame of a tier' "$work/s.scene:14:31: error: tier 'paper': no frame 'similar'; there are $frames"
-scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scene:11:9: error: tier 'steps': frame 'tri6' is of segments tri6"
+refused 'unknown frame' "$work/s.scene:11:9: error: tier 'steps': no frame 'trapezium'; available: $frames"
+scene 's/"similarity"/"similar"/'; refused 'unknown frame of a tier' "$work/s.scene:14:31: error: tier 'paper': no frame 'similar'; available: $frames"
+scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scene:11:9: error: tier 'steps': frame 'tri6' is for segment tri6"
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
-refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
+refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is not a value of frame 'parallelogram'"
 
 # A frame's value that is infinite somewhere is refused; values that never change are taken as they are.
 mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/" && echo 'let bad = 1/(xi0 - -0.5)' >> "$work/root/evolve/frames/parallelogram.gen"
@@ -59,15 +59,15 @@ mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: 
 cp tests/meshes/wedges.inp "$work/m.inp"; mesh 0.5
 sed -i 's/^S_BOTTOM, S2/PLANE, S1/' "$work/m.inp"
 expect 'a master face on a plane element' 1 '' '*' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
-grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface is of type CPS8R, whose faces are not known; master surfaces are of solids, shells and membranes" \
+grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface has type CPS8R without known faces; it must be a solid, shell or membrane" \
     "$work/stderr"; report $((! $?)) 'is refused where its surface names it, with what is supported'
 
 # Among beams, masses and springs: master faces of two kinds, of which the scene chooses one.
 cp tests/meshes/wedges.inp "$work/m.inp"
 sed -i '/^segment/d' "$work/s.scene"
-refused 'faces of two kinds' "$work/s.scene:9: error: master faces of several kinds: 2 of tri3, 1 of quad4; choose one of them, segment = \"...\";"
+refused 'faces of two kinds' "$work/s.scene:9: error: master faces are of several kinds: 2 of tri3, 1 of quad4; choose one with segment = \"...\";"
 mesh 0.5; sed -i 's/"quad4"/"tri6"/; s/"nearest"/"any"/' "$work/s.scene"
-refused 'faces of neither' "$work/s.scene:10: error: no master face is of segment 'tri6'; there are 2 of tri3, 1 of quad4"
+refused 'faces of neither' "$work/s.scene:10: error: no master face has segment 'tri6'; there are 2 of tri3, 1 of quad4"
 tri3() { sed "$1"'; /^frame/,$d; s|^shapes.*|mesh: { file = "m.inp"; distance = 0.5; };|; s/"nearest"/"any"/; s/^reference.*/reference = [0.2, 0.2];/' \
     tests/scenes/small.scene > "$work/s.scene"
     echo 'tiers = ({ name = "exact"; frame = "tri3"; terminals = ["exact_xi", "exact_eta"]; max_length = 1; functions = "polynomial"; });' >> "$work/s.scene"; }

@@ -60,20 +60,20 @@ expect 'the scene of the kind' 2 '' 'footpoint-evolve: error: --output and the s
 # ---- whole numbers that libconfig would cut ----
 for number in 4294967299 0x100000003 2147483648; do
     scene "s/^seed.*/seed = $number;/" tests/scenes/small.scene
-    refused "seed $number" "$work/s.scene:7: error: a whole number of more than 2147483647 ends in L"
+    refused "seed $number" "$work/s.scene:7: error: a whole number above 2147483647 must end in L"
 done
 scene 's|^seed.*|seed = 4294967299L; // 4294967299 /* "|' tests/scenes/small.scene
 run --samples "$work/large.csv"; report $((! $?)) 'a large seed, and one in a comment'
 
 # ---- what programs cannot use ----
 scene 's/functions = \["+", "-", "\*", "min", "max"\]/functions = ["+", "*", "sqrt"]/' tests/scenes/steps.scene
-refused 'an operator of one value' "$work/s.scene:16: error: tier 'clamped': 'sqrt' takes one value; operators of programs take two"
+refused 'an operator of one value' "$work/s.scene:16: error: tier 'clamped': 'sqrt' is unary; programs take binary operators"
 cat > "$work/s.scene" <<'SCENE'
 segment = "quad4"; training = 700; heldout = 500; frame = "parallelogram";
 shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.1; warp = "5 deg"; gap = 0.1; overhang = 0.1; };
 tiers = ( { name = "solve"; terminals = ["e11"]; starts = (["p", "q"]); max_length = 30; functions = "rational"; } );
 SCENE
-refused 'a start of other values' "$work/s.scene:3: error: tier 'solve': start 'p', 'q' is not made of its terminals"
+refused 'a start of other values' "$work/s.scene:3: error: tier 'solve': start 'p', 'q' must be made of the tier's terminals"
 sed 's/^tiers/starts = (["p", "q"], ["u1", "v1"]);\n&/; s/starts = (\["p", "q"\]); max/max/' "$work/s.scene" > "$work/large.scene"
 "$evolve" --quiet --scene "$work/large.scene" --generations 0 --from-scratch -o "$work/o.gen" > "$work/log"
 report $((! $?)) 'starts of the scene, for other tiers, are left out'
@@ -84,7 +84,7 @@ refused 'an ending of one gene' "$work/s.scene:3: error: tier 'solve': 'last' is
 cp "$work/o.gen" "$work/kept.gen"
 sed -i 's/"p", "q"\]; starts = (\["p", "q"\]);/"e11", "e22"];/' "$work/s.scene"
 expect 'a program of other terminals' 1 '' \
-    "$work/o.gen:$(grep -n '^genome solve' "$work/o.gen" | cut -d : -f 1): error: genome 'solve' is no program of its tier's terminals within max_length (--from-scratch starts without)" \
+    "$work/o.gen:$(grep -n '^genome solve' "$work/o.gen" | cut -d : -f 1): error: genome 'solve' is not a program of the tier's terminals within max_length; --from-scratch starts without it" \
     "$evolve" --quiet --scene "$work/s.scene" --start "$work/o.gen" --generations 0 -o "$work/o.gen"
 cmp "$work/o.gen" "$work/kept.gen"; report $((! $?)) 'is kept'
 

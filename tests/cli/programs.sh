@@ -9,13 +9,13 @@ same() { cmp -s "$1" "$2"; report $((! $?)) "$3"; }
 
 scene() { sed "$1" tests/scenes/steps.scene > "$work/s.scene"; }
 refused() { expect "$1" 1 '' "$work/s.scene:$2" "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1; }
-scene 's/"newton_kept"/"newton_lost"/'; refused 'no function of the frame' "14: error: tier 'both': 'newton_lost' is no function of frame 'steps'"
+scene 's/"newton_kept"/"newton_lost"/'; refused 'no function of the frame' "14: error: tier 'both': 'newton_lost' is not a function of frame 'steps'"
 scene 's/"newton_kept"/"+"/';  refused 'a function twice' "12: error: function '+' stands twice"
 scene 's/"newton_kept"/"4"/';  refused 'no name' "12: error: 'functions' holds something that is neither an operator nor a name"
 scene 's/^functions = .*/functions = ["inside"];/'; refused 'no sums' "12: error: 'functions' must hold \"+\" and \"*\", which terms are added with"
 scene 's/^functions = .*/functions = "all";/'; refused 'no word' "12: error: 'functions' must be \"polynomial\" or \"rational\""
-scene 's/"place"/"plice"/'; refused 'programs end in no function' "14: error: tier 'both': 'plice' is no function of frame 'steps'"
-scene 's/"ut", "vt"/"ut", "vw0"/'; refused 'starts from no value' "14: error: tier 'both': 'vw0' is no value of frame 'steps'"
+scene 's/"place"/"plice"/'; refused 'programs end in no function' "14: error: tier 'both': 'plice' is not a function of frame 'steps'"
+scene 's/"ut", "vt"/"ut", "vw0"/'; refused 'starts from no value' "14: error: tier 'both': 'vw0' is not a value of frame 'steps'"
 scene 's/starts = (\["p", "q"\]/starts = (["p"]/'; refused 'starts with one value' "15: error: 'starts' must be pairs of names, ([\"p\", \"q\"], ...)"
 scene 's/max_length = 15;/max_length = 1; last = "place";/'; refused 'a value ends in nothing' "16: error: tier 'clamped': 'last' is for programs, of more operations than 1"
 

@@ -311,7 +311,7 @@ static void empty_sets_are_refused(void **state)
     strcat(here, "tetra10.inp");
     text = replaced(HEAD MESH TAIL, "MESH", here);
     assert_null(read_from_text(text, &d));
-    assert_non_null(strstr(d.text, ".scene:9: error: no master face is of segment 'quad4'; there are 1 of tri6"));
+    assert_non_null(strstr(d.text, ".scene:9: error: no master face has segment 'quad4'; there are 1 of tri6"));
     free(text);
 }
 

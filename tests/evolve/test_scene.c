@@ -126,7 +126,8 @@ struct malformed {
 
 static const struct malformed malformed[] = {
     /* the scene */
-    {HEAD SHAPES TAIL, "seed = 5;", "\n@include \"LICENSE\"\nseed = 5;", "7: error: a scene includes no other file"},
+    {HEAD SHAPES TAIL, "seed = 5;", "\n@include \"LICENSE\"\nseed = 5;",
+     "7: error: a scene must not include other files"},
     {HEAD SHAPES TAIL, "seed = 5;", "seed = ;", "6: error: syntax error"},
     {HEAD SHAPES TAIL, "seed = 5;", "seed = 5; seed = 6;", "6: error: duplicate setting name"},
     {HEAD SHAPES TAIL, "seed = 5;", "seeds = 5;", "6: error: unknown key 'seeds' in scene"},
@@ -149,7 +150,7 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"quad4\"", "\"tri3\"", "9: error: unknown key 'taper' in shapes"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"",
      "9: error: shapes lacks 'curve' (such as 0.05), 'shift' (such as 0.03)"},
-    {HEAD LATTICE TAIL, "\"quad4\"", "\"quad9\"", "9: error: a 'lattice' is of segments quad4, gregory and bezier"},
+    {HEAD LATTICE TAIL, "\"quad4\"", "\"quad9\"", "9: error: a 'lattice' must have segment quad4, gregory or bezier"},
     {HEAD "shapes: { aspect = 5; skew = \"45 deg\"; gap = 0.2; overhang = 0.1; };\n", "\"quad4\";\norder = \"any\"",
      "\"tri3\";\norder = \"nearest\"", "2: error: 'order' must be \"any\" for segment 'tri3'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "4", "1: error: 'segment' must be a text in quotes"},
@@ -164,13 +165,14 @@ static const struct malformed malformed[] = {
     {HEAD TAIL, "seed", "seed",
      " error: scene lacks 'mesh' (such as mesh: { file = \"contact.inp\"; distance = 0.5; }, or 'shapes')"},
     {HEAD SHAPES LATTICE TAIL, "seed", "seed",
-     "9: error: both 'lattice' and 'shapes'; a scene has one of lattice, shapes and mesh"},
+     "9: error: both 'lattice' and 'shapes' are given; a scene must have exactly one of lattice, shapes and mesh"},
     {HEAD TAIL, "frame", "shapes = 3; frame", "9: error: 'shapes' must be a group, { ... }"},
     /* shapes */
     {HEAD SHAPES TAIL, "skew = \"45 deg\"", "skew = 45",
      "9: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""},
-    {HEAD SHAPES TAIL, "\"45 deg\"", "\"45\"", "9: error: 'skew' lacks its unit, deg or rad"},
-    {HEAD SHAPES TAIL, "\"45 deg\"", "\"45 degrees\"", "9: error: 'skew' has the unknown unit 'degrees'; deg or rad"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"45\"", "9: error: 'skew' needs a unit, deg or rad"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"45 degrees\"",
+     "9: error: 'skew' has the unknown unit 'degrees'; it must be deg or rad"},
     {HEAD SHAPES TAIL, "\"45 deg\"", "\"deg\"",
      "9: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""},
     {HEAD SHAPES TAIL, "\"45 deg\"", "\"86 deg\"", "9: error: 'skew' must be in 0..85 deg; \"45 deg\" is usual"},
@@ -294,8 +296,8 @@ static void usual_values(void **state)
     free(text);
     s = shipped("quad4");
     assert_null(scene_of_kind("", s, &d));
-    assert_string_equal(d.text, "evolve/scenes/quad4.scene: error: frame and tiers are missing, which other scenes of "
-                                "segments quad4 take from here");
+    assert_string_equal(d.text, "evolve/scenes/quad4.scene: error: frame and tiers are missing; other scenes of "
+                                "segment quad4 take them from here");
     scene_free(s);
 }
 
@@ -462,7 +464,7 @@ static void frames_share_what_is_alike(void **state)
     s = read_from_text(HEAD SHAPES TIERS("steps", "p", "parallelogram"), &d);
     assert_non_null(s);
     assert_null(frame_program(".", s, "program", &d));
-    assert_non_null(strstr(d.text, "' is another value in another frame of the scene"));
+    assert_non_null(strstr(d.text, "' has another value in another frame of the scene"));
     scene_free(s);
 #undef TIERS
 }
