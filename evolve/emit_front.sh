@@ -1,8 +1,8 @@
 #!/bin/sh
-# emit_front.sh SCENE FOLDER: members of a scene's fronts as methods of a bench.  Breeds from the committed genomes, which stay as
-# they are, and emits and proves what may become tiers: FOLDER gets the members as genomes and as a header, and the lists of
-# functions that the bench is compiled with, those that are shipped beside them.  Reads BIN, MPIRUN (without -n), RANKS,
-# GENERATIONS, SEED and MEMBERS from the environment; `make front` calls it, measures them, and prints which to ship
+# emit_front.sh SCENE FOLDER: turns members of a scene's fronts into methods of a bench.  Breeds from the committed genomes, which
+# do not change, then emits and proves the members that may become tiers.  FOLDER gets the members as genomes and as a header,
+# and the lists of functions to compile into the bench, including the shipped ones.  Reads BIN, MPIRUN (without -n), RANKS,
+# GENERATIONS, SEED and MEMBERS from the environment.  `make front` calls it, times the members, and prints which to ship
 # (which_ship.awk).
 name=$(basename "$1" .scene)
 id=$(echo "$name" | tr - _)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# verdict.sh VERDICT HEADER FOLDER: prints a run's verdict with what the header promises behind FOOTPOINT_OK, and times: each
-# function and the one that ships beside it are compiled in FOLDER and timed over arrays of 1,000 pairs, the least of 20
-# runs.  Without a compiler (CC) the estimated costs stand.
+# verdict.sh VERDICT HEADER FOLDER: prints a run's verdict with the error bound of the header's FOOTPOINT_OK and times.  Each
+# function and its shipped counterpart are compiled in FOLDER and timed over arrays of 1,000 pairs, the minimum of 20 runs.
+# Without a compiler (CC) it prints estimated costs.
 verdict=$1 header=$2 folder=$3
 shipped=$PWD/generated/$(sed -n 's/^.*; \(footpoint_[a-z0-9]*\)_[a-z0-9]* has .*$/\1/p' "$verdict" | head -n 1).h
 case $header in /*) ;; *) header=$PWD/$header ;; esac

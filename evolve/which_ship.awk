@@ -1,7 +1,7 @@
-# Which members of a front to ship as tiers, from `footpoint-bench --validation --csv` over them and what is shipped: a table,
-# and lines for the scene file.  A member takes a tier's place if it is no slower, in independent calls and over arrays, has no larger
-# error, neither mean nor 99 % nor worst, and is better by one in ten in error or in both times.  Others are new where nothing
-# is more accurate and no slower in either mode.  id: the scene in names of functions.
+# Chooses the members of a front to ship as tiers, from `footpoint-bench --validation --csv` of them and the shipped functions;
+# prints a table and lines for the scene file.  A member replaces a tier's function if it is slower neither in independent calls
+# nor over arrays, has no larger error (mean, 99 %, worst), and is better by one in ten in error or in both times.  A member is
+# new if no function is more accurate and no slower in either mode.  id: the scene in names of functions.
 BEGIN { FS = ","; noise = 1.01; worth = 0.9 }
 function larger(a, b) { return a + 0 > b + 0 ? a + 0 : b + 0 }
 $4 == 1 {
@@ -37,7 +37,7 @@ function verdict(m,    s) {
 function tier(m) { sub(/^.*_front_/, "", m); sub(/_both_c[0-9]+$/, "", m); return m }
 function cost(m) { sub(/^.*_c/, "", m); return m }
 END {
-    for (i = 1; i <= n; i++) { # of those that could take its place, the most accurate
+    for (i = 1; i <= n; i++) { # the most accurate among possible replacements
         s = order[i]
         for (k = 1; k <= n && !is_member(s); k++)
             if (is_member(order[k]) && replaces(order[k], s) && (!(s in heir) || mean[order[k]] < mean[heir[s]])) heir[s] = order[k]

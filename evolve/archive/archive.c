@@ -11,10 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double worth = 0.99;       /* a smaller gain than one in a hundred changes no header */
-static const double worth_judged = 0.9; /* For programs the gain must be one in ten, because the worst error on other
-                                         * samples is more uncertain than a small gain in the mean. If both are right to
-                                         * rounding, the cost must be one in ten lower. */
+static const double worth = 0.99;       /* a gain of less than 1 % changes no header */
+static const double worth_judged = 0.9; /* For programs the gain must be 10 %, because the worst error on other samples
+                                         * is more uncertain than a small gain in the mean. If both are right to
+                                         * rounding, the cost must be 10 % lower. */
 
 const char *const origin_name[ORIGINS] = {"start file", "seed", "seeded island", "random island"};
 
@@ -304,8 +304,8 @@ double archive_error(const struct archive *a, struct objective *o, const struct 
                                 : archive_bare_error(a, o, q, t);
 }
 
-/* Sets the largest permitted 99 % and maximum errors of programs: those of the champion at the start or, without one,
- * of the best seed within the budget. */
+/* Sets the largest permitted 99 % and maximum errors of programs: taken from the first champion or, if there is no
+ * champion, from the best seed within the budget. */
 static void find_tails(const struct archive *a, const struct plan *plan, struct objective *o, struct quest *q)
 {
     const struct champion *c = &q->champion;

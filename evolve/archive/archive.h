@@ -25,7 +25,7 @@ struct champion {
     size_t length_before; /* 0: no champion before */
 };
 
-/** A quest: what is bred for independently. The programs of a tier or, in a tier of trees, one of its two outputs. */
+/** A quest, a separate search: the programs of a tier or, in a tier of trees, one of its two outputs. */
 struct quest {
     const struct tier *own; /* not owned */
     size_t tier;
@@ -72,10 +72,9 @@ struct archive {
 /** Returns the first of a tier's quests, which are adjacent; *n is 1 or 2. */
 struct quest *archive_quests(const struct archive *a, size_t tier, size_t *n);
 
-/** Reads the champions from the file `start`. There are none if it is NULL or has no genome named after a tier. Takes
- *  over the program and adds constants to it, also on failure. Returns NULL with *d filled if the file cannot be read
- *  or uses a symbol that the program lacks.
- *  @param[in] shipped  skips genomes with such symbols instead */
+/** Reads the champions from the genomes of the file `start`, which may be NULL, that are named like tiers. Takes over
+ *  the program and adds constants to it, also on failure. Returns NULL with *d filled if the file cannot be read or
+ *  uses a symbol that the program lacks. @param[in] shipped  skips genomes with such symbols instead */
 struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, bool shipped,
                             struct diag *d);
 void archive_free(struct archive *a);
@@ -136,19 +135,18 @@ void archive_offer(const struct archive *a, const struct plan *plan, struct ques
 /** Replaces champions by members of the fronts. If the tier has a budget, the lowest error within it wins, provided
  *  that it is lower than the champion's or the champion exceeds the budget. Otherwise the lowest fitness by the plan
  *  wins, if it is lower than the champion's and the error is not higher. "Lower" means by one in a hundred, or one in
- *  ten for programs that a judge compares; smaller gains change no header.
- *  @param[in] o      of the training samples
- *  @param[in] judge  of the validation samples, on which programs are compared, so that overfitted ones are rejected;
- *                    NULL: compares programs on the training samples, like trees */
+ *  ten for programs that a judge compares; smaller gains change no header. @param[in] o      of the training samples
+ *  @param[in] judge  of the validation samples, on which programs are compared, so that overfitted programs are
+ *  rejected;
+ *                     NULL: compares programs on the training samples, like trees */
 void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge);
 
 /** Returns false if no expression of the tier has a finite error on every sample. Such a tier is not written. */
 bool archive_has(const struct archive *a, size_t tier);
 
 /** Finds members of a tier of programs that may become tiers, by ascending cost: members within the budget or slightly
- *  above it, each better on the judge's samples than all cheaper ones. Keeps the `most` most expensive of them and
- *  returns their number.
- *  @param[out] found  must have room for the front's limit + 1 */
+ *  above it, each better on the judge's samples than all cheaper members. Keeps the `most` most expensive of them and
+ *  returns their number. @param[out] found  must have room for the front's limit + 1 */
 size_t archive_members(const struct archive *a, struct objective *judge, const struct quest *q, size_t most,
                        const struct member **found);
 

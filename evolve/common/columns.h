@@ -9,10 +9,10 @@ enum {
     TAPE_BLOCK = 128    /* samples per block when derivatives are computed; divides KERNEL_BLOCK */
 };
 
-/** A table of samples: one column of n doubles per symbol, padded to whole blocks and aligned to cache lines. */
+/** A table of samples: a column of n doubles per symbol, padded to whole blocks and aligned to cache lines. */
 struct columns {
     size_t n, count;
-    size_t room;         /* rows from one column to the next: n rounded up to whole blocks, plus a pad; padding is 0 */
+    size_t room;         /* rows from a column to the next: n rounded up to whole blocks, plus a pad; padding is 0 */
     double *data;        /* not owned: aligned in `memory` */
     double *memory;      /* owned */
     unsigned char *band; /* owned: band of |gap| of each row, for mesh samples; otherwise NULL */

@@ -22,7 +22,7 @@ static int gene_of(int mantissa, int exponent, bool negative)
     return mantissa == 0 ? -1 : -1 - ((mantissa * EXPONENTS + exponent) * 2 + (negative ? 1 : 0));
 }
 
-/* Returns mantissa * 10^(exponent - SHIFT) with one rounding: the powers are exact in double. */
+/* Returns mantissa * 10^(exponent - SHIFT) with a single rounding: the powers are exact in double. */
 static double scaled(double mantissa, int exponent)
 {
     double power = 1;

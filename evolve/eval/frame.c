@@ -73,7 +73,7 @@ static bool may_join(const struct genome_file *program, const char *text)
     return strncmp(last, text, strcspn(text, " ") + 1) == 0;
 }
 
-/* Adds a statement to the program, unless another frame of the scene has the same one. */
+/* Adds a statement to the program, unless another frame of the scene has the same statement. */
 static bool add_statement(const struct genome_file *frame, size_t k, const struct scene *s, const struct tier *t,
                           struct genome_file *program, struct diag *d)
 {

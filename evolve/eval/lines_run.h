@@ -27,7 +27,7 @@ void lines_run_free(struct lines_run *r);
  *  samples, at the same block on every machine.
  *  @param[in] last  function that the program ends in, or -1 */
 double lines_errors(struct lines_run *r, const struct genes *t, int last, double bound, double *error);
-/** Returns true if each divisor of the program last passed to lines_errors() has one sign on all samples. That call
+/** Returns true if each divisor of the program last passed to lines_errors() keeps its sign on all samples. That call
  *  must have computed all errors. */
 bool lines_keep_signs(const struct lines_run *r);
 

@@ -99,8 +99,8 @@ static size_t parts_of(const struct objective *o)
     return o->table->band ? 2 * GAP_BANDS : 4;
 }
 
-/* Finds the errors in o->scratch of one output on one part of the samples, and their number: 0 if there are fewer
- * samples than parts. */
+/* Finds the errors in o->scratch of an output on a part of the samples, and their number: 0 if there are fewer samples
+ * than parts. */
 static double *part_of(const struct objective *o, size_t output, size_t part, size_t *n)
 {
     const size_t all = o->table->n, pieces = o->table->band ? 2 : 4, piece = part % pieces;
@@ -132,7 +132,7 @@ struct outputs objective_outputs(struct objective *o, const struct genes *t, int
 
 enum { WORSE_MEAN = 1, WORSE_P99 = 2, WORSE_MAX = 4, WORSE_UNKNOWN = 8 };
 
-/* Returns which figures of one output are larger on one part, as a bit mask; on an empty part, all. */
+/* Returns a bit mask of the figures of an output that are larger on a part; on an empty part, all. */
 static int worse_in(const struct objective *o, size_t k, size_t part, const struct outputs *than)
 {
     size_t n;

@@ -8,7 +8,7 @@
 #include "../tiles/kernel.h"
 #include "lines_run.h"
 
-/** Measures programs and trees on a table; one per process. */
+/** Measures programs and trees on a table. Each process needs its own. */
 struct objective {
     const struct columns *table;       /* not owned */
     const struct genome_file *program; /* not owned: defines the genes */
@@ -16,7 +16,7 @@ struct objective {
     bool decimal; /* constants of trees are coded in their genes (decimal.h), not in the program; false at first */
     struct kernel *kernel;    /* owned */
     double *scratch;          /* owned: two values per sample */
-    double *picked;           /* owned: errors on one part of the samples */
+    double *picked;           /* owned: errors on a part of the samples */
     struct line_rules *rules; /* owned: of the program; may be NULL */
     struct lines_run *lines;  /* owned: for programs of both outputs */
 };
@@ -36,8 +36,8 @@ struct tails {
  *  INFINITY if a value is not finite, or if the mean is certain to exceed `bound`. */
 double objective_tree_error(struct objective *o, const struct genes *t, size_t column, double bound);
 
-/* Programs are measured against the true xi and eta, the last two columns; `last` is the function that they end in, -1:
- * none. */
+/* Programs are measured against the true xi and eta, the last two columns; `last` is the function that they end in, or
+ * -1. */
 
 /** Returns the error of a program over all errors of xi and eta. Returns INFINITY also if the first samples suggest
  *  that the mean exceeds `bound`. */

@@ -72,7 +72,7 @@ static uint64_t mix(uint64_t a, uint64_t b)
     return h ^ (h >> 32);
 }
 
-/* Returns the equal node, or adds this one. */
+/* Returns the equal node, or adds this node. */
 static int node_of(struct counter *c, struct node n)
 {
     size_t probe = 0;
@@ -230,7 +230,7 @@ static double longest_chain(struct counter *c, const int *root, size_t roots)
     return longest;
 }
 
-/* Counts what the roots need; users follow their operands. */
+/* Counts the operations of all values that the roots need; users follow their operands. */
 struct operation_count counter_end(struct counter *c, const int *root, size_t roots)
 {
     struct operation_count o = {.hash = 0};

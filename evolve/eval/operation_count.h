@@ -31,7 +31,7 @@ void counter_free(struct counter *c);
 struct operation_count count_operations(struct counter *c, const struct genes *t,
                                         const struct genome_constant *constant);
 
-/* Counts step by step what is not a tree: leaves and operations on them return numbers of values. */
+/* Counts step by step, for programs that are not trees. Leaves and operations return numbers of values. */
 void counter_begin(struct counter *c);
 int counter_leaf(struct counter *c, int gene);
 int counter_number(struct counter *c, double value);

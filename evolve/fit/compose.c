@@ -1,8 +1,7 @@
-/* Composes seeds of programs; see compose.h. Starts from each pair of `starts` and applies the scene's functions one
- * after the other. Each round keeps the most promising candidates: those that come closest to the front, or whose
- * continuations do, so that a step is kept if it pays only together with the next step. This covers truncated
- * iterations of every length and mixture: a Gauss-Newton step, two Newton steps, (7) solved for xi and then a Newton
- * step ... */
+/* Composes seeds of programs; see compose.h. Starts from each pair of `starts` and applies the scene's functions in
+ * turn. Each round keeps the most promising candidates: those that come closest to the front, or whose continuations
+ * do, so that a step is kept if it pays only together with the next step. This covers truncated iterations of every
+ * length and mixture: a Gauss-Newton step, two Newton steps, (7) solved for xi and then a Newton step ... */
 #include "compose.h"
 
 #include "../genotype/lines_text.h"
@@ -140,7 +139,7 @@ static bool is_repeated(struct candidate *const *order, size_t n, uint64_t hash)
     return false;
 }
 
-/* Sets keep[i] if candidate i is one of the most promising; of equal values only one is kept. */
+/* Sets keep[i] if candidate i is among the most promising; equal values are kept once. */
 static void choose(struct candidates *list, bool *keep)
 {
     struct candidate **order = new_array(list->n, sizeof *order);

@@ -76,7 +76,7 @@ static double error_at(const struct lines_run *r, size_t row, size_t k, size_t h
     return r->value[r->code->root[half]][k] - columns_at(r->table, r->table->count - 2 + half)[row + k];
 }
 
-/* Computes residuals and their derivatives for a block of samples of one answer. */
+/* Computes residuals and their derivatives for a block of samples and an answer. */
 static void residuals_at(const struct task *t, size_t row, size_t half, double *residual, double *slope)
 {
     const size_t n = block_size(t->run, row);

@@ -34,7 +34,7 @@ struct guide *guide_new(const struct line_rules *r, const struct columns *table)
 {
     struct guide *g = new_array(1, sizeof *g);
     *g = (struct guide){.table = table, .run = lines_run_new(r, table), .editor = line_editor_new(r)};
-    g->rows = table->n / TAPE_BLOCK * TAPE_BLOCK; /* whole blocks, if there is one */
+    g->rows = table->n / TAPE_BLOCK * TAPE_BLOCK; /* whole blocks only */
     g->rows = g->rows > ROWS ? ROWS : g->rows;
     for (size_t k = 0; k < ROWS; k++)
         g->one[k] = 1;
@@ -106,7 +106,7 @@ static void sum_answers(struct guide *g, double scale)
 }
 
 /* Takes the program that the editor has loaded. Computes the values of its inner lines and of the symbols, and the sums
- * for line n. Returns false if all residuals are 0 or one is not finite. */
+ * for line n. Returns false if all residuals are 0 or any is not finite. */
 static bool take(struct guide *g, const struct gene_set *genes, const struct genes *t, int last, int n)
 {
     struct lines *c = g->run->code;

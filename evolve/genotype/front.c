@@ -1,4 +1,4 @@
-/* A front with a bounded number of members, one for each cost rounded to an integer; see front.h. */
+/* A front with a bounded number of members, each for a cost rounded to an integer; see front.h. */
 #include "front.h"
 
 #include <math.h>

@@ -29,8 +29,8 @@ size_t front_place(const struct front *f, double cost);
 /** Returns the lowest error among members that cost no more, or INFINITY if there is no such member. A cost beyond the
  *  limit is compared with the whole front. */
 double front_error(const struct front *f, double cost);
-/** Adds genes if their error is lower than that of every member that costs no more, and removes the members that they
- *  dominate. Returns the new member, or NULL. */
+/** Adds genes if no member that costs no more has a lower or equal error, and removes the members that they dominate.
+ *  Returns the new member, or NULL. */
 struct member *front_offer(struct front *f, const struct genes *t, double error, double cost);
 size_t front_count(const struct front *f);
 /** Returns the k-th member by ascending cost; k must be less than front_count(). */

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-/** The genes of one individual. */
+/** The genes of an individual. */
 struct genes {
     int *gene; /* not owned; must have room for the longest genome of its population */
     size_t length;

@@ -20,7 +20,7 @@ struct line_body {
 
 /* ---- functions ---- */
 
-/* Compiles one function. */
+/* Compiles a function. */
 struct compiler {
     const struct genome_file *program;
     const struct genome_function *function;

@@ -24,7 +24,7 @@ enum {
     NO_POWER = 126    /* power of length of a sum of unlike powers */
 };
 
-/** What the symbols mean, and the functions that a program may call. */
+/** The meaning of the symbols, and the functions that a program may call. */
 struct line_rules {
     const struct genome_file *program; /* not owned */
     size_t symbols;
@@ -57,7 +57,7 @@ struct lines {
     bool *divides;                  /* divides[i]: line i is a divisor */
     size_t lines, room, needed_room;
     int root[2];    /* lines of xi and eta */
-    size_t *number; /* owned: lines of the numbers to be fitted (LINES_APART), and the index of each one's gene */
+    size_t *number; /* owned: lines of the numbers to be fitted (LINES_APART), and the indices of their genes */
     size_t *place;
     size_t numbers, number_room;
     struct index_table known; /* the lines */

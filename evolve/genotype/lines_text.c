@@ -20,8 +20,8 @@ struct symbol_reader {
 
 static int read_symbol(struct symbol_reader *r, size_t symbol);
 
-/* Reads the expression at *gene and advances *gene past it. Returns -2 if it needs an input that is not one of the
- * program's values. Reads operands in order, as programs store them. */
+/* Reads the expression at *gene and advances *gene past it. Returns -2 if it needs an input that the program lacks.
+ * Reads operands in order, as programs store them. */
 static int read_genes(struct symbol_reader *r, const int **gene)
 {
     const int own = *(*gene)++, arity = gene_arity(own);
@@ -58,7 +58,8 @@ static int read_symbol(struct symbol_reader *r, size_t symbol)
     return *line = symbol < r->file->inputs ? -2 : read_expression(r, &r->file->let[symbol - r->file->inputs]);
 }
 
-/* Finds the arguments, as symbols, if both expressions are results of one function call. Otherwise returns false. */
+/* Finds the arguments, as symbols, if both expressions are results of the same function call. Otherwise returns
+ * false. */
 static bool find_arguments(const struct genome_file *f, const struct genome_expr *const out[2], size_t symbol[2])
 {
     char argument[2][WORD];

@@ -31,7 +31,7 @@ bool lines_respell(struct lines *c, const struct genes *t, const struct gene_set
 void lines_expand(struct lines *c, const struct genes *t, int last, struct genome_file *f, const char *name,
                   struct genes out[2]);
 
-/** Returns the program as one line of text, owned by the caller. */
+/** Returns the program as a line of text, owned by the caller. */
 char *lines_print(struct lines *c, const struct genes *t, int last);
 
 #endif

@@ -88,7 +88,7 @@ void tree_cross(gsl_rng *rng, const struct genes *a, const struct genes *b, size
         genes_copy(b, child_b);
 }
 
-/* Returns a random constant of the set other than `gene`, half the time one with a close value. */
+/* Returns a random constant of the set other than `gene`, half the time with a close value. */
 static int other_constant(gsl_rng *rng, const struct gene_set *s, int gene)
 {
     size_t at = 0;

@@ -18,7 +18,7 @@ void tree_cross(gsl_rng *rng, const struct genes *a, const struct genes *b, size
 /** Changes one gene to another of its kind: operator to operator, leaf to leaf. */
 void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct genes *t);
 
-/** Copies `t` with one random new branch, to at most `max` genes. `t` must have no more. */
+/** Copies `t` with a random new branch, to at most `max` genes. `t` must have no more. */
 void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct genes *t, size_t max, struct genes *child);
 
 #endif

@@ -83,7 +83,7 @@ bool inp_field(struct inp_lines *l, struct inp_text *field);
 /** Compares, ignoring case and blanks. */
 bool inp_equals(struct inp_text t, const char *word);
 
-/** Reads a node or element number, 1..INT_MAX. Returns false if the text is not one. */
+/** Reads a node or element number, 1..INT_MAX. Returns false if the text is not a valid number. */
 bool inp_number(struct inp_text t, int *number);
 
 /** Reads a real number with exponent letter E or D, possibly not finite. Returns false if the text is not a number. */
@@ -304,10 +304,10 @@ struct inp_shown inp_name_shown(const struct inp_model *m, int name);
 
 /* ---- surfaces: inp_surface.c ---- */
 
-/** Finds the nodes of a contact pair's slave surface, which is one of nodes or otherwise of faces, as positions in the
- *  sorted node table. An element without known faces contributes all its nodes. *faces: the surface's faces, numbered
- *  as below. Both lists must be empty on entry and are ascending on return. Returns false with the diagnostic filled if
- *  a surface, set or number is not defined, or the surface is empty. */
+/** Finds the nodes of a contact pair's slave surface, made of nodes or otherwise of faces, as positions in the sorted
+ *  node table. An element without known faces contributes all its nodes. *faces: the surface's faces, numbered as
+ *  below. Both lists must be empty on entry and are ascending on return. Returns false with the diagnostic filled if a
+ *  surface, set or number is not defined, or the surface is empty. */
 bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes, struct inp_list *faces);
 
 /** Finds the faces of a contact pair's master surface: INP_MAX_FACES * position in the sorted element table + face.

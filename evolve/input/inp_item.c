@@ -1,4 +1,4 @@
-/* Names, numbers and members in the lines of an input file, in the open instance or in one that they name. */
+/* Names, numbers and members in the lines of an input file, in the open instance or in an instance that they name. */
 #include "inp_reader.h"
 
 #include <ctype.h>

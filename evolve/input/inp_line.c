@@ -1,8 +1,8 @@
 /* Lines of Abaqus and CalculiX input files. A file is read whole and cut into lines in place. *INCLUDE pushes another
  * file on a stack, so that nesting needs no recursion. Rules common to both codes: a line that begins with ** is a
- * comment; one with * is a keyword line, which the next line continues if it ends with a comma; every other line
- * contains data in fields between commas. Case and blanks matter only in file names. A part's text is read again from
- * its file for each instance. */
+ * comment, with * a keyword line, which the next line continues if it ends with a comma; every other line contains data
+ * in fields between commas. Case and blanks matter only in file names. A part's text is read again from its file for
+ * each instance. */
 #include "inp.h"
 
 #include "../../codegen/base/text.h"

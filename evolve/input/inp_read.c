@@ -121,7 +121,7 @@ static void read_some_nodes(struct inp_reader *r, struct inp_element *e)
             add_connection(r->m, e, node);
 }
 
-/* Reads the nodes of one element; a comma at the end of a line continues it until all nodes are read. */
+/* Reads the nodes of an element; a comma at the end of a line continues it until all nodes are read. */
 static bool read_all_nodes(struct inp_reader *r, struct inp_element *e, struct inp_place at, int number)
 {
     struct inp_model *m = r->m;

@@ -68,7 +68,7 @@ static bool read_surfaces(struct inp_reader *r)
     return true;
 }
 
-/* Reads a node or node set (what follows is a node's area), or an element or element set and a face label. */
+/* Reads a node or node set (the next field is a node's area), or an element or element set and a face label. */
 bool inp_read_surface(struct inp_reader *r)
 {
     struct inp_text t;
@@ -119,7 +119,7 @@ static bool add_pair(struct inp_reader *r, struct inp_text slave, struct inp_tex
     return true;
 }
 
-/* Reads two surfaces, or one in contact with itself. */
+/* Reads two surfaces, or a surface in contact with itself. */
 bool inp_read_pair(struct inp_reader *r)
 {
     struct inp_text slave, master;

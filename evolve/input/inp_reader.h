@@ -32,12 +32,13 @@ struct inp_reader {
 bool inp_read_number(struct inp_reader *r, struct inp_text t, int *number);
 /** Reads a name in an instance; for instance 0, in the model, where it may be written ASSEMBLY.NAME. */
 bool inp_read_name(struct inp_reader *r, int instance, struct inp_text t, int *name);
-/** Removes "INSTANCE." from a member of a set or surface; returns that instance, or the one of all members. */
+/** Removes "INSTANCE." from a member of a set or surface; returns that instance, or the common instance of all
+ *  members. */
 int inp_read_instance(const struct inp_reader *r, struct inp_text *t);
 /** Reads a member of a set or surface: a number, or the name of a set. */
 bool inp_read_member(struct inp_reader *r, struct inp_text t, struct inp_item *item);
 void inp_add_item(struct inp_items *items, struct inp_item item);
-/** Chooses the instance of members: the one that INSTANCE= names, or the open one. */
+/** Chooses the instance of members: the instance that INSTANCE= names, or the open instance. */
 bool inp_choose_instance(struct inp_reader *r);
 /** Follows INPUT=, a separate file of data lines. */
 bool inp_follow_input(struct inp_reader *r);

@@ -81,8 +81,8 @@ static void copy_elements(const struct inp_model *m, const unsigned char *carrie
     free(is);
 }
 
-/* Returns true if a pair is used: contact pairs, or ties if the model has no contact. If a surface of nodes and one of
- * faces are paired, the nodes are slaves. */
+/* Returns true if a pair is used: contact pairs, or ties if the model has no contact. If a surface of nodes and a
+ * surface of faces are paired, the nodes are slaves. */
 static bool is_used(const struct inp_model *m, const struct inp_pair *pair, bool ties)
 {
     return ties == (pair->kind == INP_TIE) && (pair->kind != INP_INCLUSION || inp_has_faces(m, pair->master));

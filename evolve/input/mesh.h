@@ -40,7 +40,7 @@ struct mesh {
     size_t files;
 };
 
-/** Reads a model. Returns NULL with *d "file:line: error: ..." (file and line of the included file, if it is one). */
+/** Reads a model. Returns NULL with *d "file:line: error: ..." (file and line of the included file, if any). */
 struct mesh *mesh_read(const char *path, struct diag *d);
 void mesh_free(struct mesh *m);
 

@@ -174,7 +174,7 @@ bool key_word(const struct scene_reader *r, const config_setting_t *s, const cha
     return key_fail(r, s, "'%s' must be %s", key, list);
 }
 
-/* Reads two numbers, of which one must not be too small. */
+/* Reads two numbers, the first or second of which has a lower limit. */
 static bool read_pair(const struct scene_reader *r, const config_setting_t *s, const struct scene_key *k,
                       double value[2])
 {

@@ -10,7 +10,7 @@
 #include <sha256.h>
 #include <stdint.h>
 
-/** Missing keys, collected so that one message names all. */
+/** Missing keys, collected so that a single message names all. */
 struct scene_lacking {
     char text[420];
     size_t groups, line;           /* line of the first group that lacks a key */

@@ -10,7 +10,7 @@
 bool scene_find_source(const struct scene_reader *r, config_setting_t *root, struct scene *scene,
                        config_setting_t **setting);
 
-/** Checks the source's keys and collects missing ones. Checks nothing if `setting` is NULL or, except for meshes, if
+/** Checks the source's keys and collects missing keys. Checks nothing if `setting` is NULL or, except for meshes, if
  *  the kind of segment is unknown. */
 bool scene_check_source(const struct scene_reader *r, config_setting_t *setting, const struct scene *scene);
 
@@ -21,7 +21,7 @@ bool scene_read_source(const struct scene_reader *r, config_setting_t *setting, 
 /** Checks the keys of tiers in the same way. */
 bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root);
 
-/** Reads `frame` and `tiers`, if present. Tiers without a frame name get none. */
+/** Reads `frame` and `tiers`, if present. Tiers without a frame name get no frame. */
 bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, struct scene *scene);
 
 #endif

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Reads the segment; NULL if the scene has none, in which case a mesh determines it. */
+/* Reads the segment, which may be missing (NULL) if a mesh determines it. */
 static bool read_segment(const struct scene_reader *r, const config_setting_t *s, const struct segment_kind **segment)
 {
     char *name = NULL;
@@ -75,7 +75,7 @@ static int include_line(const char *text)
     }
 }
 
-/* Returns the text after a comment or string that begins at `at`, or NULL if none begins there. */
+/* Returns the text after a comment or string that begins at `at`, or NULL if neither begins there. */
 static const char *behind_other_text(const char *at)
 {
     const char *end;

@@ -30,7 +30,7 @@ static void add_mesh(SHA2_CTX *sum, const struct mesh *m)
         add(sum, m->element[i].node, (size_t)m->element[i].nodes * sizeof *m->element[i].node);
 }
 
-/* Sets the scene's kind of segment: the one that it names, or that of all master faces. */
+/* Sets the scene's kind of segment: the kind that it names, or the kind of all master faces. */
 static bool choose_segment(const struct scene_reader *r, const config_setting_t *group, struct mesh *m,
                            struct scene *scene)
 {

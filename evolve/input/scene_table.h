@@ -32,14 +32,14 @@ struct scene_key {
     double standard;         /* default */
     double strange;          /* few meshes exceed it; 0: no limit */
     const char *const *word; /* ends with NULL */
-    const char *usual;       /* an example as text; for an optional key the default, if it can be written as one text */
+    const char *usual;       /* an example as text; for an optional key the default, if it can be written as a text */
     const char *help;
     bool (*suits)(const struct segment_kind *kind); /* kinds of segment that have the key; NULL: all */
     bool shared;                                    /* of tiers: may be in the scene, for all of them */
     const struct scene_group *group;
 };
 
-/** The keys of one group. */
+/** The keys of a group. */
 struct scene_group {
     const char *name;
     const struct scene_key *key;

@@ -1,9 +1,9 @@
 /* Breeding towards the front of error against cost. Parents come from the population and from the front. Most operators
  * change little; a child seen lately is made anew. Parents and children then compete by the ratio of their error to the
  * front's error at their own cost, as the front was when the generation began. So every size is under the same
- * pressure, and growth must pay. Equal errors and equal structures are kept once, and the number of individuals of one
- * cost is limited. A child is rejected before all samples are evaluated once its ratio is certain to exceed the worst
- * parent's. */
+ * pressure, and growth must pay. Equal errors and equal structures are kept once, and the number of individuals of
+ * equal cost is limited. A child is rejected before all samples are evaluated once its ratio is certain to exceed the
+ * worst parent's. */
 #include "breed.h"
 
 #include "../../codegen/base/random.h"
@@ -73,7 +73,7 @@ static enum fate fate_of(struct island *is, const struct individual *x)
     return ++is->crowd[front_place(is->front, x->cost)] > is->plan->crowd ? CROWDED_OUT : LIVES;
 }
 
-/* Selects the survivors among the first n of now[], by ratio: no duplicates, at most `crowd` of one cost. If too few
+/* Selects the survivors among the first n of now[], by ratio: no duplicates, at most `crowd` of equal cost. If too few
  * remain, rejected individuals fill the population. */
 static void select_survivors(struct island *is, size_t n)
 {
@@ -138,7 +138,7 @@ void breed_front_start(struct island *is, const struct genes *seed, size_t n)
     fill_at_random(is, living);
 }
 
-/* Chooses a member of the front, mostly an expensive one, near the budget. */
+/* Chooses a member of the front, mostly expensive, near the budget. */
 static const struct genes *choose(struct island *is)
 {
     const size_t n = front_count(is->front);

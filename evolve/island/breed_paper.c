@@ -72,7 +72,7 @@ static void make_children(struct island *is, struct genes *child_a, struct genes
             tree_mutate_gene(is->rng, is->goal.genes, child[k]);
 }
 
-/* Children follow their parents in the array. The last crossover may make one child too many. */
+/* Children follow their parents in the array. The last crossover may make a surplus child. */
 void breed_paper_step(struct island *is)
 {
     const size_t n = is->plan->population;

@@ -6,7 +6,7 @@
 #include "../fit/fitting.h"
 #include "plan.h"
 
-/** The goal of one island. */
+/** The goal of an island. */
 struct goal {
     bool program;                 /* breeds programs; otherwise trees */
     size_t column;                /* for trees: column of the target */

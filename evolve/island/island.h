@@ -1,4 +1,4 @@
-/* An island: one population of expressions for one output, which evolves independently between migrations (the paper's
+/* An island: a population of expressions for an output, which evolves independently between migrations (the paper's
  * pd-LinearGP, sections 4.1, 5.2 and 6.3, with extensions). */
 #ifndef FOOTPOINT_ISLAND_H
 #define FOOTPOINT_ISLAND_H
@@ -13,7 +13,7 @@ void island_free(struct island *is);
 
 /** Makes generation 0: n seeds, each of at most max_length genes, then random trees of all shapes. */
 void island_start(struct island *is, const struct genes *seed, size_t n);
-/** Breeds one generation. */
+/** Breeds a generation. */
 void island_step(struct island *is);
 /** Returns the individual with the lowest plan_fitness so far. Valid until the island changes. */
 const struct individual *island_best(const struct island *is);

@@ -22,7 +22,7 @@ struct plan {
     size_t front_limit;  /* largest cost of a front's members, at least 1 */
     /* For BREED_FRONT only: */
     double front_parents; /* fraction of parents taken from the front, 0..1 */
-    size_t crowd;         /* most individuals of one cost in a population; at least 1 */
+    size_t crowd;         /* most individuals of equal cost in a population; at least 1 */
     double tune;          /* fraction of children, the best, whose numbers are fitted, 0..1 */
     size_t polish_every;  /* generations between fits of the front's numbers; 0: never */
 };
@@ -30,8 +30,8 @@ struct plan {
 /** Returns a plan with front breeding and tournaments. A product or sum costs 1, a quotient 8. */
 struct plan plan_default(void);
 
-/** Returns the fitness by which one champion is chosen: the error, raised by the plan's parsimony for each operation,
- *  so that each operation must pay for itself. */
+/** Returns the fitness by which a champion is chosen: the error, raised by the plan's parsimony for each operation, so
+ *  that each operation must pay for itself. */
 double plan_fitness(const struct plan *plan, double error, double cost);
 
 #endif

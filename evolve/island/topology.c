@@ -1,5 +1,5 @@
-/* Topologies of migration; see topology.h. All are permutations of the places, so that each island receives one parcel
- * per migration. */
+/* Topologies of migration; see topology.h. All are permutations of the places, so that each island receives a single
+ * parcel per migration. */
 #include "topology.h"
 
 #include "../common/stream.h"

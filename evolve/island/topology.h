@@ -13,7 +13,7 @@ enum topology {
     TOPOLOGY_NONE    /* no migration */
 };
 
-/** One migration of one ring. */
+/** A migration of a ring. */
 struct migration {
     enum topology topology;
     uint64_t seed, ring; /* key of the random draw */

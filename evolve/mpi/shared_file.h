@@ -13,7 +13,7 @@ struct shared_file {
 void shared_file_prepare(void);
 
 /** Opens an existing file; `path` must be the same on all ranks. Collective. Returns false on all ranks, with *d naming
- *  f->path, if one rank fails. */
+ *  f->path, if any rank fails. */
 bool shared_file_open(struct shared_file *f, const struct team *t, const char *path, struct diag *d);
 /** Writes `bytes` bytes at `place`. Not collective. Returns false, with *d filled, if not all were written. */
 bool shared_file_write(struct shared_file *f, size_t place, const void *data, size_t bytes, struct diag *d);

@@ -33,7 +33,7 @@ static bool has_quotient(const struct genome_file *f, const struct genome_expr *
     return false;
 }
 
-/* Returns true if a value has a name; values within a function have none. */
+/* Returns true if a value has a name; values within a function do not. */
 static bool has_name(const struct genome_file *f, size_t symbol)
 {
     return genome_find_symbol(f, genome_symbol_name(f, symbol)) == (long)symbol;

@@ -10,7 +10,7 @@ enum { SHAPE_NUMBERS = 2 + 3 * 6 + 3 }; /* at most */
 
 struct shape;
 
-/** Returns a shape, or NULL if the kind has none. */
+/** Returns a shape, or NULL if the kind's points are not polynomials. */
 struct shape *shape_new(const struct segment_kind *kind);
 void shape_free(struct shape *p);
 

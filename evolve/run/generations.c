@@ -1,9 +1,9 @@
 /* The generations of a run; see generations.h. An island continues as soon as the parcel of its own migration has
  * arrived. A rank works on the ready island that is furthest behind; ranks synchronise only at checkpoints. Whenever
- * all islands of a rank have completed a generation, the rank votes in a poll. What a poll decides (a checkpoint, the
- * end) happens `lag` generations later. No island can have passed that generation, because none runs further ahead
- * before the polls are counted. So all ranks save and end at the same generation, and islands' results do not depend on
- * time. */
+ * all islands of a rank have completed a generation, the rank votes in a poll. A poll's decision (a checkpoint, the
+ * end) takes effect `lag` generations later. No island can have passed that generation, because no island runs further
+ * ahead before the polls are counted. So all ranks save and end at the same generation, and islands' results do not
+ * depend on time. */
 #include "generations.h"
 
 #include "../../codegen/base/console.h"
@@ -69,7 +69,7 @@ static size_t furthest_behind(const struct loop *l)
     return least;
 }
 
-/* Sends the migrants of this generation and expects those of another island. */
+/* Sends the migrants of this generation and expects another island's. */
 static void migrate(struct loop *l, struct local *b)
 {
     const struct evolve_options *o = l->call->options;
@@ -175,7 +175,7 @@ static void vote(struct loop *l)
     free(best);
 }
 
-/* Records that all islands of this rank have completed one more generation. */
+/* Records that all islands of this rank have completed another generation. */
 static void pass(struct loop *l)
 {
     const struct evolve_options *o = l->call->options;

@@ -51,7 +51,7 @@ struct reported {
 struct reports {
     struct reported *found; /* owned: by island, in the order of its report */
     size_t n, room;
-    int **memory; /* owned: one report per island */
+    int **memory; /* owned: a report per island */
     size_t islands;
 };
 /** Gathers the reports of all islands (island_report) on rank 0; empty on other ranks. Collective. */

@@ -8,7 +8,7 @@
 struct progress {
     bool shown, open;          /* open: the terminal's cursor is after a line */
     int terminal;              /* the terminal on stderr, or -1 */
-    size_t first, generations; /* first: the generation before the first one */
+    size_t first, generations; /* first: the generation before the first */
     size_t logged;             /* generation of the last line in a log */
     double start, last;        /* seconds */
     struct progress_mark {
@@ -24,10 +24,8 @@ void progress_phase(bool shown, const char *text);
 
 struct progress progress_start(bool shown, size_t first, size_t generations, double until);
 
-/** Shows the progress of the run.
- *  @param[in] best   the best errors, in one line
- *  @param[in] brief  a shorter text for narrow terminals
- *  @param[in] work   genes times samples evaluated since the start, on all processes */
+/** Shows the progress of the run. @param[in] best   the best errors, in a line @param[in] brief  a shorter text for
+ *  narrow terminals @param[in] work   genes times samples evaluated since the start, on all processes */
 void progress_show(struct progress *p, size_t generation, const char *best, const char *brief, double work);
 
 enum { NUMBER_TEXT = 16 };

@@ -14,14 +14,14 @@ struct rank0 {
     const struct islands *islands;
     struct run_log log;
     struct gather rows;
-    size_t logged; /* generations whose lines are written, or that have none */
+    size_t logged; /* generations whose lines, if any, are written */
     double saved;  /* time of the last checkpoint */
     bool bad_log, bad_save;
     struct progress progress;
 };
 
-/** Opens the log. The pointers in *k must be set; `generation` is the islands' current one. Returns false with *d if
- *  the log cannot be written or belongs to another run. */
+/** Opens the log. The pointers in *k must be set; `generation` is the islands' current generation. Returns false with
+ *  *d if the log cannot be written or belongs to another run. */
 bool rank0_open(struct rank0 *k, size_t generation, struct diag *d);
 /** Processes messages that have arrived. All islands of this rank have completed `generation`; nothing later is
  *  expected. */

@@ -42,7 +42,7 @@ static bool write_section(struct shared_file *f, const struct checkpoint *c, siz
     return shared_file_write(f, part->place, data, part->bytes + CHECKPOINT_SEAL, d);
 }
 
-/* Writes the sections of this rank's islands, one by one. */
+/* Writes the sections of this rank's islands. */
 static bool write_sections(const struct saving *s, const struct checkpoint *c, struct shared_file *f, struct diag *d)
 {
     size_t most = s->bytes[RESUME_START];

@@ -1,4 +1,4 @@
-/* Checkpoints of a run: how all ranks write one, and how a run resumes from it. It contains facts (version, scene,
+/* Checkpoints of a run: how all ranks write it, and how a run resumes from it. It contains facts (version, scene,
  * options, generation, log), the genomes from which the run started, and the state of every island. */
 #ifndef FOOTPOINT_RESUME_H
 #define FOOTPOINT_RESUME_H
@@ -7,7 +7,7 @@
 #include "islands.h"
 #include "run_log.h"
 
-/** The sections before the islands': the start file, empty if there was none. */
+/** The sections before the islands': the start file, which may be empty. */
 enum { RESUME_START, RESUME_ISLANDS };
 
 /** The checkpoints that a run writes. */

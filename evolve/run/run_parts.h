@@ -17,9 +17,9 @@ struct call {
     double begun;                /* seconds_now() */
 };
 
-/** Its files, besides those of the options. */
+/** Files that the options do not name. */
 struct run_files {
-    char start[1024], output[1024]; /* start is empty if there is none */
+    char start[1024], output[1024]; /* start may be empty */
     bool shipped;                   /* start belongs to the scene's kind, not to the scene */
     char *start_text;               /* owned; on rank 0: the start file, for checkpoints */
     size_t start_bytes;

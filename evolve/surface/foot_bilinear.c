@@ -6,10 +6,10 @@
  *
  * Putting xi = N/E into (8) and multiplying by E^2 leaves a quintic in eta whose real roots are all stationary points,
  * save where E vanishes.  E vanishes at a real eta only if c1 is parallel to c3 (edges AB and DC are parallel), so the
- * coordinate to eliminate is the one whose vector is least parallel to c3; what may then escape is a saddle at an apex,
- * never a minimum.  Roots come from the companion matrix (gsl_poly_complex_solve) and are polished by Newton's
- * iteration on (7), (8) in long double.  Coordinates are relative to the centre and divided by the size of the segment
- * before anything else. */
+ * coordinate whose vector is least parallel to c3 is eliminated; then only a saddle at an apex may escape, never a
+ * minimum.  Roots come from the companion matrix (gsl_poly_complex_solve) and are polished by Newton's iteration on
+ * (7), (8) in long double.  Coordinates are relative to the centre and divided by the size of the segment before
+ * anything else. */
 #include "foot_bilinear.h"
 
 #include "../common/vec3.h"
@@ -76,7 +76,7 @@ static struct products multiply(const struct local *l, bool swap)
                              .d3 = long_dot(l->d, l->c3)};
 }
 
-/* Computes one Newton step on (7), (8) at (xi, eta). Returns false if the Jacobian is singular. */
+/* Computes a Newton step on (7), (8) at (xi, eta). Returns false if the Jacobian is singular. */
 static bool newton_step(const struct local *l, long double xi, long double eta, long double step[2], bool *minimum)
 {
     long double t1[3], t2[3], v[3];
@@ -248,7 +248,7 @@ static bool inside(double v, double lo, double hi)
     return v > lo + BOUND && v <= hi + BOUND;
 }
 
-/* Returns true if the left side of (7) has one sign on the whole box. It is linear in the first coordinate and
+/* Returns true if the left side of (7) does not change its sign on the box. It is linear in the first coordinate and
  * quadratic in the second, so its Bernstein coefficients decide. Signs count only beyond a margin for rounding. */
 static bool one_sign(const double c1[3], const double c2[3], const double c3[3], const double d[3],
                      const double first[2], const double second[2])
@@ -269,8 +269,8 @@ static bool one_sign(const double c1[3], const double c2[3], const double c3[3],
     return above || below;
 }
 
-/* Returns true if the box has no stationary point: one equation has one sign on it, or each of its quarters has no
- * stationary point, to a depth of `depth` subdivisions. */
+/* Returns true if the box has no stationary point: an equation does not change its sign on it, or each of its quarters
+ * has no stationary point, to a depth of `depth` subdivisions. */
 static bool empty_box(const double c[3][3], const double d[3], const double xi[2], const double eta[2], int depth)
 {
     if (one_sign(c[0], c[1], c[2], d, xi, eta) || one_sign(c[1], c[0], c[2], d, eta, xi))

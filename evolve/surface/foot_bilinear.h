@@ -17,7 +17,7 @@ struct stationary {
 int foot_bilinear_stationary(const double x[4][3], const double xs[3], struct stationary found[5]);
 
 /** Finds the foot point as scenes define it: the local minimum nearest to xs with lo < xi,eta <= hi (component-wise).
- *  Fills xi, eta, gap of *s. Returns false if there is none. */
+ *  Fills xi, eta, gap of *s. Returns false if it does not exist. */
 bool foot_bilinear(struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

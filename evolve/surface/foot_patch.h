@@ -17,7 +17,7 @@ int foot_patch_stationary(const struct footpoint_gregory *patch, const double xs
 bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest);
 
 /** Finds the foot point as scenes define it: the local minimum nearest to xs with lo < xi,eta <= hi. Fills xi, eta and
- *  gap of *s from its corners, normals and slave node. Returns false if there is none, or if it is not certain. */
+ *  gap of *s from its corners, normals and slave node. Returns false if it does not exist or is not certain. */
 bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

@@ -3,9 +3,9 @@
  * coefficients on a box bound D; their differences bound its derivatives. A box contains no stationary point if D_xi or
  * D_eta does not vanish on it, at most one minimum if the Hessian is positive definite on it, and no minimum if the
  * Hessian is positive definite nowhere. Any other box is halved. In a convex box, Newton's iteration in long double
- * finds the minimum if there is one. If undecided boxes become as small as rounding, there is no answer. (Lane and
- * Riesenfeld, "Bounds on a polynomial", BIT 21, 1981; bisection with convexity: Hansen, Global Optimization Using
- * Interval Analysis, 1992.) Coordinates are first taken relative to node A and divided by the size of the segment. */
+ * finds the minimum, if any. If undecided boxes become as small as rounding, there is no answer. (Lane and Riesenfeld,
+ * "Bounds on a polynomial", BIT 21, 1981; bisection with convexity: Hansen, Global Optimization Using Interval
+ * Analysis, 1992.) Coordinates are first taken relative to node A and divided by the size of the segment. */
 #include "../common/vec3.h"
 #include "surface.h"
 

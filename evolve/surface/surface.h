@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-/** One kind. A segment is the vectors of a sample, in the order of the segment_kind; positions share one unit of
+/** A kind. A segment is the vectors of a sample, in the order of the segment_kind; positions share one unit of
  *  length. */
 struct surface {
     const char *name; /* the segment_kind's name */

@@ -12,7 +12,7 @@ bool kernel_supports(enum kernel_width width);
 /** Returns 128, 256 or 512. KERNEL_PLAIN is the width of the compiler's target. */
 int kernel_bits(enum kernel_width width);
 
-/** Workspace of one thread: the translated genome and a stack of tiles. */
+/** Workspace of a thread: the translated genome and a stack of tiles. */
 struct kernel;
 struct kernel *kernel_new(enum kernel_width width);
 /** Returns a workspace with the widest supported registers. */

@@ -1,5 +1,4 @@
-/* The code to which a genome is translated. The engines of kernel_engine.h run it over one tile of samples after the
- * other. */
+/* The code to which a genome is translated. The engines of kernel_engine.h run it over all tiles of samples. */
 #ifndef FOOTPOINT_KERNEL_CODE_H
 #define FOOTPOINT_KERNEL_CODE_H
 

@@ -1,10 +1,10 @@
-/* Translates prefix genomes to code for the register tiles. One pass over the genome folds operators on constants and
- * gives each branch its Ershov number: 0 for a leaf; otherwise the larger operand's number, plus one if both are equal
- * and not leaves. Then the code is written from its end to its beginning, a node before its operands. If neither
- * operand is a leaf, the one with the larger number is computed first, in A. The other is computed in B if its number
- * is 1, that is, if it is a chain of operators that each have a leaf as operand; otherwise in A too, after A was stored
- * in a slot. Thus a random genome of hundreds of genes stores few tiles, and no genome of n genes needs more than
- * log2(n) slots. */
+/* Translates prefix genomes to code for the register tiles. A single pass over the genome folds operators on constants
+ * and gives each branch its Ershov number: 0 for a leaf; otherwise the larger operand's number, plus one if both are
+ * equal and not leaves. Then the code is written from its end to its beginning, a node before its operands. If neither
+ * operand is a leaf, the operand with the larger number is computed first, in A. The other is computed in B if its
+ * number is 1, that is, if it is a chain of operators that each have a leaf as operand; otherwise in A too, after A was
+ * stored in a slot. Thus a random genome of hundreds of genes stores few tiles, and no genome of n genes needs more
+ * than log2(n) slots. */
 #include "kernel_code.h"
 
 #include "../../codegen/genome/gene_value.h"
@@ -53,7 +53,7 @@ void translator_free(struct translator *t)
     free(t);
 }
 
-/* Reserves one instruction and one store for each gene, the most that it can need. */
+/* Reserves an instruction and a store for each gene, the most that it can need. */
 static void reserve(struct translator *t, size_t length)
 {
     if (length > t->room) {

@@ -42,7 +42,7 @@ static double draw_errors(FILE *f, double y, const char *scene, const char *kind
     for (int k = 0; k < 2; k++) {
         char words[80];
         snprintf(words, sizeof words, "footpoint_%.50s_...", name[k]);
-        for (char *c = words; *c; c++) /* names of functions have none, and it keeps markup out of the picture's text */
+        for (char *c = words; *c; c++) /* as in names of functions; keeps markup out of the text */
             *c = strchr("-&<>", *c) ? '_' : *c;
         text(f, left[k], y, "class=\"h\"", words);
         for (int b = 0; b < GAP_BANDS; b++)
