@@ -1,10 +1,10 @@
 #!/bin/sh
 # Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), JOBS= at a time, else one more than there are
 # processors, as some wait; those after the word --alone one by one.  A program that prints no plan, or dies, fails.
-# Prints of each how long it took and the processor time in that.  Closes with both of all of them and
+# Prints a line for each, "n of m": how long it took and the processor time in that.  Closes with both of all of them and
 # "N passed, N failed"; exits 1 if anything failed.
-if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed seconds" to a file of counts
-    counts=$2 test=$3
+if [ "$1" = --one ]; then # prints the result of one test of so many, and adds "passed failed seconds" to a file of counts
+    tests=$2 counts=$3 test=$4
     out=$(mktemp) || exit 3
     trap 'rm -f "$out"' EXIT
     start=$(date +%s)
@@ -16,15 +16,15 @@ if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed se
     if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ "$good" -eq 0 ]; }; then
         bad=1
     fi
-    {
+    { # one at a time, so that each has a number of its own and no two are mixed
+        flock 9
+        echo "$good $bad $seconds" >&9
         [ "$bad" -eq 0 ] || { echo "--- $test (exit status $status)"; cat "$out"; }
         grep -hE '^# SKIP|skipped:' "$out"
-        printf '%-32s %4d passed %4d failed %5d s %7.1f s processor\n' "$(basename "$test")" "$good" "$bad" \
-            $(($(date +%s) - start)) "$seconds"
-    } > "$out.report"
-    cat "$out.report"
-    rm -f "$out.report" "$out.times"
-    echo "$good $bad $seconds" >> "$counts"
+        printf '%3d of %d  %-32s %4d passed %4d failed %5d s %7.1f s processor\n' "$(wc -l < "$counts")" "$tests" \
+            "$(basename "$test")" "$good" "$bad" $(($(date +%s) - start)) "$seconds"
+    } 9>> "$counts"
+    rm -f "$out.times"
     exit 0
 fi
 export CMOCKA_MESSAGE_OUTPUT=TAP OMPI_MCA_mpi_yield_when_idle=1 # ranks that wait give way to other tests
@@ -40,8 +40,8 @@ for test; do
     [ "$test" != --alone ] || continue
     tests=$((tests + 1))
 done
-printf '%s\n' "$@" | sed '/^--alone$/,$d' | xargs -r -n 1 -P "$at_a_time" sh "$0" --one "$counts"
-printf '%s\n' "$@" | sed '1,/^--alone$/d' | xargs -r -n 1 sh "$0" --one "$counts"
+printf '%s\n' "$@" | sed '/^--alone$/,$d' | xargs -r -n 1 -P "$at_a_time" sh "$0" --one $tests "$counts"
+printf '%s\n' "$@" | sed '1,/^--alone$/d' | xargs -r -n 1 sh "$0" --one $tests "$counts"
 awk -v tests=$tests -v wall=$(($(date +%s) - begin)) '{ passed += $1; failed += $2; seconds += $3 }
     END {
         failed += tests - NR

@@ -117,11 +117,11 @@ expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No s
 
 # A run may end before it has begun to breed: what is there is written.
 sed 's/training  = 700/training  = 30000/' tests/scenes/small.scene > "$work/large.scene"
-interrupted() { # by SIGTERM, a second after it is listened to (bit 15 of those caught)
+interrupted() { # by SIGTERM, soon after it is listened to (bit 15 of those caught)
     "$evolve" --scene "$work/large.scene" --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
     pid=$! tries=200
     until grep -q '^SigCgt:.*[4-7c-f]...$' "/proc/$pid/status" || [ $((tries -= 1)) = 0 ]; do sleep 0.05; done
-    sleep 1
+    sleep 0.2
     kill -TERM $pid
     wait $pid
 }

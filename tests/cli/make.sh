@@ -101,8 +101,16 @@ rm "$tree/build" && mkdir "$tree/build" "$work/bare"
 for tool in ar make sed awk cat chmod cp id install ln mkdir mv nproc printf realpath rm rmdir touch; do
     ln -s "$(env which $tool)" "$work/bare/$tool"
 done
-# The compiler finds its own parts.
-printf '#!/bin/sh\nPATH="%s" exec %s "$@"\n' "$PATH" "$CC" > "$work/bare/cc" && chmod +x "$work/bare/cc"
+# The compiler finds its own parts.  What has been compiled before is not compiled once more.
+objects=
+[ -n "$FOOTPOINT_LONG" ] || [ "$BIN" != build ] || objects=$root/
+cat > "$work/bare/cc" << END
+#!/bin/sh
+for last; do :; done
+case \$last in build/release/runtime/*.o) [ -z "$objects" ] || ! cp "$objects\$last" "\$last" || exit 0 ;; esac
+PATH="$PATH" exec $CC "\$@"
+END
+chmod +x "$work/bare/cc"
 expect 'make install-runtime' 0 '' '' env -u CC PATH="$work/bare" make -s -C "$tree" install-runtime \
     EXTRA_CFLAGS=-O0 PREFIX=/usr DESTDIR="$work/stage"
 for file in lib/libfootpoint.a lib/libfootpoint.so lib/libfootpoint_ccx.a lib/pkgconfig/footpoint.pc include/footpoint.h \

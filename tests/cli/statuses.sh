@@ -16,7 +16,7 @@ places() {
     gregory | bezier) echo 0 1 2 3 11 11 11 11 9 ;;
     esac
 }
-later 'statuses: second headers of a kind, most of the functions, more compilers and levels, for the library, too'
+later 'statuses: second headers of a kind, most of the functions, more compilers and levels, for the library, too, and seven sizes of eight'
 for header in $HEADERS; do
     name=$(basename "$header" .h)
     case ${name#footpoint_} in
@@ -91,12 +91,13 @@ for header in $HEADERS; do
 done
 
 # The library's quick search and what goes with it, under the same flags.
+[ -n "$FOOTPOINT_LONG" ] && step= || step=-DPOWER_STEP=8
 quick="geometry/quad4 geometry/node_normals batch/batch batch/batch_lanes search/locate search/newton search/contact search/differentiate"
 for compiler in "$CC -std=gnu11 -O0 -ffast-math" "$CC -std=gnu11 -O1 -ffast-math" "$CC -std=gnu11 -Ofast" "clang -std=gnu11 -Ofast" \
                 "$CC -std=gnu11 -Ofast -march=native" "$CC -std=gnu11 -O2"; do
     case $compiler in *O0*) ;; *) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
     sources=$(for f in $quick; do echo "$PWD/runtime/$f.c"; done)
-    $compiler -I"$PWD" "$PWD/tests/runtime/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
+    $compiler $step -I"$PWD" "$PWD/tests/runtime/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
     good=$?
     [ $good -eq 0 ] || head -12 "$work/log" | sed 's/^/# /'
     report $((!good)) "the library, $compiler"
