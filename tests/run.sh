@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), JOBS= at a time, else one more than there are
 # processors, as some wait; those after the word --alone one by one.  A program that prints no plan, or dies, fails.
-# Prints a line for each, "n of m": how long it took and the processor time in that.  Closes with both of all of them and
+# Prints what a test skips or warns of, and a line for each, "n of m": how long it took and the processor time in that.  Closes with both of all of them and
 # "N passed, N failed"; exits 1 if anything failed.
 if [ "$1" = --one ]; then # prints the result of one test of so many, and adds "passed failed seconds" to a file of counts
     tests=$2 counts=$3 test=$4
@@ -20,7 +20,7 @@ if [ "$1" = --one ]; then # prints the result of one test of so many, and adds "
         flock 9
         echo "$good $bad $seconds" >&9
         [ "$bad" -eq 0 ] || { echo "--- $test (exit status $status)"; cat "$out"; }
-        grep -hE '^# SKIP|skipped:' "$out"
+        grep -hE '^# SKIP|^# WARNING|skipped:' "$out"
         printf '%3d of %d  %-32s %4d passed %4d failed %5d s %7.1f s processor\n' "$(wc -l < "$counts")" "$tests" \
             "$(basename "$test")" "$good" "$bad" $(($(date +%s) - start)) "$seconds"
     } 9>> "$counts"

@@ -61,10 +61,12 @@ beyond=$(awk '/^genome / { on = $2 == "balanced" } on && /^note gaps_both/ { pri
 holds 'in the run, where plates deform and most gaps are large, it has the error that the banner states for these' \
     "$error < 2 * $beyond && $error > 0.1 * $beyond"
 holds 'with energy and momentum as before' "$(value 'energy error' NF) < 6e-4 && $(value 'momentum error' NF) < 1e-13"
-for run in 1 2 3 4 5; do
+quicker() { # the least of runs in turn
     for program in before after; do
         "$work/$program" > "$work/table" && value 'local search, ns' '(NF-2)' >> "$work/$program.ns"
     done
-done
-before=$(sort -n "$work/before.ns" | head -n 1) after=$(sort -n "$work/after.ns" | head -n 1)
-holds "at less time: $before ns a pair before, $after after, the least of five runs in turn" "$after < $before"
+    before=$(sort -n "$work/before.ns" | head -n 1) after=$(sort -n "$work/after.ns" | head -n 1)
+    echo "# $before ns a pair before, $after after"
+    awk "BEGIN { exit !($after < $before) }"
+}
+steady 'at less time' quicker
