@@ -64,7 +64,7 @@ int main(int argc, char **argv)
     else if (team.rank == 0 && outcome == OPTIONS_READ && o.print_scene)
         scene_print(o.print_scene, stdout);
     else if (team.rank == 0 && outcome == OPTIONS_READ)
-        samples_write(o.root, o.scene, o.samples, &d);
+        samples_write(o.root, o.scene, o.seed, o.samples, &d);
     else if (team.rank == 0 && outcome != OPTIONS_WRONG)
         options_tell(&evolve_option_table, outcome);
     if (team.rank == 0 && d.code == EXIT_DONE)

@@ -5,6 +5,7 @@
 #include "banner_evidence.h"
 #include "banner_line.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,8 @@ static void print_line(struct banner_line l, const char *text)
 
 /* ---- a function ---- */
 
+enum { MILLION = 1000000 };
+
 /* Mean, 99 % and worst error of xi and eta on a part of the samples; that of another distribution where it says
  * something else than the first. */
 static void print_errors(const struct measured *m, FILE *out)
@@ -30,8 +33,13 @@ static void print_errors(const struct measured *m, FILE *out)
             continue;
         struct banner_line l = banner_about_function(measure_part[part], out);
         for (int k = 0; k < 2; k++)
-            banner_add(&l, "%s %.3e %.3e %.3e,", output[k], e[k].mean, e[k].p99, e[k].max);
-        banner_add(&l, "samples %zu", e[0].n);
+            banner_add(&l, "%s %.3e %.3e %.3e,", output[k], e[k].mean, e[k].p99, fmax(e[k].max, e[k].climbed));
+        if (e[0].n == MILLION)
+            banner_add(&l, "of 1e6 samples");
+        else
+            banner_add(&l, "of %zu samples", e[0].n);
+        if (e[0].climbed > 0 || e[1].climbed > 0)
+            banner_add(&l, "and climbing");
         banner_end(&l);
     }
 }
@@ -148,7 +156,8 @@ static void print_legend(const struct unit *u, FILE *out)
           " * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times "
           "that\n"
           " * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find "
-          "it.\n",
+          "it,\n"
+          " * worst errors also by climbing from the worst hundred samples where this is said.\n",
           out);
     if (single && !measured)
         fputs(" * heldout... are those of the same code in double.\n", out);

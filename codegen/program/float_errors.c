@@ -12,10 +12,13 @@ const char *const measure_part[MEASURE_PARTS] = {"heldout", "heldout_random", "h
 
 bool measure_errors_read(const char *text, struct measure_error e[2])
 {
-    int end = 0;
-    const int read = sscanf(text, "n %zu mean %lf %lf p99 %lf %lf max %lf %lf%n", &e[0].n, &e[0].mean, &e[1].mean,
-                            &e[0].p99, &e[1].p99, &e[0].max, &e[1].max, &end);
-    const bool good = read == 7 && text[end] == '\0';
+    int end = 0, climbed = 0;
+    bool good = sscanf(text, "n %zu mean %lf %lf p99 %lf %lf max %lf %lf%n", &e[0].n, &e[0].mean, &e[1].mean, &e[0].p99,
+                       &e[1].p99, &e[0].max, &e[1].max, &end) == 7;
+    e[0].climbed = e[1].climbed = 0;
+    if (good && text[end] != '\0')
+        good = sscanf(text + end, " climbing %lf %lf%n", &e[0].climbed, &e[1].climbed, &climbed) == 2 &&
+               text[end + climbed] == '\0';
     e[0].n = e[1].n = good ? e[0].n : 0;
     return good;
 }

@@ -16,9 +16,11 @@ struct measure_samples {
 struct measure_error {
     size_t n;
     double mean, p99, max; /* infinite if a value is not finite */
+    double climbed;        /* the largest, by climbing from the worst samples, too; 0: not climbed */
 };
 
-/** Reads "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", evolution's words about xi and eta. */
+/** Reads "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", and perhaps " climbing %.3e %.3e", evolution's words about xi
+ *  and eta. */
 bool measure_errors_read(const char *text, struct measure_error e[2]);
 
 /** True if mean or 99 % is another one by a factor of more than 1.5. */

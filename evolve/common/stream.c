@@ -7,11 +7,20 @@
 
 struct state {
     uint64_t counter, stride; /* stride odd */
+    struct stream_tape *tape; /* not owned; NULL: none */
+    size_t at;                /* numbers yielded since it plays */
 };
 
 static uint64_t next(struct state *s)
 {
-    return random_mix(s->counter += s->stride);
+    struct stream_tape *tape = s->tape;
+    const size_t at = s->at++;
+    if (tape && at < tape->n)
+        return tape->number[at];
+    const uint64_t drawn = random_mix(s->counter += s->stride);
+    if (tape && at < TAPE_NUMBERS)
+        tape->number[tape->n++] = drawn;
+    return drawn;
 }
 
 static void set(void *state, unsigned long seed)
@@ -19,6 +28,7 @@ static void set(void *state, unsigned long seed)
     struct state *s = state;
     s->counter = random_mix(seed);
     s->stride = RANDOM_STRIDE;
+    s->tape = NULL;
 }
 
 static unsigned long get(void *state)
@@ -54,4 +64,11 @@ void stream_key(gsl_rng *stream, uint64_t seed, uint64_t a, uint64_t b, uint64_t
     h = random_mix((h ^ c) + 3 * golden);
     s->counter = h;
     s->stride = random_mix(h + 4 * golden) | 1;
+}
+
+void stream_play(gsl_rng *stream, struct stream_tape *tape)
+{
+    struct state *s = gsl_rng_state(stream);
+    s->tape = tape;
+    s->at = 0;
 }

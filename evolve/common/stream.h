@@ -12,4 +12,14 @@ gsl_rng *stream_new(void);
  *  keys give equal streams on every machine; different keys give unrelated ones. */
 void stream_key(gsl_rng *stream, uint64_t seed, uint64_t a, uint64_t b, uint64_t c);
 
+enum { TAPE_NUMBERS = 128 };
+/** The first numbers of a stream. */
+struct stream_tape {
+    uint64_t number[TAPE_NUMBERS];
+    size_t n;
+};
+/** Plays a tape from its beginning: the stream yields the tape's numbers first, then draws its own and adds these to the
+ *  tape while there is room.  So an empty tape records.  NULL ends it. */
+void stream_play(gsl_rng *stream, struct stream_tape *tape);
+
 #endif

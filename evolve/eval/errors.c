@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PIECE = 32 * KERNEL_BLOCK };
+enum { PIECE = 8 * KERNEL_BLOCK };
 
 void errors_absolute(double *value, const double *reference, size_t n)
 {
@@ -78,59 +78,143 @@ double errors_p99(double *absolute, size_t n)
     return errors_p99_above(absolute, n, 0);
 }
 
-/* Absolute errors of all trees on a piece of the samples, to error[i][0..n-1]. */
-static void measure_piece(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
-                          const struct sample *s, size_t n, size_t at, double **error)
+/* ---- one after the other ---- */
+
+void tally_open(struct tally *t, size_t most)
 {
-    struct columns table = frame_columns(program, s, n);
-    for (size_t i = 0; i < trees; i++) {
-        table_values(&table, program->constant, t[i].gene, t[i].length, error[i] + at);
-        errors_absolute(error[i] + at, columns_at(&table, frame_target(program, output[i])), n);
+    const size_t room = most / 100 + 1;
+    *t = (struct tally){.most = room > TALLY_WORST ? room : TALLY_WORST};
+    t->largest = new_array(t->most, sizeof *t->largest);
+}
+
+/* A place below `at`, which is free, for an error larger than the least. */
+static void sift(struct tally *t, size_t at, struct largest e)
+{
+    for (size_t child; (child = 2 * at + 1) < t->kept; at = child) {
+        if (child + 1 < t->kept && t->largest[child + 1].error < t->largest[child].error)
+            child++;
+        if (e.error <= t->largest[child].error)
+            break;
+        t->largest[at] = t->largest[child];
+    }
+    t->largest[at] = e;
+}
+
+static void keep(struct tally *t, struct largest e)
+{
+    if (t->kept == t->most) {
+        if (e.error > t->largest[0].error)
+            sift(t, 0, e);
+        return;
+    }
+    size_t at = t->kept++;
+    for (; at > 0 && t->largest[(at - 1) / 2].error > e.error; at = (at - 1) / 2)
+        t->largest[at] = t->largest[(at - 1) / 2];
+    t->largest[at] = e;
+}
+
+void tally_take(struct tally *t, const double *error, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        t->sum += error[i];
+        keep(t, (struct largest){error[i], t->n + i});
+    }
+    t->n += n;
+}
+
+static int descending(const void *a, const void *b)
+{
+    const struct largest *p = a, *q = b;
+    return p->error != q->error ? (p->error < q->error) - (p->error > q->error)
+                                : (p->sample > q->sample) - (p->sample < q->sample);
+}
+
+void tally_sort(struct tally *t)
+{
+    qsort(t->largest, t->kept, sizeof *t->largest, descending);
+}
+
+struct errors tally_close(struct tally *t)
+{
+    struct errors e = {.n = t->n};
+    tally_sort(t);
+    if (t->n > 0) {
+        e.mean = t->sum / (double)t->n;
+        e.max = t->largest[0].error;
+        e.p99 = t->largest[t->n - 1 - place_of_p99(t->n)].error;
+    }
+    for (int b = 0; b < GAP_BANDS; b++)
+        e.band[b] = t->in_band[b] > 0 ? t->band[b] / (double)t->in_band[b] : -1;
+    free(t->largest);
+    return e;
+}
+
+static void take_bands(struct tally *t, const double *error, const unsigned char *band, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        t->band[band[i]] += error[i];
+        t->in_band[band[i]]++;
+    }
+}
+
+/* ---- expressions ---- */
+
+struct measurement measurement_open(const struct genome_file *program, const struct genes *t, const int *output,
+                                    size_t trees, size_t most)
+{
+    struct measurement m = {program, t, output, trees, new_array(trees, sizeof *m.tally)};
+    for (size_t i = 0; i < trees; i++)
+        tally_open(&m.tally[i], most);
+    return m;
+}
+
+void measurement_errors(const struct measurement *m, size_t first, size_t last, const struct sample *s, size_t n,
+                        double **error)
+{
+    struct columns table = frame_columns(m->program, s, n);
+    for (size_t i = first; i < last; i++) {
+        table_values(&table, m->program->constant, m->t[i].gene, m->t[i].length, error[i - first]);
+        errors_absolute(error[i - first], columns_at(&table, frame_target(m->program, m->output[i])), n);
     }
     columns_free(&table);
 }
 
-static void measure_bands(const double *error, const struct sample_set *set, size_t corners, double mean[GAP_BANDS])
+static void take_piece(struct measurement *m, const struct sample *s, size_t n, double **error)
 {
-    size_t count[GAP_BANDS] = {0};
-    for (int b = 0; b < GAP_BANDS; b++)
-        mean[b] = 0;
-    for (size_t i = 0; i < set->n; i++) {
-        const int b = sample_gap_band(&set->s[i], corners);
-        mean[b] += error[i];
-        count[b]++;
+    const size_t corners = m->program->segment ? m->program->segment->corners : 0;
+    unsigned char band[PIECE];
+    for (size_t i = 0; i < n; i++)
+        band[i] = (unsigned char)sample_gap_band(&s[i], corners);
+    measurement_errors(m, 0, m->trees, s, n, error);
+    for (size_t i = 0; i < m->trees; i++) {
+        tally_take(&m->tally[i], error[i], n);
+        take_bands(&m->tally[i], error[i], band, n);
     }
-    for (int b = 0; b < GAP_BANDS; b++)
-        mean[b] = count[b] > 0 ? mean[b] / (double)count[b] : -1;
 }
 
-static struct errors errors_of(double *error, size_t n)
+void measurement_take(struct measurement *m, const struct sample *s, size_t n)
 {
-    struct errors found = {.n = n};
-    for (size_t i = 0; i < n; i++)
-        found.mean += error[i];
-    found.mean /= (double)n;
-    found.max = errors_max(error, n);
-    found.p99 = errors_p99(error, n);
-    return found;
+    double **error = new_array(m->trees, sizeof *error);
+    for (size_t i = 0; i < m->trees; i++)
+        error[i] = new_array(n < PIECE ? n : PIECE, sizeof **error);
+    for (size_t at = 0; at < n; at += PIECE)
+        take_piece(m, s + at, n - at < PIECE ? n - at : PIECE, error);
+    for (size_t i = 0; i < m->trees; i++)
+        free(error[i]);
+    free(error);
+}
+
+void measurement_close(struct measurement *m, struct errors *found)
+{
+    for (size_t i = 0; i < m->trees; i++)
+        found[i] = tally_close(&m->tally[i]);
+    free(m->tally);
 }
 
 void errors_measure(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
                     const struct sample_set *set, struct errors *found)
 {
-    double **error = new_array(trees, sizeof *error);
-    for (size_t i = 0; i < trees; i++)
-        error[i] = new_array(set->n, sizeof **error);
-    for (size_t at = 0; at < set->n; at += PIECE) {
-        const size_t n = set->n - at < PIECE ? set->n - at : PIECE;
-        measure_piece(program, t, output, trees, set->s + at, n, at, error);
-    }
-    for (size_t i = 0; i < trees; i++) {
-        double band[GAP_BANDS];
-        measure_bands(error[i], set, program->segment ? program->segment->corners : 0, band);
-        found[i] = errors_of(error[i], set->n);
-        memcpy(found[i].band, band, sizeof band);
-        free(error[i]);
-    }
-    free(error);
+    struct measurement m = measurement_open(program, t, output, trees, set->n);
+    measurement_take(&m, set->s, set->n);
+    measurement_close(&m, found);
 }

@@ -8,7 +8,8 @@
 /** Statistics of |value - reference|; all dimensionless, as xi and eta are. */
 struct errors {
     size_t n;
-    double mean, p99, max;  /* infinite if a value is not finite */
+    double mean, p99, max; /* infinite if a value is not finite */
+    double climbed; /* the largest, that of climbing from the worst samples, too (write/climb.h); 0: not climbed */
     double band[GAP_BANDS]; /* means in the bands of |gap|; -1: no sample; of expressions on segments */
 };
 
@@ -22,8 +23,46 @@ double errors_p99_above(double *absolute, size_t n, double least);
 /** Whether it is no more than `most`. */
 bool errors_p99_within(const double *absolute, size_t n, double most);
 
-/** Errors of expressions of a program, t[i] of output[i] (0: xi, 1: eta), over the samples, which are taken in pieces:
- *  what all of them are made of is computed once, and memory bounded by a value for each sample and expression. */
+/** Statistics of errors that come one after the other: all that is kept of them are sums and the largest. */
+struct tally {
+    size_t n, most; /* how many have come, and will come at most */
+    double sum, band[GAP_BANDS];
+    size_t in_band[GAP_BANDS];
+    struct largest { /* owned: a heap, the least first, of the largest hundredth and at least TALLY_WORST */
+        double error;
+        size_t sample; /* its number */
+    } * largest;
+    size_t kept;
+};
+enum { TALLY_WORST = 100 };
+void tally_open(struct tally *t, size_t most);
+/** Takes the errors of the next n samples. */
+void tally_take(struct tally *t, const double *error, size_t n);
+/** Sorts t->largest, the largest first. */
+void tally_sort(struct tally *t);
+/** Their statistics; frees the tally. */
+struct errors tally_close(struct tally *t);
+
+/** Expressions of a program, t[i] of output[i] (0: xi, 1: eta), and the tallies of their errors. */
+struct measurement {
+    const struct genome_file *program; /* not owned, as is: */
+    const struct genes *t;
+    const int *output;
+    size_t trees;
+    struct tally *tally; /* owned, by expression */
+};
+struct measurement measurement_open(const struct genome_file *program, const struct genes *t, const int *output,
+                                    size_t trees, size_t most);
+/** Takes the next n samples; what all expressions are made of is computed once. */
+void measurement_take(struct measurement *m, const struct sample *s, size_t n);
+/** Writes found[i] for each expression and frees the tallies. */
+void measurement_close(struct measurement *m, struct errors *found);
+
+/** Absolute errors of some of the expressions, first to last - 1, on n samples, to error[i - first][0..n-1]. */
+void measurement_errors(const struct measurement *m, size_t first, size_t last, const struct sample *s, size_t n,
+                        double **error);
+
+/** The same of a set of samples. */
 void errors_measure(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
                     const struct sample_set *set, struct errors *found);
 

@@ -96,6 +96,7 @@ struct scene {
     const char *precision; /* of the generated code, "double" or "float" */
     size_t training, heldout;
     size_t seed; /* of the samples, not of the evolution */
+    size_t run;  /* seed of the run, from which samples held out follow, too; 1 unless set */
     enum scene_source source;
     struct lattice lattice;
     struct shapes shapes;

@@ -153,6 +153,7 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
         return NULL;
     }
     scene = new_array(1, sizeof *scene);
+    scene->run = 1;
     scene->path = path;
     scene->name = scene_name(path);
     const struct scene_reader r = {path, text, d, &lacking, &scene->warnings, &sum};

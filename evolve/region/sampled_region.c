@@ -51,6 +51,13 @@ struct extremes {
     bool *sized;     /* owned: by column of the table, it changes with the segment's size */
 };
 
+struct region_survey {
+    struct genome_file *file;    /* not owned */
+    struct shape_survey *shapes; /* owned until it is added; NULL: coordinates are measured */
+    struct extremes e;
+    bool begun; /* samples have been taken */
+};
+
 static void take_in_column(struct extremes *e, size_t j, const double *x, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -103,31 +110,48 @@ static size_t first_least(const struct genome_file *f)
     return j;
 }
 
-static struct extremes measure(const struct genome_file *f, const struct sample_set *set, size_t sets)
+struct region_survey *region_survey_new(struct genome_file *f)
 {
-    const size_t least = first_least(f), count = least + f->leasts;
-    struct extremes e = {new_array(count, sizeof *e.lo), new_array(count, sizeof *e.hi),
-                         new_array(count, sizeof *e.sized)};
-    struct sample *moved = new_array(PIECE, sizeof *moved);
+    struct region_survey *s = new_array(1, sizeof *s);
+    *s = (struct region_survey){.file = f};
+    /* where the order of corners depends on the slave node, samples are of a box of coordinates */
+    if (!f->segment || (f->order == CORNERS_ANY && (s->shapes = shape_survey_new(f))))
+        return s;
+    const size_t count = first_least(f) + f->leasts;
+    s->e = (struct extremes){new_array(count, sizeof *s->e.lo), new_array(count, sizeof *s->e.hi),
+                             new_array(count, sizeof *s->e.sized)};
     for (size_t j = 0; j < count; j++)
-        e.hi[j] = -(e.lo[j] = INFINITY);
-    for (size_t k = 0; k < sets; k++)
-        for (size_t first = 0; first < set[k].n; first += PIECE) {
-            const size_t left = set[k].n - first, n = left < PIECE ? left : PIECE;
-            for (size_t i = 0; i < n; i++)
-                similar(f->segment, &set[k].s[first + i], &moved[i]);
-            struct columns table = frame_columns(f, moved, n);
-            take_in(&e, &table);
-            size_t j = table.count;
-            for (size_t g = 0; g < f->genomes; j += f->genome[g++].outs)
-                take_in_expressions(&e, j, f, f->genome[g].out, f->genome[g].outs, &table);
-            take_in_expressions(&e, least, f, f->least, f->leasts, &table);
-            if (first == 0)
-                find_sized(&e, f, moved, &table);
-            columns_free(&table);
-        }
+        s->e.hi[j] = -(s->e.lo[j] = INFINITY);
+    return s;
+}
+
+static void take_piece(struct region_survey *s, const struct sample *sample, size_t n)
+{
+    const struct genome_file *f = s->file;
+    struct sample *moved = new_array(n, sizeof *moved);
+    for (size_t i = 0; i < n; i++)
+        similar(f->segment, &sample[i], &moved[i]);
+    struct columns table = frame_columns(f, moved, n);
+    take_in(&s->e, &table);
+    size_t j = table.count;
+    for (size_t g = 0; g < f->genomes; j += f->genome[g++].outs)
+        take_in_expressions(&s->e, j, f, f->genome[g].out, f->genome[g].outs, &table);
+    take_in_expressions(&s->e, first_least(f), f, f->least, f->leasts, &table);
+    if (!s->begun)
+        find_sized(&s->e, f, moved, &table);
+    s->begun = true;
+    columns_free(&table);
     free(moved);
-    return e;
+}
+
+void region_survey_take(struct region_survey *s, const struct sample *sample, size_t n)
+{
+    if (s->shapes) {
+        shape_survey_take(s->shapes, sample, n);
+        return;
+    }
+    for (size_t first = 0; s->file->segment && first < n; first += PIECE)
+        take_piece(s, sample + first, n - first < PIECE ? n - first : PIECE);
 }
 
 /* ---- what is written ---- */
@@ -168,26 +192,41 @@ static bool is_used(const struct genome_file *f, const struct genome_expr *e, co
     return all;
 }
 
-void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
+static void add_coordinates(const struct region_survey *s)
 {
-    /* where the order of corners depends on the slave node, samples are of a box of coordinates */
-    if (!f->segment || (f->order == CORNERS_ANY && shape_requires_add(f, set, sets)))
-        return;
-    const size_t inputs = f->inputs, flat = 3 * f->segment->corners - 1;
-    struct extremes e = measure(f, set, sets);
+    struct genome_file *f = s->file;
+    const struct extremes *e = &s->e;
+    const size_t flat = 3 * f->segment->corners - 1;
     bool *used = used_lets(f);
-    for (size_t j = 0; j < inputs && e.lo[j] <= e.hi[j]; j++) {
+    for (size_t j = 0; j < f->inputs && e->lo[j] <= e->hi[j]; j++) {
         const bool fixed = j < 6 || j == flat; /* A, B, and z of the last corner, but for rounding */
         const double at = j == 3 ? 1 : 0;
-        add_range(f, j, fixed ? at : e.lo[j], fixed ? at : e.hi[j]);
+        add_range(f, j, fixed ? at : e->lo[j], fixed ? at : e->hi[j]);
     }
-    const double *lo = e.lo + first_least(f);
+    const double *lo = e->lo + first_least(f);
     for (size_t i = 0; i < f->leasts; i++)
         if (lo[i] > 0 && isfinite(lo[i]) && is_used(f, &f->least[i], used))
             require_sign(f, f->least[i].gene, f->least[i].length, 0.5 * lo[i]);
-    require_coordinates(f, &e, used);
+    require_coordinates(f, e, used);
     free(used);
-    free(e.lo);
-    free(e.hi);
-    free(e.sized);
+}
+
+void region_survey_add(struct region_survey *s)
+{
+    if (s->shapes)
+        shape_survey_add(s->shapes);
+    else if (s->file->segment)
+        add_coordinates(s);
+    free(s->e.lo);
+    free(s->e.hi);
+    free(s->e.sized);
+    free(s);
+}
+
+void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
+{
+    struct region_survey *s = region_survey_new(f);
+    for (size_t k = 0; k < sets; k++)
+        region_survey_take(s, set[k].s, set[k].n);
+    region_survey_add(s);
 }

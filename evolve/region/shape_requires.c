@@ -24,7 +24,7 @@ struct value {
     size_t near; /* the mark that it is nearest to, as far as that tells more than its size */
 };
 
-struct survey {
+struct shape_survey {
     struct genome_file *file; /* not owned */
     struct shape *shape;      /* owned */
     struct value *value;      /* owned */
@@ -32,18 +32,19 @@ struct survey {
     size_t mark[MOST_MARKS]; /* symbols of the block that others may be near to */
     size_t marks;
     double least[SHAPE_NUMBERS], most[SHAPE_NUMBERS];
+    bool begun; /* samples have been taken */
 };
 
 /* ---- what is looked at ---- */
 
 /* `own` is 0 of outputs. */
-static void add_value(struct survey *s, const struct genome_expr *made, int own)
+static void add_value(struct shape_survey *s, const struct genome_expr *made, int own)
 {
     APPEND(s->value, s->values, s->value_room) = (struct value){
         .gene = made->gene, .length = own ? 1 : made->length, .own = own, .lo = INFINITY, .hi = -INFINITY};
 }
 
-static void find_values(struct survey *s)
+static void find_values(struct shape_survey *s)
 {
     const struct genome_file *f = s->file;
     bool *used = used_lets(f), *named = named_quotients(f, used);
@@ -61,7 +62,7 @@ static void find_values(struct survey *s)
     free(named);
 }
 
-static void find_marks(struct survey *s)
+static void find_marks(struct shape_survey *s)
 {
     const struct genome_file *r = s->file->region;
     for (size_t i = 0; i < r->inputs + r->lets && s->marks < MOST_MARKS; i++) {
@@ -74,7 +75,7 @@ static void find_marks(struct survey *s)
 /* ---- samples ---- */
 
 /* Values of the block for n samples' numbers. */
-static struct columns block_columns(const struct survey *s, double (*number)[SHAPE_NUMBERS], size_t n)
+static struct columns block_columns(const struct shape_survey *s, double (*number)[SHAPE_NUMBERS], size_t n)
 {
     const struct genome_file *r = s->file->region;
     const size_t numbers = shape_numbers(s->shape), fixed = r->inputs - numbers;
@@ -107,7 +108,7 @@ static double find_factor(const double *x, const double *mark, size_t n)
     return best;
 }
 
-static void take_in(struct survey *s, struct value *v, const double *x, const struct columns *block, bool first)
+static void take_in(struct shape_survey *s, struct value *v, const double *x, const struct columns *block, bool first)
 {
     for (size_t i = 0; i < block->n; i++) {
         v->lo = x[i] < v->lo ? x[i] : v->lo;
@@ -127,7 +128,7 @@ static void take_in(struct survey *s, struct value *v, const double *x, const st
 }
 
 /* Values of n samples, placed as the block says; its own too. */
-static struct columns place(struct survey *s, const struct sample *sample, size_t n, struct columns *block)
+static struct columns place(struct shape_survey *s, const struct sample *sample, size_t n, struct columns *block)
 {
     struct sample *placed = new_array(n, sizeof *placed);
     double(*number)[SHAPE_NUMBERS] = new_array(n, sizeof *number);
@@ -145,7 +146,7 @@ static struct columns place(struct survey *s, const struct sample *sample, size_
     return table;
 }
 
-static void measure_piece(struct survey *s, const struct sample *sample, size_t n, bool first)
+static void measure_piece(struct shape_survey *s, const struct sample *sample, size_t n, bool first)
 {
     struct columns block, table = place(s, sample, n, &block);
     double *x = new_array(n, sizeof *x);
@@ -159,15 +160,15 @@ static void measure_piece(struct survey *s, const struct sample *sample, size_t 
     free(x);
 }
 
-static void measure(struct survey *s, const struct sample_set *set, size_t sets)
+void shape_survey_take(struct shape_survey *s, const struct sample *sample, size_t n)
 {
-    bool begun = false;
-    for (size_t k = 0; k < sets; k++)
-        for (size_t first = 0; first < set[k].n; first += PIECE, begun = true)
-            measure_piece(s, &set[k].s[first], set[k].n - first < PIECE ? set[k].n - first : PIECE, !begun);
+    for (size_t first = 0; first < n; first += PIECE) {
+        measure_piece(s, sample + first, n - first < PIECE ? n - first : PIECE, !s->begun);
+        s->begun = true;
+    }
 }
 
-static void find_nearest(struct survey *s)
+static void find_nearest(struct shape_survey *s)
 {
     for (size_t i = 0; i < s->values; i++) {
         struct value *v = &s->value[i];
@@ -182,7 +183,7 @@ static void find_nearest(struct survey *s)
 /* ---- what is written ---- */
 
 /* What does not vary, but for rounding, is 0. */
-static void add_ranges(const struct survey *s)
+static void add_ranges(const struct shape_survey *s)
 {
     struct genome_file *r = s->file->region;
     const size_t numbers = shape_numbers(s->shape);
@@ -212,7 +213,7 @@ static void require_near(struct genome_file *f, const struct value *v, double fa
     free(gene);
 }
 
-static void require_value(const struct survey *s, const struct value *v)
+static void require_value(const struct shape_survey *s, const struct value *v)
 {
     const double most = fmax(-v->lo, v->hi);
     if (!(most > 0 && isfinite(most)))
@@ -226,22 +227,28 @@ static void require_value(const struct survey *s, const struct value *v)
         require_sign(s->file, v->gene, v->length, 0.5 * (v->lo > 0 ? v->lo : v->hi));
 }
 
-bool shape_requires_add(struct genome_file *f, const struct sample_set *set, size_t sets)
+struct shape_survey *shape_survey_new(struct genome_file *f)
 {
-    struct survey s = {.file = f, .shape = shape_new(f->segment)};
-    if (!s.shape)
-        return false;
-    f->region = shape_region(s.shape);
-    find_marks(&s);
-    find_values(&s);
+    struct shape *shape = shape_new(f->segment);
+    if (!shape)
+        return NULL;
+    struct shape_survey *s = new_array(1, sizeof *s);
+    *s = (struct shape_survey){.file = f, .shape = shape};
+    f->region = shape_region(s->shape);
+    find_marks(s);
+    find_values(s);
     for (size_t k = 0; k < SHAPE_NUMBERS; k++)
-        s.most[k] = -(s.least[k] = INFINITY);
-    measure(&s, set, sets);
-    find_nearest(&s);
-    add_ranges(&s);
-    for (size_t i = 0; i < s.values; i++)
-        require_value(&s, &s.value[i]);
-    shape_free(s.shape);
-    free(s.value);
-    return true;
+        s->most[k] = -(s->least[k] = INFINITY);
+    return s;
+}
+
+void shape_survey_add(struct shape_survey *s)
+{
+    find_nearest(s);
+    add_ranges(s);
+    for (size_t i = 0; i < s->values; i++)
+        require_value(s, &s->value[i]);
+    shape_free(s->shape);
+    free(s->value);
+    free(s);
 }

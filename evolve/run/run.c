@@ -96,6 +96,8 @@ static bool load(struct run *r, struct diag *d)
     const struct evolve_options *o = r->call.options;
     const struct resume *resume = r->call.resume;
     struct scene *scene = r->problem.scene = scene_read(o->root, o->scene, d);
+    if (scene)
+        scene->run = o->seed;
     if (!scene || (resume && !resume_suits(resume, scene->sha256, o->generations, d)) ||
         !run_files_choose(&r->call, scene, &r->files, d))
         return false;
@@ -472,6 +474,9 @@ static bool found(const struct archive *a, bool all, struct diag *d)
                    a->scene->tier[first].name);
 }
 
+/* Samples that what is held out is measured on where a signal ends a run, and who sent it may not wait. */
+enum { HURRIED = 10000 };
+
 /* On rank 0: what was found, to the files and in a table. */
 static bool write_found(const struct call *call, const struct problem *p, const char *output,
                         const struct heldout *heldout, struct objective *judge, const struct outcome *out,
@@ -481,6 +486,8 @@ static bool write_found(const struct call *call, const struct problem *p, const 
     const struct evolve_options *o = call->options;
     const struct run_facts facts = {o->seed, out->generation, o->islands};
     const bool saved = o->checkpoint && !out->unsaved && out->generation > 0;
+    const bool hurries = out->reason == STOP_TERMINATED || out->reason == STOP_INTERRUPTED;
+    const size_t samples = hurries ? HURRIED : SIZE_MAX;
     if (out->reason != STOP_DONE)
         fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(out->reason), out->generation,
                 o->generations, saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
@@ -488,8 +495,9 @@ static bool write_found(const struct call *call, const struct problem *p, const 
         return false;
     say(call, "measuring on samples held out ...");
     struct diag other;
-    const bool fronts = !o->front || archive_write_front(a, o->front, heldout, judge, o->members, &other);
-    const bool written = archive_write(a, output, &facts, heldout, d); /* adds programs to the frame's values */
+    const bool fronts = !o->front || archive_write_front(a, o->front, heldout, samples, judge, o->members, &other);
+    const bool written =
+        archive_write(a, output, &facts, heldout, samples, d); /* adds programs to the frame's values */
     say(call, "");
     if (written && !fronts)
         *d = other;

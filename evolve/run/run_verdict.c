@@ -18,14 +18,16 @@ struct beside {
     struct objective *judge; /* owned */
 };
 
-static void choose_samples(struct beside *b, const struct sample_set *set)
+static bool choose_samples(struct beside *b, struct sampler *p, struct diag *d)
 {
     enum { MOST = 20000 };
-    const size_t stride = (set->n + MOST - 1) / MOST, n = stride > 0 ? set->n / stride : 0;
+    const size_t stride = (p->count + MOST - 1) / MOST, n = p->count / stride;
+    bool good = true;
     b->sample = new_array(n, sizeof *b->sample);
-    for (size_t i = 0; i < n; i++)
-        b->sample[i] = set->s[i * stride];
+    for (size_t i = 0; i < n && good; i++)
+        good = sampler_take(p, i * stride, &b->sample[i], d);
     b->table = frame_columns(b->shipped->program, b->sample, n);
+    return good;
 }
 
 /* False where there is nothing beside it: no genomes of the kind, or they are the scene's own. */
@@ -44,10 +46,10 @@ static bool find_beside(const struct call *call, const struct problem *p, const 
     training->decimal = true;
     archive_measure(b->shipped, &p->plan, training);
     objective_free(training);
-    choose_samples(b, &heldout->part[0]);
+    const bool good = choose_samples(b, heldout->part[0], &d);
     b->judge = objective_new(b->shipped->program, &b->table, p->scene->norm);
     b->judge->decimal = true;
-    return true;
+    return good;
 }
 
 static void free_beside(struct beside *b)

@@ -2,6 +2,7 @@
 #ifndef FOOTPOINT_RUN_VERDICT_H
 #define FOOTPOINT_RUN_VERDICT_H
 
+#include "../samples/sampler.h"
 #include "run_parts.h"
 
 /** Prints the verdict on samples held out, whatever genomes the run began with, and writes the page that the options ask for;

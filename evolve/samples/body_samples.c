@@ -1,12 +1,14 @@
 /* Samples on meshes of smooth bodies; see body_samples.h. */
 #include "body_samples.h"
 
+#include "../../codegen/base/base.h"
 #include "../common/stream.h"
 #include "../surface/foot_patch.h"
 #include "bodies.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
+#include <stdlib.h>
 
 /* Coarse meshes and fine ones, nodes moved by up to a fifth of a segment. */
 enum { SIZES = 4, MESHES = SMOOTH_KINDS * SIZES };
@@ -23,8 +25,7 @@ static double shortest_edge(double x[4][3])
     return shortest;
 }
 
-/* One draw; false: draw again, for another point of the patch is nearer, or it cannot be told. */
-static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct smooth *smooth, struct sample *s)
+bool smooth_draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double gap, enum patch_kind kind, struct sample *s)
 {
     const struct smooth_mesh *m = mesh[gsl_rng_uniform_int(stream, MESHES)];
     const double xi = gsl_ran_flat(stream, -1, 1), eta = gsl_ran_flat(stream, -1, 1);
@@ -32,8 +33,8 @@ static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct 
     struct stationary closest;
     double r[3], n[3];
     smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->x + PATCH_NORMALS);
-    const double height = smooth->gap * shortest_edge(s->x) * gsl_ran_flat(stream, -1, 1);
-    if (patch_points(smooth->kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK ||
+    const double height = gap * shortest_edge(s->x) * gsl_ran_flat(stream, -1, 1);
+    if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK ||
         footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
         return false;
     footpoint_gregory_position(&patch, xi, eta, r);
@@ -56,21 +57,33 @@ size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH])
     return 1;
 }
 
+struct smooth_mesh **smooth_new(uint64_t seed)
+{
+    struct smooth_mesh **mesh = new_array(MESHES, sizeof(struct smooth_mesh *));
+    for (int k = 0; k < MESHES; k++)
+        mesh[k] =
+            smooth_mesh_new((enum smooth_kind)(k / SIZES), size[k / SIZES][k % SIZES], jitter, seed + (uint64_t)k);
+    return mesh;
+}
+
+void smooth_free(struct smooth_mesh **mesh)
+{
+    for (int k = 0; mesh && k < MESHES; k++)
+        smooth_mesh_free(mesh[k]);
+    free(mesh);
+}
+
 void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct sample_set *set)
 {
-    struct smooth_mesh *mesh[MESHES];
+    struct smooth_mesh **mesh = smooth_new(smooth->seed);
     gsl_rng *stream = stream_new();
-    for (int k = 0; k < MESHES; k++)
-        mesh[k] = smooth_mesh_new((enum smooth_kind)(k / SIZES), size[k / SIZES][k % SIZES], jitter,
-                                  smooth->seed + (uint64_t)k);
     for (size_t i = 0; i < count; i++) {
         struct sample s = {0};
         stream_key(stream, smooth->seed, (uint64_t)part, i, 0);
-        while (!draw(stream, mesh, smooth, &s))
+        while (!smooth_draw(stream, mesh, smooth->gap, smooth->kind, &s))
             continue;
         sample_set_add(set, &s);
     }
-    for (int k = 0; k < MESHES; k++)
-        smooth_mesh_free(mesh[k]);
+    smooth_free(mesh);
     gsl_rng_free(stream);
 }

@@ -9,7 +9,7 @@
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/foot_bilinear.h"
-#include "samples.h"
+#include "source.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -188,9 +188,11 @@ static double turn_of(const double p[3], const double q[3], const double r[3])
     return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
 }
 
-/* One draw of C, D and S; false if it does not belong to the set. */
-static bool draw(gsl_rng *stream, const struct lattice *l, struct sample *s)
+/* C, D and S. */
+bool lattice_draw(const struct sampler *p, struct sample *s)
 {
+    gsl_rng *stream = p->stream;
+    const struct lattice *l = &p->scene->lattice;
     double *a = s->x[0], *b = s->x[1], *c = s->x[2], *d = s->x[3];
     *s = (struct sample){.x = {{0, 0, 0}, {1, 0, 0}}};
     d[0] = within(stream, fmin(1, l->xy.most));
@@ -210,27 +212,6 @@ static bool draw(gsl_rng *stream, const struct lattice *l, struct sample *s)
         nearest > vector_distance2(s->xs, d))
         return false;
     return label(l, s);
-}
-
-static bool off_lattice(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
-{
-    gsl_rng *stream = stream_new();
-    const int tries = 1000000;
-    for (size_t i = 0; i < samples_wanted(scene, part); i++) {
-        struct sample s = {0};
-        int n = 0;
-        stream_key(stream, scene->seed, (uint64_t)part, i, 0);
-        while (n < tries && !draw(stream, &scene->lattice, &s))
-            n++;
-        if (n == tries) {
-            gsl_rng_free(stream);
-            return diag_at(d, scene->path, 0, 0, "no configuration in %d random draws from the lattice's ranges",
-                           tries);
-        }
-        sample_set_add(set, &s);
-    }
-    gsl_rng_free(stream);
-    return true;
 }
 
 static int by_place(const void *a, const void *b)
@@ -270,12 +251,10 @@ size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LEN
     return 2;
 }
 
-bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+bool lattice_grid(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     struct sample_set all = {0};
     struct grid g;
-    if (part != PART_TRAINING && part != PART_HELDOUT)
-        return off_lattice(scene, part, set, d);
     if (!common_unit(&scene->lattice, &g))
         return diag_at(d, scene->path, 0, 0, "the lattice's ranges and steps have no common unit 1/n with n <= 1000");
     enumerate(&scene->lattice, &g, &all);
@@ -297,5 +276,13 @@ bool lattice_samples(const struct scene *scene, enum sample_part part, struct sa
     else
         add_strangers(all.s + scene->training, all.n - scene->training, all.s, scene->training, set);
     sample_set_free(&all);
+    return true;
+}
+
+bool lattice_prepare(struct sampler *p, struct diag *d)
+{
+    if (p->part == PART_TRAINING || p->part == PART_HELDOUT)
+        return lattice_grid(p->scene, p->part, &p->listed, d);
+    p->draw = lattice_draw;
     return true;
 }

@@ -4,7 +4,7 @@
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/foot_patch.h"
-#include "samples.h"
+#include "source.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -33,7 +33,7 @@ static void corner_basis(double x[4][3], int c, double n[3], double e1[3], doubl
     vector_cross(n, e1, e2);
 }
 
-static void draw_normals(gsl_rng *stream, double tangent, struct sample *s)
+void draw_normals(gsl_rng *stream, double tangent, struct sample *s)
 {
     for (int c = 0; c < 4; c++) {
         double n[3], e1[3], e2[3], *normal = s->x[PATCH_NORMALS + c];
@@ -50,7 +50,7 @@ bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part p
 {
     struct sample_set facets = {0};
     double lo[2], hi[2];
-    if (!lattice_samples(l->scene, part, &facets, d)) {
+    if (!lattice_grid(l->scene, part, &facets, d)) {
         sample_set_free(&facets);
         return false;
     }

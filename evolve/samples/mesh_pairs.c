@@ -8,7 +8,7 @@
 #include "../input/mesh.h"
 #include "../surface/surface.h"
 #include "mesh_neighbours.h"
-#include "samples.h"
+#include "source.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -136,34 +136,19 @@ static double least_gap(double edge, double distance)
     return edge > 0 ? fmin(1e-4 * edge, 0.1 * distance) : 1e-4 * distance;
 }
 
-/* `count` random slave nodes over faces drawn at random. */
-static bool random_pairs(const struct scene *scene, const struct mesh *mesh, enum sample_part part, size_t count,
-                         struct sample_set *set, struct diag *d)
+/* A random slave node over a face drawn at random. */
+static bool draw_pair(const struct sampler *sampler, struct sample *s)
 {
-    gsl_rng *stream = stream_new();
-    const int tries = 10000;
-    for (size_t i = 0; i < count; i++) {
-        struct sample s = {0};
-        int n;
-        stream_key(stream, scene->seed, (uint64_t)part, i, 1);
-        for (n = 0; n < tries; n++) {
-            const struct mesh_pair *p = &mesh->pair[gsl_rng_uniform_int(stream, mesh->pairs)];
-            if (p->masters == 0)
-                continue;
-            set_nodes(mesh, &p->master[gsl_rng_uniform_int(stream, p->masters)], &s);
-            const double edge = sample_shortest_edge(&s, scene->segment->corners);
-            if (place_slave(stream, scene, least_gap(edge, scene->mesh.distance), scene->mesh.distance, &s))
-                break;
-        }
-        if (n == tries) {
-            gsl_rng_free(stream);
-            return diag_at(d, scene->mesh.file, 0, 0, "no foot point within a distance of %g in %d random draws",
-                           scene->mesh.distance, tries);
-        }
-        sample_order(&s, scene->order);
-        sample_set_add(set, &s);
-    }
-    gsl_rng_free(stream);
+    const struct scene *scene = sampler->scene;
+    const struct mesh *mesh = sampler->mesh;
+    const struct mesh_pair *p = &mesh->pair[gsl_rng_uniform_int(sampler->stream, mesh->pairs)];
+    if (p->masters == 0)
+        return false;
+    set_nodes(mesh, &p->master[gsl_rng_uniform_int(sampler->stream, p->masters)], s);
+    const double edge = sample_shortest_edge(s, scene->segment->corners);
+    if (!place_slave(sampler->stream, scene, least_gap(edge, scene->mesh.distance), scene->mesh.distance, s))
+        return false;
+    sample_order(s, scene->order);
     return true;
 }
 
@@ -195,21 +180,20 @@ size_t mesh_drawn(const struct scene *scene, size_t real, char line[DRAWN_LINES]
     return 2;
 }
 
-bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+bool mesh_prepare(struct sampler *p, struct diag *d)
 {
-    struct mesh *mesh = mesh_read(scene->mesh.file, d);
+    const struct scene *scene = p->scene;
     struct pairs found = {0};
-    if (!mesh)
+    p->mesh = mesh_read(scene->mesh.file, d);
+    p->draw = draw_pair;
+    if (!p->mesh)
         return false;
-    const size_t wanted = samples_wanted(scene, part), before = set->n;
-    mesh_keep_faces(mesh, scene->segment);
-    if (part != PART_VALIDATION) {
-        find_pairs(scene, mesh, &found);
-        add_half(scene, &found, part == PART_TRAINING, part == PART_TRAINING ? wanted / 2 : found.n, set);
-    }
-    const size_t added = set->n - before;
-    const bool done = random_pairs(scene, mesh, part, wanted > added ? wanted - added : 0, set, d);
+    mesh_keep_faces(p->mesh, scene->segment);
+    if (p->part == PART_VALIDATION)
+        return true;
+    const bool training = p->part == PART_TRAINING;
+    find_pairs(scene, p->mesh, &found);
+    add_half(scene, &found, training, training ? samples_wanted(scene, p->part) / 2 : found.n, &p->listed);
     free(found.pair);
-    mesh_free(mesh);
-    return done;
+    return true;
 }

@@ -3,7 +3,7 @@
  * longest edge rises by up to `curve` of its length, and off that place by up to `shift` of the shortest edge in x, y
  * and z; a node in the middle likewise off where the edges alone would have it.  Faces that fold over, or turn by more
  * than 60 degrees, are drawn again. */
-#include "samples.h"
+#include "source.h"
 
 #include "../common/vec3.h"
 

@@ -4,7 +4,7 @@
  * PART_HELDOUT_EVEN has aspect ratios, not their logarithms, and angles of warp uniform. */
 #include "../common/vec3.h"
 #include "../surface/surface.h"
-#include "samples.h"
+#include "source.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>

@@ -3,7 +3,7 @@
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/surface.h"
-#include "samples.h"
+#include "source.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -118,38 +118,21 @@ size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENG
     return lines;
 }
 
-bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+bool shapes_draw(const struct sampler *p, struct sample *s)
 {
-    struct shapes drawn = scene->shapes;
-    const struct shapes *shapes = &drawn;
-    const struct segment_kind *kind = scene->segment;
-    const struct surface *f = surface_find(kind);
-    drawn.evenly = part == PART_HELDOUT_EVEN;
-    const int corners = (int)kind->corners;
-    const size_t count = samples_wanted(scene, part);
-    gsl_rng *stream = stream_new();
-    const int tries = 10000;
-    for (size_t i = 0; i < count; i++) {
-        struct sample s = {0};
-        int n;
-        stream_key(stream, scene->seed, (uint64_t)part, i, 0);
-        for (n = 0; n < tries; n++) {
-            double shortest = INFINITY;
-            if (!(f->shape ? draw_face : draw_quad)(f, stream, shapes, s.x))
-                continue;
-            move(stream, kind, s.x);
-            for (int k = 0; k < corners; k++)
-                shortest = fmin(shortest, sqrt(vector_distance2(s.x[k], s.x[(k + 1) % corners])));
-            if (place_slave(stream, scene, 0, shapes->gap * shortest, &s))
-                break;
-        }
-        if (n == tries) {
-            gsl_rng_free(stream);
-            return diag_at(d, scene->path, 0, 0, "no segment within the limits of shapes in %d draws", tries);
-        }
-        sample_order(&s, scene->order);
-        sample_set_add(set, &s);
-    }
-    gsl_rng_free(stream);
+    const struct scene *scene = p->scene;
+    struct shapes shapes = scene->shapes;
+    const struct surface *f = surface_find(scene->segment);
+    const size_t corners = scene->segment->corners;
+    double shortest = INFINITY;
+    shapes.evenly = p->part == PART_HELDOUT_EVEN;
+    if (!(f->shape ? draw_face : draw_quad)(f, p->stream, &shapes, s->x))
+        return false;
+    move(p->stream, scene->segment, s->x);
+    for (size_t k = 0; k < corners; k++)
+        shortest = fmin(shortest, sqrt(vector_distance2(s->x[k], s->x[(k + 1) % corners])));
+    if (!place_slave(p->stream, scene, 0, shapes.gap * shortest, s))
+        return false;
+    sample_order(s, scene->order);
     return true;
 }

@@ -1,27 +1,10 @@
 /* The samples of a scene, whatever they come from; see samples.h. */
 #include "samples.h"
 
-#include <string.h>
-
-static bool draw_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
-{
-    if (*s->segment->normals)
-        return patches_samples(s, part, set, d);
-    switch (s->source) {
-    case SOURCE_LATTICE:
-        return lattice_samples(s, part, set, d);
-    case SOURCE_RANDOM:
-        return shapes_samples(s, part, set, d);
-    case SOURCE_MESH:
-        break;
-    }
-    return mesh_samples(s, part, set, d);
-}
-
 bool scene_has(const struct scene *s, enum sample_part part)
 {
     if (part == PART_HELDOUT_RANDOM)
-        return s->source != SOURCE_MESH;
+        return s->source == SOURCE_LATTICE;
     return part != PART_HELDOUT_EVEN || (s->source == SOURCE_RANDOM && !*s->segment->normals);
 }
 
@@ -42,22 +25,30 @@ static size_t scene_drawn(const struct scene *s, size_t real, char line[DRAWN_LI
 
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
 {
-    const size_t before = set->n;
-    if (!draw_samples(s, part, set, d))
-        return false;
-    const bool rounded = strcmp(s->precision, "float") == 0;
-    if (rounded)
-        samples_round(s, set, before);
-    return set->n > before || diag_at(d, s->path, 0, 0, "no sample is left %s",
-                                      rounded ? "once coordinates are rounded to float"
-                                              : "to hold out: all are mirror images of training samples");
+    struct sampler *p = sampler_new(s, part, d);
+    bool drawn = p != NULL;
+    for (size_t i = 0; drawn && i < p->count; i++) {
+        struct sample one;
+        drawn = sampler_take(p, i, &one, d);
+        if (drawn)
+            sample_set_add(set, &one);
+    }
+    set->real += drawn ? p->listed.real : 0;
+    sampler_free(p);
+    return drawn;
+}
+
+void scene_hold_out_less(struct scene *s)
+{
+    enum { MOST = 200000 };
+    s->heldout = s->heldout < MOST ? s->heldout : MOST;
 }
 
 bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d)
 {
-    bool drawn = true;
-    for (int k = 0; k < HELDOUT_PARTS && drawn; k++)
-        drawn = !scene_has(s, heldout_part[k].part) || scene_samples(s, heldout_part[k].part, &h->part[k], d);
-    h->lines = scene_drawn(s, h->part[0].real, h->drawn);
-    return drawn;
+    bool good = true;
+    for (int k = 0; k < HELDOUT_PARTS && good; k++)
+        good = !scene_has(s, heldout_part[k].part) || (h->part[k] = sampler_new(s, heldout_part[k].part, d));
+    h->lines = good ? scene_drawn(s, h->part[0]->listed.real, h->drawn) : 0;
+    return good;
 }

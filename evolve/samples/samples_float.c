@@ -1,6 +1,6 @@
 /* Samples for code in single precision: its callers have coordinates in float, so that the truth is that of those. */
 #include "../surface/surface.h"
-#include "samples.h"
+#include "source.h"
 
 /* Of xi and eta: what rounding may move a foot point by beyond the edge of the box. */
 #define BEYOND 1e-3
@@ -14,27 +14,20 @@ static void round_vector(double x[3])
     }
 }
 
-void samples_round(const struct scene *scene, struct sample_set *set, size_t first)
+bool sample_round(const struct scene *scene, struct sample *s)
 {
     const struct surface *f = surface_find(scene->segment);
-    size_t kept = first, real = 0;
     double lo[2], hi[2];
     scene_box(scene, lo, hi);
     for (int k = 0; k < 2; k++) {
         lo[k] -= BEYOND;
         hi[k] += BEYOND;
     }
-    for (size_t i = first; i < set->n; i++) {
-        struct sample s = set->s[i];
-        for (size_t k = 0; k < segment_vectors(scene->segment); k++)
-            round_vector(s.x[k]);
-        round_vector(s.xs);
-        if (!f->foot(f, &s, lo, hi))
-            continue;
-        sample_order(&s, scene->order);
-        set->s[kept++] = s;
-        real += i < set->real;
-    }
-    set->real = real;
-    set->n = kept;
+    for (size_t k = 0; k < segment_vectors(scene->segment); k++)
+        round_vector(s->x[k]);
+    round_vector(s->xs);
+    if (!f->foot(f, s, lo, hi))
+        return false;
+    sample_order(s, scene->order);
+    return true;
 }

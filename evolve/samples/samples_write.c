@@ -27,21 +27,26 @@ static void print_sample(const struct segment_kind *kind, const char *part, cons
 
 static bool write_part(const struct scene *scene, enum sample_part part, const char *name, FILE *out, struct diag *d)
 {
-    struct sample_set set = {0};
-    const bool drawn = scene_samples(scene, part, &set, d);
-    for (size_t i = 0; drawn && i < set.n; i++)
-        print_sample(scene->segment, name, &set.s[i], out);
-    sample_set_free(&set);
+    struct sampler *p = sampler_new(scene, part, d);
+    bool drawn = p != NULL;
+    for (size_t i = 0; drawn && i < p->count; i++) {
+        struct sample s;
+        drawn = sampler_take(p, i, &s, d);
+        if (drawn)
+            print_sample(scene->segment, name, &s, out);
+    }
+    sampler_free(p);
     return drawn;
 }
 
-bool samples_write(const char *root, const char *scene_name, const char *path, struct diag *d)
+bool samples_write(const char *root, const char *scene_name, size_t run, const char *path, struct diag *d)
 {
     struct scene *scene = scene_read(root, scene_name, d);
     struct outfile f;
     const struct file_use output = {"--samples", path, true, 0};
     bool good = scene && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) && outfile_open(&f, path, d);
     if (good) {
+        scene->run = run;
         print_head(scene->segment, f.stream);
         for (int k = 0; k < HELDOUT_PARTS && good; k++)
             good = !scene_has(scene, heldout_part[k].part) ||

@@ -41,10 +41,3 @@ int sample_gap_band(const struct sample *s, size_t corners)
 
 const struct heldout_part heldout_part[HELDOUT_PARTS] = {
     {PART_HELDOUT, "heldout"}, {PART_HELDOUT_RANDOM, "heldout_random"}, {PART_HELDOUT_EVEN, "heldout_even"}};
-
-void heldout_free(struct heldout *h)
-{
-    for (int part = 0; part < HELDOUT_PARTS; part++)
-        sample_set_free(&h->part[part]);
-    h->lines = 0;
-}

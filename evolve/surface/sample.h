@@ -47,13 +47,6 @@ extern const struct heldout_part {
     const char *name;
 } heldout_part[HELDOUT_PARTS];
 
-enum { DRAWN_LINES = 3, DRAWN_LENGTH = 240 };
-/** All samples held out, and how they were drawn, in words for banners. */
-struct heldout {
-    struct sample_set part[HELDOUT_PARTS]; /* as heldout_part[]; empty where the scene has none */
-    char drawn[DRAWN_LINES][DRAWN_LENGTH];
-    size_t lines; /* of `drawn` */
-};
-void heldout_free(struct heldout *h);
+enum { DRAWN_LINES = 4, DRAWN_LENGTH = 240 };
 
 #endif

@@ -1,48 +1,78 @@
-/* The fronts as a table; see archive_write.h.  Errors held out are those of SAMPLES of the samples at most, evenly chosen, so
- * that all values of the frame can be there at once; of both outputs of a program together. */
+/* The fronts as a table; see archive_write.h.  Errors of programs are those of both outputs together. */
 #include "archive_write.h"
 
 #include "../../codegen/base/outfile.h"
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"
+#include "measure.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES = 65536, PARTS = 2 };
+enum { PARTS = 2 };
 
-/* A held-out part, ready to be measured on. */
-struct part {
-    struct columns table;
-    struct objective *objective;
+/* A row of the table. */
+struct row {
+    const struct quest *quest; /* not owned, as is: */
+    const struct member *member;
+    struct errors found[PARTS]; /* n is 0 where the scene has no such part */
 };
 
-static struct part part_new(const struct archive *a, const struct sample_set *set)
+static struct row *list_rows(const struct archive *a, size_t *n)
 {
-    const size_t stride = (set->n + SAMPLES - 1) / SAMPLES, n = stride > 0 ? set->n / stride : 0;
-    struct sample *chosen = new_array(n, sizeof *chosen);
-    for (size_t i = 0; i < n; i++)
-        chosen[i] = set->s[i * stride];
-    const struct columns table = frame_columns(a->program, chosen, n);
-    free(chosen);
-    return (struct part){table, NULL};
+    struct row *row = NULL;
+    size_t room = 0;
+    *n = 0;
+    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        for (size_t c = 0; c <= q->front->limit; c++)
+            if (q->front->member[c].genes.length > 0)
+                APPEND(row, *n, room) = (struct row){.quest = q, .member = &q->front->member[c]};
+    return row;
 }
 
-static void print_errors(const struct archive *a, struct part *p, const struct member *m, const struct quest *q,
-                         FILE *stream)
+/* Takes the errors of all rows on a few samples, by row. */
+static void take_piece(const struct archive *a, const struct row *row, size_t n, const struct sample *s, size_t samples,
+                       struct tally *t)
 {
-    static const enum scene_norm norm[] = {NORM_MEAN, NORM_P99, NORM_MAX};
-    fprintf(stream, ",%zu", p->table.n);
-    for (int i = 0; i < 3; i++) {
-        if (p->table.n == 0) {
-            fputc(',', stream);
-            continue;
-        }
-        p->objective->norm = norm[i];
-        fprintf(stream, ",%.3e", archive_bare_error(a, p->objective, q, &m->genes));
+    struct columns table = frame_columns(a->program, s, samples);
+    struct objective *o = objective_new(a->program, &table, NORM_MAX);
+    o->decimal = true;
+    for (size_t i = 0; i < n; i++) {
+        archive_bare_error(a, o, row[i].quest, &row[i].member->genes);
+        tally_take(&t[i], o->scratch, quest_of_programs(row[i].quest) ? 2 * samples : samples);
     }
+    objective_free(o);
+    columns_free(&table);
+}
+
+static bool measure_rows(const struct archive *a, struct row *row, size_t n, struct sampler *p, int part, size_t most,
+                         struct diag *d)
+{
+    struct sample *s = new_array(HELDOUT_PIECE, sizeof *s);
+    struct tally *t = new_array(n, sizeof *t);
+    size_t at = 0, samples;
+    bool good;
+    for (size_t i = 0; i < n; i++)
+        tally_open(&t[i], 2 * p->count);
+    while ((good = heldout_piece(p, most, &at, s, &samples, d)) && samples > 0)
+        take_piece(a, row, n, s, samples, t);
+    for (size_t i = 0; i < n; i++) {
+        row[i].found[part] = tally_close(&t[i]);
+        row[i].found[part].n = at;
+    }
+    free(t);
+    free(s);
+    return good;
+}
+
+static void print_errors(const struct errors *e, FILE *stream)
+{
+    if (e->n == 0)
+        fputs(",0,,,", stream);
+    else
+        fprintf(stream, ",%zu,%.3e,%.3e,%.3e", e->n, e->mean, e->p99, e->max);
 }
 
 static void print_expression(const struct archive *a, const struct quest *q, const struct genes *t, FILE *stream)
@@ -67,14 +97,15 @@ static void print_expression(const struct archive *a, const struct quest *q, con
     fputc('\n', stream);
 }
 
-static void print_member(const struct archive *a, struct part part[PARTS], const struct quest *q,
-                         const struct member *m, FILE *stream)
+static void print_row(const struct archive *a, const struct row *r, FILE *stream)
 {
+    const struct quest *q = r->quest;
+    const struct member *m = r->member;
     const struct operation_count o = archive_operations(a, q, &m->genes, NULL);
     fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", q->own->name, frame_output[q->output], m->cost, o.mul, o.add, o.div,
             o.other, origin_name[m->origin], m->error);
     for (int k = 0; k < PARTS; k++)
-        print_errors(a, &part[k], m, q, stream);
+        print_errors(&r->found[k], stream);
     print_expression(a, q, &m->genes, stream);
 }
 
@@ -84,28 +115,27 @@ bool archive_is_list(const char *path)
     return length > 4 && strcmp(path + length - 4, ".csv") == 0;
 }
 
-bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d)
+bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, size_t most,
+                       struct diag *d)
 {
     struct outfile out;
-    struct part part[PARTS];
+    size_t n;
+    bool good = true;
     if (!outfile_open(&out, path, d))
         return false;
+    struct row *row = list_rows(a, &n);
+    for (int k = 0; k < PARTS && good; k++)
+        if (heldout->part[k])
+            good = measure_rows(a, row, n, heldout->part[k], k, most, d);
     fputs(
         "tier,output,cost,mul,add,div,other,origin,training,n,mean,p99,max,n_random,mean_random,p99_random,max_random,"
         "tree\n",
         out.stream);
-    for (int k = 0; k < PARTS; k++) {
-        part[k] = part_new(a, &heldout->part[k]);
-        part[k].objective = objective_new(a->program, &part[k].table, NORM_MAX);
-        part[k].objective->decimal = true;
-    }
-    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
-        for (size_t c = 0; c <= q->front->limit; c++)
-            if (q->front->member[c].genes.length > 0)
-                print_member(a, part, q, &q->front->member[c], out.stream);
-    for (int k = 0; k < PARTS; k++) {
-        objective_free(part[k].objective);
-        columns_free(&part[k].table);
-    }
-    return outfile_commit(&out, d);
+    for (size_t i = 0; i < n; i++)
+        print_row(a, &row[i], out.stream);
+    free(row);
+    if (good)
+        return outfile_commit(&out, d);
+    outfile_discard(&out);
+    return false;
 }

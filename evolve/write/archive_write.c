@@ -6,7 +6,7 @@
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"
-#include "../region/sampled_region.h"
+#include "measure.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -136,15 +136,6 @@ static void add_provenance(struct genome *g, const struct quest *quest, size_t n
     }
 }
 
-/* What is written: both expressions of each tier, those held out measured on them. */
-struct writing {
-    struct genes *out; /* owned; genes, too, of tiers of programs */
-    int *output;       /* owned */
-    size_t n;
-    size_t *genes;                       /* owned: of each tier's program */
-    struct errors *found[HELDOUT_PARTS]; /* owned; NULL where the scene has no such part */
-};
-
 /* Lets and outputs of a program of a tier, as its text is read again; gives how many genes it has then. */
 static size_t expand(const struct archive *a, const struct genes *t, const struct quest *q, struct genome_file *f,
                      const char *name, struct genes out[2])
@@ -159,37 +150,6 @@ static size_t expand(const struct archive *a, const struct genes *t, const struc
     free(again.gene);
     free(genes.symbol);
     return length;
-}
-
-static struct writing expand_tiers(struct archive *a)
-{
-    struct writing w = {.out = new_array(2 * a->scene->tiers, sizeof *w.out),
-                        .output = new_array(2 * a->scene->tiers, sizeof *w.output),
-                        .genes = new_array(a->scene->tiers, sizeof *w.genes)};
-    for (size_t i = 0; i < a->scene->tiers; i++) {
-        size_t n;
-        const struct quest *q = archive_quests(a, i, &n);
-        struct genes *out = &w.out[w.n];
-        if (!archive_has(a, i))
-            continue;
-        out[0] = q[0].champion.genes;
-        out[1] = q[n - 1].champion.genes;
-        if (quest_of_programs(q))
-            w.genes[i] = expand(a, &q->champion.genes, q, a->program, q->own->name, out);
-        w.output[w.n + 1] = 1;
-        w.n += 2;
-    }
-    return w;
-}
-
-static void measure_heldout(const struct archive *a, const struct heldout *heldout, struct writing *w)
-{
-    for (int part = 0; part < HELDOUT_PARTS; part++) {
-        if (heldout->part[part].n == 0)
-            continue;
-        w->found[part] = new_array(w->n, sizeof *w->found[part]);
-        errors_measure(a->program, w->out, w->output, w->n, &heldout->part[part], w->found[part]);
-    }
 }
 
 /* Means of xi and eta in the bands of |gap|: "to 1e-3 1.0e-09 1.1e-09, to 1e-2 ..." of the shortest edge. */
@@ -207,84 +167,72 @@ static void add_bands(struct genome *g, const struct errors *e)
 }
 
 /* Training errors are the champions'; those held out are measured on what is written. */
-static void add_errors(struct genome *g, const struct archive *a, size_t tier, const struct writing *w, size_t at)
+static void add_errors(struct genome *g, const struct archive *a, const struct measured *m, size_t at)
 {
-    size_t n;
     char key[40];
-    for (const struct quest *q = archive_quests(a, tier, &n), *end = q + n; q < end; q++) {
-        const struct champion *c = &q->champion;
-        note_key("training", q->output, key);
-        const size_t genes = quest_of_programs(q) ? w->genes[tier] : c->genes.length;
-        NOTE(key, "genes %zu %s %.3e", genes, norm_name[a->scene->norm], c->error);
-    }
     for (int part = 0; part < HELDOUT_PARTS; part++)
-        if (w->found[part]) {
-            const struct errors *e = &w->found[part][at];
+        if (m->found[part]) {
+            const struct errors *e = &m->found[part][at];
+            char climbed[60] = "";
+            if (e[0].climbed > 0 || e[1].climbed > 0)
+                snprintf(climbed, sizeof climbed, " climbing %.3e %.3e", e[0].climbed, e[1].climbed);
             note_key(heldout_part[part].name, TIER_BOTH, key);
-            NOTE(key, "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", e[0].n, e[0].mean, e[1].mean, e[0].p99,
-                 e[1].p99, e[0].max, e[1].max);
+            NOTE(key, "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e%s", e[0].n, e[0].mean, e[1].mean, e[0].p99,
+                 e[1].p99, e[0].max, e[1].max, climbed);
         }
-    if (a->scene->source == SOURCE_MESH && w->found[0])
-        add_bands(g, &w->found[0][at]);
+    if (a->scene->source == SOURCE_MESH && m->found[0])
+        add_bands(g, &m->found[0][at]);
 }
 
-static void add_tier(struct archive *a, size_t tier, const struct run_facts *run, const struct writing *w, size_t at)
+/* The genome of a tier, with what is known of it before it is measured. */
+static void add_tier(struct archive *a, size_t tier, const struct run_facts *run)
 {
     const struct tier *t = &a->scene->tier[tier];
     size_t n;
     const struct quest *quest = archive_quests(a, tier, &n);
+    struct genes out[2] = {quest[0].champion.genes, quest[n - 1].champion.genes};
+    const size_t written = t->program ? expand(a, &quest->champion.genes, quest, a->program, t->name, out) : 0;
     struct genome *g = genome_add(a->program, t->name);
     add_provenance(g, quest, n, archive_start_genome(a, tier), run);
-    add_errors(g, a, tier, w, at);
+    for (const struct quest *q = quest; q < quest + n; q++) {
+        char key[40];
+        note_key("training", q->output, key);
+        NOTE(key, "genes %zu %s %.3e", written ? written : q->champion.genes.length, norm_name[a->scene->norm],
+             q->champion.error);
+    }
     for (size_t k = 0; k < 2; k++) {
-        const struct genes *out = &w->out[at + k];
-        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out->gene, out->length);
+        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
         if (t->program)
-            free(out->gene);
+            free(out[k].gene);
     }
 }
 
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
-                   struct diag *d)
+                   size_t most, struct diag *d)
 {
     struct outfile f;
-    size_t at = 0;
+    struct measured m;
     if (!outfile_open(&f, path, d))
         return false;
     add_file_notes(a->program, a->scene, heldout);
-    struct writing w = expand_tiers(a);
-    measure_heldout(a, heldout, &w);
     for (size_t i = 0; i < a->scene->tiers; i++)
-        if (archive_has(a, i)) {
-            add_tier(a, i, run, &w, at);
-            at += 2;
-        }
-    free(w.out);
-    free(w.output);
-    free(w.genes);
-    for (int part = 0; part < HELDOUT_PARTS; part++)
-        free(w.found[part]);
-    scene_region_add(a->program, heldout->part, 2);
+        if (archive_has(a, i))
+            add_tier(a, i, run);
+    const bool good = measure_genomes(a->program, 2, heldout, most, true, &m, d);
+    for (size_t g = 0; g < a->program->genomes && good; g++)
+        add_errors(&a->program->genome[g], a, &m, 2 * g);
+    measured_free(&m);
+    if (!good) {
+        outfile_discard(&f);
+        return false;
+    }
     genome_print_needed(a->program, f.stream);
     return outfile_commit(&f, d);
 }
 
-static void add_member_errors(const struct genome_file *f, struct genome *g, int output, const struct genes *t,
-                              const struct heldout *heldout)
-{
-    for (int part = 0; part < 2; part++) {
-        struct errors e;
-        if (heldout->part[part].n == 0)
-            continue;
-        errors_measure(f, t, &output, 1, &heldout->part[part], &e);
-        NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
-    }
-}
-
 /* The genome of one member, with its cost, where it comes from, and its errors; of programs, of which hundreds stand on
  * a front with lets of their own, those on the training samples alone. */
-static void add_member(const struct archive *a, const struct member *m, const struct quest *q,
-                       const struct heldout *heldout, struct genome_file *f)
+static void add_member(const struct archive *a, const struct member *m, const struct quest *q, struct genome_file *f)
 {
     char name[300];
     struct genes out[2] = {{NULL, 0}, {NULL, 0}};
@@ -303,41 +251,54 @@ static void add_member(const struct archive *a, const struct member *m, const st
     NOTE("origin", "%s", origin_name[m->origin]);
     NOTE("training", "genes %zu %s %.3e", genes, norm_name[a->scene->norm], m->error);
     for (int k = first; k <= last; k++) {
-        if (!both)
-            add_member_errors(f, g, k, &out[k], heldout);
         genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
         free(out[k].gene);
     }
 }
 
-#undef NOTE
-
 /* Of a front all members, of programs only those that may become tiers where their number is given. */
-static void add_front(const struct archive *a, const struct quest *q, const struct heldout *heldout,
-                      struct objective *judge, size_t most, struct genome_file *f)
+static void add_front(const struct archive *a, const struct quest *q, struct objective *judge, size_t most,
+                      struct genome_file *f)
 {
     const struct front *front = q->front;
     if (quest_of_programs(q) && most > 0 && judge) {
         const struct member **chosen = new_array(front->limit + 1, sizeof(struct member *));
         const size_t n = archive_members(a, judge, q, most, chosen);
         for (size_t i = 0; i < n; i++)
-            add_member(a, chosen[i], q, heldout, f);
+            add_member(a, chosen[i], q, f);
         free(chosen);
         return;
     }
     for (size_t c = 0; c <= front->limit; c++)
         if (front->member[c].genes.length > 0)
-            add_member(a, &front->member[c], q, heldout, f);
+            add_member(a, &front->member[c], q, f);
 }
 
-bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
+/* Errors of the members of one output each. */
+static void add_member_errors(struct genome_file *f, const struct measured *m)
+{
+    for (size_t i = 0, at = 0; i < f->genomes; i++) {
+        struct genome *g = &f->genome[i];
+        for (int part = 0; part < 2 && g->outs == 1; part++)
+            if (m->found[part]) {
+                const struct errors *e = &m->found[part][at];
+                NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e->n, e->mean, e->p99, e->max);
+            }
+        at += g->outs == 1;
+    }
+}
+
+#undef NOTE
+
+bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, size_t samples,
                          struct objective *judge, size_t most, struct diag *d)
 {
     struct outfile out;
+    struct measured m = {.n = 0};
     if (archive_is_list(path))
-        return archive_write_csv(a, path, heldout, d);
+        return archive_write_csv(a, path, heldout, samples, d);
     struct genome_file *f = genome_parse(path, a->bare, strlen(a->bare), d);
-    bool programs = false;
+    bool programs = false, good = true;
     for (size_t i = 0; i < a->scene->tiers; i++)
         programs = programs || a->scene->tier[i].program;
     if (!f || !outfile_open(&out, path, d)) {
@@ -346,10 +307,16 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
     }
     add_file_notes(f, a->scene, heldout);
     for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
-        add_front(a, q, heldout, judge, most, f);
+        add_front(a, q, judge, most, f);
     if (!programs || most > 0)
-        scene_region_add(f, heldout->part, 2);
-    genome_print_needed(f, out.stream);
+        good = measure_genomes(f, 1, heldout, samples, false, &m, d);
+    if (good)
+        add_member_errors(f, &m);
+    measured_free(&m);
+    if (good)
+        genome_print_needed(f, out.stream);
+    else
+        outfile_discard(&out);
     genome_file_free(f);
-    return outfile_commit(&out, d);
+    return good && outfile_commit(&out, d);
 }

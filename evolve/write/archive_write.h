@@ -3,6 +3,7 @@
 #define FOOTPOINT_ARCHIVE_WRITE_H
 
 #include "../archive/archive.h"
+#include "../samples/sampler.h"
 
 /** What this run is, for the provenance of what it finds. */
 struct run_facts {
@@ -11,19 +12,21 @@ struct run_facts {
 };
 
 /** Writes the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve for
- *  nothing else. */
+ *  nothing else; worst errors are those of climbing, too (climb.h).
+ *  @param[in] most  samples of a part; SIZE_MAX: all */
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
-                   struct diag *d);
+                   size_t most, struct diag *d);
 /** Writes the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors.  If the path
  *  ends in .csv: a line for each member of all fronts.
  *  @param[in] judge  of validation samples; NULL: no programs are bred
  *  @param[in] most   of each tier of programs archive_members() only; 0: all */
-bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
+bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, size_t samples,
                          struct objective *judge, size_t most, struct diag *d);
 /** Returns true if the name of a front's file asks for lines. */
 bool archive_is_list(const char *path);
-/** Writes the lines. */
-bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
+/** Writes the lines; worst errors are those of samples alone. */
+bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, size_t most,
+                       struct diag *d);
 /** Prints a table of tier, output, error and genes, before and after. */
 void archive_table(const struct archive *a, FILE *stream);
 /** Prints a table of the fronts, old against new, with where each member comes from. */

@@ -2,7 +2,7 @@
  * the files of this folder alone.  The notation is that of bilinear.h: a = r_xi, b = r_eta, d = xS - r, H the Hessian
  * of |d|^2/2, so that Newton's step is H^-1 (a.d, b.d).
  *
- * 1. By the argument of certify.c, with r the worst error of the banner, a foot point lies within r of (xi,eta) if
+ * 1. By the argument of certify.c, with r the error that is vouched for, a foot point lies within r of (xi,eta) if
  *        |step| <= r (1 - k),   k = |H^-1| |change of H within r|;
  *    the products below are those of the step and of k with the determinant.
  * 2. No point of the segment is nearer than that foot point if, for -1 <= eta' <= 1, the convex parabola
@@ -17,7 +17,7 @@
 
 #include "../geometry/vector.h"
 
-/** The worst error of xi and eta that the banner of generated/footpoint_quad4.h states for footpoint_quad4_accurate. */
+/** The largest error of xi and eta of an answer that can be trusted. */
 #define FOOTPOINT_CHECK_WORST 1.024e-07
 /* Rounding errors of all products together, over squares of lengths; about 500 units. */
 #define FOOTPOINT_CHECK_ROUNDING 1e-13

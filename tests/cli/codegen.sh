@@ -92,13 +92,13 @@ error_table() { # error_table MEAN P99: of the even part of eta
         "note heldout_even_both n 9 mean 1.000e-03 $1 p99 2.000e-02 $2 max 3.000e-01 9.000e-01" 'xi = x' 'eta = x' 'end'
     "$codegen" --quiet "$g" -o "$work/e.h" && sed -n 's/^ \*   heldout//p' "$work/e.h"
 }
-first=':        xi 1.000e-03 2.000e-02 3.000e-01, eta 1.000e-03 2.000e-02 3.000e-01, samples 7'
+first=':        xi 1.000e-03 2.000e-02 3.000e-01, eta 1.000e-03 2.000e-02 3.000e-01, of 7 samples'
 even='_even:   xi 1.000e-03 2.000e-02 3.000e-01, eta'
 expect 'a table of errors' 0 "$first" '' error_table 1.490e-03 1.350e-02
 expect 'another mean' 0 "$first
-$even 1.510e-03 2.000e-02 9.000e-01, samples 9" '' error_table 1.510e-03 2.000e-02
+$even 1.510e-03 2.000e-02 9.000e-01, of 9 samples" '' error_table 1.510e-03 2.000e-02
 expect 'another 99 %' 0 "$first
-$even 1.000e-03 1.300e-02 9.000e-01, samples 9" '' error_table 1.000e-03 1.300e-02
+$even 1.000e-03 1.300e-02 9.000e-01, of 9 samples" '' error_table 1.000e-03 1.300e-02
 genome 'input x' 'genome g' 'r = * * x 1e300 1e300' 'end'; refused 'constant beyond double' 3:1 "genome 'g' needs a constant out of the range of double"
 genome 'input xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS' 'segment quad4 any' 'genome a' 'xi = xS' 'eta = yS' 'end' \
     'genome a_at' 'xi = xS' 'eta = yS' 'end'

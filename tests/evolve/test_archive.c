@@ -216,7 +216,8 @@ static void exact_values_are_taken(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct heldout heldout = {.part = {f->set, f->set}};
+    struct sampler listed = {.listed = f->set, .count = f->set.n};
+    const struct heldout heldout = {.part = {&listed, &listed}};
     const struct run_facts facts = {1, 0, 1};
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
@@ -239,7 +240,7 @@ static void exact_values_are_taken(void **state)
         offer(f, a, product, 3);
         archive_choose_champions(a, &f->plan, f->objective, NULL);
         assert_true(eta->genes.length == 1 && eta->genes.gene[0] == Q && xi->genes.length == 3);
-        if (!archive_write(a, WRITTEN, &facts, &heldout, &d))
+        if (!archive_write(a, WRITTEN, &facts, &heldout, SIZE_MAX, &d))
             fail_msg("%s", d.text);
         struct genome_file *g = genome_read(WRITTEN, &d);
         assert_non_null(g);
@@ -256,13 +257,14 @@ static void fronts_are_written(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct heldout heldout = {.part = {f->set, f->set}};
+    struct sampler listed = {.listed = f->set, .count = f->set.n};
+    const struct heldout heldout = {.part = {&listed, &listed}};
     struct archive *a = archive_of(&f->scene, START);
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
     archive_measure(a, &f->plan, f->objective);
     offer(f, a, (const int[]){GENE_MUL, decimal_gene(0.5), Q}, 3);
-    if (!archive_write_front(a, WRITTEN, &heldout, NULL, 0, &d))
+    if (!archive_write_front(a, WRITTEN, &heldout, SIZE_MAX, NULL, 0, &d))
         fail_msg("%s", d.text);
     struct genome_file *g = genome_read(WRITTEN, &d);
     assert_non_null(g);

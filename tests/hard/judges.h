@@ -4,7 +4,7 @@
 
 #include "verdict.h"
 
-/* Of the generated expression, in xi and eta: what its banner calls max. */
+/* Of the generated expression, in xi and eta: what runtime/certain/check.h vouches for. */
 #define BANNER_WORST 1.024e-07
 
 struct tally {

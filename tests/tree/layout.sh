@@ -44,7 +44,7 @@ evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evol
 evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/common codegen/genome codegen/base
 evolve/mpi:         evolve/common codegen/genome codegen/base
 evolve/archive:     evolve/island evolve/eval evolve/genotype evolve/input evolve/common codegen/genome codegen/base
-evolve/write:       evolve/archive evolve/region evolve/surface evolve/island evolve/eval evolve/genotype evolve/input evolve/common codegen/genome codegen/base
+evolve/write:       evolve/archive evolve/region evolve/samples evolve/surface evolve/island evolve/eval evolve/genotype evolve/input evolve/common codegen/genome codegen/base
 evolve/run:         evolve/write evolve/archive evolve/mpi evolve/island evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome codegen/base
 evolve:             evolve/* codegen/genome codegen/base
 tests/support:      codegen/* evolve/* runtime runtime/*

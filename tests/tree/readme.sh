@@ -111,10 +111,10 @@ check 'functions' "$(cat "$work/wrong")"
 
 # operations HEADER FUNCTION: mul div add, as the banner says
 operations() { told "generated/footpoint_$1.h" "$2" operations | awk '{ print $1, $3, $5 }'; }
-# heldout SCENE GENOME PART_OUTPUT: mean, 99 % and worst
+# heldout SCENE GENOME PART_OUTPUT: mean, 99 % and worst, that of climbing where there is one
 heldout() {
     awk -v g="$2" -v note="${3%_*}_both" -v k="$([ "${3##*_}" = xi ]; echo $?)" \
-        '/^genome/ { on = $2 == g } on && $2 == note { printf "%.1e %.1e %.1e\n", $(6 + k), $(9 + k), $(12 + k) }' \
+        '/^genome/ { on = $2 == g } on && $2 == note { printf "%.1e %.1e %.1e\n", $(6 + k), $(9 + k), $14 == "climbing" ? $(15 + k) : $(12 + k) }' \
         "evolve/genomes/$1.gen" | sed 's/e-0/e-/g'
 }
 for f in fast coarse gauss2 medium balanced fine precise accurate full; do

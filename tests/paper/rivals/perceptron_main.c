@@ -120,8 +120,11 @@ static bool files_suit(const struct study *s, struct diag *d)
 static bool load(struct study *s, struct diag *d)
 {
     const struct perceptron_options *o = s->options;
-    if (!(s->scene = scene_read(o->root, o->scene, d)) || !files_suit(s, d) ||
-        !(s->program = similarity_program(s, d)) || !scene_samples(s->scene, PART_TRAINING, &s->training, d) ||
+    if (!(s->scene = scene_read(o->root, o->scene, d)))
+        return false;
+    scene_hold_out_less(s->scene);
+    if (!files_suit(s, d) || !(s->program = similarity_program(s, d)) ||
+        !scene_samples(s->scene, PART_TRAINING, &s->training, d) ||
         !scene_samples(s->scene, PART_HELDOUT, &s->heldout[0], d) ||
         !scene_samples(s->scene, PART_HELDOUT_RANDOM, &s->heldout[1], d))
         return false;

@@ -54,6 +54,7 @@ static bool load(struct pga *s, struct diag *d)
         !(s->program = frame_program(o->root, s->scene, o->output, d)) ||
         !scene_samples(s->scene, PART_TRAINING, &training, d))
         return false;
+    scene_hold_out_less(s->scene);
     s->table = frame_columns(s->program, training.s, training.n);
     sample_set_free(&training);
     s->objective = objective_new(s->program, &s->table, o->coefficients == COEFFICIENTS_WORST ? NORM_MAX : NORM_MEAN);

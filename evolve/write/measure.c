@@ -1,0 +1,86 @@
+/* Held-out samples, measured as they are drawn; see measure.h. */
+#include "measure.h"
+
+#include "../eval/frame.h"
+#include "../region/sampled_region.h"
+#include "climb.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool heldout_piece(struct sampler *p, size_t most, size_t *at, struct sample *s, size_t *n, struct diag *d)
+{
+    const size_t end = p->count < most ? p->count : most;
+    for (*n = 0; *n < HELDOUT_PIECE && *at < end; ++*n, ++*at)
+        if (!sampler_take(p, *at, &s[*n], d))
+            return false;
+    return true;
+}
+
+/* Takes all samples of a part, for the region, too, unless it is NULL. */
+static bool take_part(struct measurement *m, struct sampler *p, size_t most, struct region_survey *region,
+                      struct diag *d)
+{
+    struct sample *s = new_array(HELDOUT_PIECE, sizeof *s);
+    size_t at = 0, n;
+    bool good;
+    while ((good = heldout_piece(p, most, &at, s, &n, d)) && n > 0) {
+        measurement_take(m, s, n);
+        if (region)
+            region_survey_take(region, s, n);
+    }
+    free(s);
+    return good;
+}
+
+static bool measure_part(const struct genome_file *f, struct measured *m, int part, const struct heldout *heldout,
+                         size_t most, bool climbs, struct region_survey *region, struct diag *d)
+{
+    struct sampler *p = heldout->part[part];
+    struct errors *found = m->found[part] = new_array(m->n, sizeof *found);
+    struct measurement all = measurement_open(f, m->t, m->output, m->n, p->count);
+    double *worst = new_array(m->n, sizeof *worst);
+    const bool good = take_part(&all, p, most, p->part == PART_HELDOUT_EVEN ? NULL : region, d);
+    climbs = climbs && good && climb_can(p) && p->count <= most;
+    for (size_t i = 0; i < m->n && climbs; i++)
+        worst[i] = climb(p, &all, i);
+    measurement_close(&all, found);
+    for (size_t i = 0; i < m->n && climbs; i++)
+        found[i].climbed = worst[i];
+    free(worst);
+    return good;
+}
+
+static void list_outputs(const struct genome_file *f, size_t outs, struct measured *m)
+{
+    m->t = new_array(2 * f->genomes, sizeof *m->t);
+    m->output = new_array(2 * f->genomes, sizeof *m->output);
+    for (size_t g = 0; g < f->genomes; g++)
+        for (size_t k = 0; k < outs && f->genome[g].outs == outs; k++) {
+            const struct genome_expr *e = &f->genome[g].out[k];
+            m->t[m->n] = (struct genes){e->gene, e->length};
+            m->output[m->n++] = strcmp(e->name, frame_output[0]) != 0;
+        }
+}
+
+bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *heldout, size_t most, bool climb,
+                     struct measured *m, struct diag *d)
+{
+    struct region_survey *region = region_survey_new(f);
+    bool good = true;
+    *m = (struct measured){.n = 0};
+    list_outputs(f, outs, m);
+    for (int part = 0; part < HELDOUT_PARTS && good; part++)
+        if (heldout->part[part])
+            good = measure_part(f, m, part, heldout, most, climb, region, d);
+    region_survey_add(region);
+    return good;
+}
+
+void measured_free(struct measured *m)
+{
+    free(m->t);
+    free(m->output);
+    for (int part = 0; part < HELDOUT_PARTS; part++)
+        free(m->found[part]);
+}

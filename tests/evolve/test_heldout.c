@@ -1,0 +1,203 @@
+/* What is measured on samples held out that are not kept: the figures are those of a set of the same samples, climbing finds
+ * no less than the worst of them, and what it finds are samples of the scene. */
+#include "../../evolve/eval/frame.h"
+#include "../../evolve/eval/lines_run.h"
+#include "../../evolve/samples/samples.h"
+#include "../../evolve/write/climb.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static struct scene *scene_of(const char *name, size_t heldout)
+{
+    struct diag d;
+    struct scene *s = scene_read(".", name, &d);
+    assert_non_null(s);
+    s->heldout = heldout;
+    return s;
+}
+
+static struct sampler *sampler_of(const struct scene *s, enum sample_part part)
+{
+    struct diag d;
+    struct sampler *p = sampler_new(s, part, &d);
+    if (!p)
+        fail_msg("%s", d.text);
+    return p;
+}
+
+static struct genome_file *genomes_of(const char *name)
+{
+    struct diag d;
+    char path[100];
+    snprintf(path, sizeof path, "evolve/genomes/%s.gen", name);
+    struct genome_file *f = genome_read(path, &d);
+    assert_non_null(f);
+    return f;
+}
+
+/* Both outputs of a genome. */
+static void outputs_of(const struct genome *g, struct genes t[2])
+{
+    for (int k = 0; k < 2; k++)
+        t[k] = (struct genes){g->out[k].gene, g->out[k].length};
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double *p = a, *q = b;
+    return (*p > *q) - (*p < *q);
+}
+
+/* Mean, 99 % and maximum to the last bit, in pieces of any size; sorted here, not selected. */
+static void figures_are_those_of_a_set(void **state)
+{
+    enum { SAMPLES = 9973, PIECE = 1237 };
+    static const int output[2] = {0, 1};
+    struct genome_file *f = genomes_of("quad4");
+    struct scene *s = scene_of("quad4", SAMPLES);
+    struct diag d;
+    struct sample_set set = {0};
+    struct genes t[2];
+    struct errors found[2];
+    (void)state;
+    assert_true(scene_samples(s, PART_HELDOUT, &set, &d) && set.n == SAMPLES);
+    outputs_of(&f->genome[f->genomes / 2], t);
+    struct measurement m = measurement_open(f, t, output, 2, SAMPLES);
+    for (size_t at = 0; at < set.n; at += PIECE)
+        measurement_take(&m, set.s + at, set.n - at < PIECE ? set.n - at : PIECE);
+    measurement_close(&m, found);
+    struct columns table = frame_columns(f, set.s, set.n);
+    double *error = new_array(set.n, sizeof *error);
+    for (int k = 0; k < 2; k++) {
+        double sum = 0;
+        table_values(&table, f->constant, t[k].gene, t[k].length, error);
+        for (size_t i = 0; i < set.n; i++)
+            sum += error[i] = fabs(error[i] - (k == 0 ? set.s[i].xi : set.s[i].eta));
+        qsort(error, set.n, sizeof *error, ascending);
+        assert_true(found[k].n == SAMPLES && found[k].mean == sum / SAMPLES && found[k].max == error[SAMPLES - 1]);
+        assert_true(found[k].p99 == error[(99 * SAMPLES + 99) / 100 - 1]);
+    }
+    free(error);
+    columns_free(&table);
+    sample_set_free(&set);
+    scene_free(s);
+    genome_file_free(f);
+}
+
+static struct measurement measure(const struct genome_file *f, const struct genes *t, struct sampler *p)
+{
+    static const int output[2] = {0, 1};
+    struct measurement m = measurement_open(f, t, output, 2, p->count);
+    for (size_t i = 0; i < p->count; i++) {
+        struct sample s;
+        struct diag d;
+        assert_true(sampler_take(p, i, &s, &d));
+        measurement_take(&m, &s, 1);
+    }
+    return m;
+}
+
+/* Shapes, a mesh, a lattice and bodies: no less than the worst sample, and the same whenever it is done. */
+static void climbing_finds_no_less(void **state)
+{
+    static const struct {
+        const char *name;
+        enum sample_part part;
+        size_t samples;
+    } of[] = {{"quad4", PART_HELDOUT, 500},
+              {"punch-quad4", PART_HELDOUT, 3000},
+              {"paper-quad4", PART_HELDOUT_RANDOM, 150},
+              {"gregory", PART_HELDOUT, 20}};
+    size_t higher = 0;
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        struct genome_file *f = genomes_of(of[i].name);
+        struct scene *s = scene_of(of[i].name, of[i].samples);
+        struct sampler *p = sampler_of(s, of[i].part);
+        struct genes t[2];
+        struct errors found[2];
+        outputs_of(&f->genome[1], t);
+        struct measurement m = measure(f, t, p);
+        const double worst = climb(p, &m, 0), again = climb(p, &m, 0);
+        measurement_close(&m, found);
+        assert_true(worst >= found[0].max && worst < INFINITY && worst == again);
+        higher += worst > 1.1 * found[0].max;
+        sampler_free(p);
+        scene_free(s);
+        genome_file_free(f);
+    }
+    assert_true(higher >= 3);
+}
+
+/* A tape that is recorded makes the sample again; a changed one makes none, or one whose foot point is that of the certain
+ * search and within the scene's limits. */
+static void neighbours_are_samples_of_the_scene(void **state)
+{
+    enum { SAMPLES = 300 };
+    struct scene *s = scene_of("quad4", SAMPLES);
+    const struct surface *f = surface_find(s->segment);
+    struct sampler *p = sampler_of(s, PART_HELDOUT);
+    double lo[2], hi[2];
+    size_t made = 0;
+    (void)state;
+    scene_box(s, lo, hi);
+    for (int k = 0; k < 2; k++) {
+        lo[k] -= 1e-9;
+        hi[k] += 1e-9;
+    }
+    for (size_t i = 0; i < SAMPLES; i++) {
+        struct stream_tape tape;
+        struct sample one, again;
+        struct diag d;
+        assert_true(sampler_take(p, i, &one, &d));
+        sampler_record(p, i, &tape);
+        assert_true(sampler_play(p, &tape, &again) && memcmp(&one, &again, sizeof one) == 0);
+        tape.number[i % tape.n] ^= (uint64_t)1 << (63 - i % 8);
+        if (!sampler_play(p, &tape, &one))
+            continue;
+        again = one;
+        assert_true(f->foot(f, &again, lo, hi) && fabs(again.xi - one.xi) + fabs(again.eta - one.eta) < 1e-12);
+        assert_true(fabs(one.gap) <= s->shapes.gap * sample_shortest_edge(&one, 4) * (1 + 1e-9));
+        made++;
+    }
+    assert_true(made > SAMPLES / 4);
+    sampler_free(p);
+    scene_free(s);
+}
+
+/* Seeds of the run make other samples to hold out, and the same for training. */
+static void runs_hold_out_their_own(void **state)
+{
+    struct scene *s = scene_of("quad4", 10);
+    struct diag d;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        const enum sample_part part = k ? PART_HELDOUT : PART_TRAINING;
+        struct sampler *p = sampler_of(s, part);
+        struct sample one, other;
+        assert_true(sampler_take(p, 3, &one, &d));
+        s->run = 2;
+        assert_true(sampler_take(p, 3, &other, &d));
+        s->run = 1;
+        assert_true((memcmp(&one, &other, sizeof one) == 0) == (k == 0));
+        sampler_free(p);
+    }
+    scene_free(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(figures_are_those_of_a_set),
+        cmocka_unit_test(climbing_finds_no_less),
+        cmocka_unit_test(neighbours_are_samples_of_the_scene),
+        cmocka_unit_test(runs_hold_out_their_own),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
