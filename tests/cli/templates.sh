@@ -9,7 +9,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
     for name in macros bits power scale products weighted relative height; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for name in again side corner closest edge curve along curved_domain place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in again side corner lesser closest edge curve along curved_domain place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: face:4:4:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
         columns= rows= names= parameters= segment=
@@ -39,7 +39,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in
         quad4) files="$files bounds quad4_proof quad4_steps quad4_repair answer_proved" ;;
-        tri6) files="$files curved_local curved_tri6 curved_proof curved_repair answer_proved" ;;
+        tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved" ;;
         tri3) files="$files tri3_answer" ;;
         *) files="$files answer" ;;
@@ -47,16 +47,20 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         files="$files arrays over"
         case $nearest in
         '') ;;
-        curved*) files="$files $closest ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls" ;;
+        curved*)
+            files="$files $closest curved_anchor curved_sole curved_close curved_split curved_seek proved_closest_arrays"
+            files="$files ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls"
+            ;;
         *) files="$files $closest ${nearest}_along along_again along_calls" ;;
         esac
         files="straight $files" calls='at checked arrays_calls over_calls'
         case $nearest in
         '') ;;
         quad4)
-            files="$files quad4_sole quad4_close quad4_repair_closest quad4_closest_arrays"
-            calls="nearest nearest_shorter quad4_prove quad4_approach $calls quad4_closest_calls"
+            files="$files quad4_sole quad4_close quad4_repair_closest proved_closest_arrays"
+            calls="nearest nearest_shorter quad4_prove quad4_approach $calls quad4_nearby proved_closest_calls"
             ;;
+        curved*) calls="$calls curved_nearby proved_closest_calls" ;;
         *) calls="$calls closest_calls" ;;
         esac
         if [ $kind = face ]; then # functions at a place of it

@@ -18,12 +18,32 @@ bool closest_exists(const struct unit *u)
     return u->file->order == CORNERS_ANY && !*u->file->segment->normals;
 }
 
-/* What is nearest, where that is proved and where it is not. */
+/* What is nearest, where that is proved: of bilinear segments and of curved faces. */
+static void print_proved(const struct unit *u, FILE *out)
+{
+    static const char *const bilinear[] = {"inward",
+                                           "fan",
+                                           "closest_surface",
+                                           "quad4_sole",
+                                           "quad4_close",
+                                           "quad4_repair_closest",
+                                           "proved_closest_arrays",
+                                           NULL};
+    static const char *const curved[] = {
+        "inward",       "fan",          "closest_surface", "curved_anchor",         "curved_sole",
+        "curved_close", "curved_split", "curved_seek",     "proved_closest_arrays", NULL};
+    const bool is_curved = promise_kind_of(u) == PROMISE_CURVED;
+    if (is_curved) {
+        const enum precision precision = u->options.precision;
+        templates_print("FOOTPOINT_DETAIL_CURVE", (const char *const[]){"curve", NULL}, precision, NULL, out);
+        templates_print("FOOTPOINT_DETAIL_LIMITS", (const char *const[]){"curved_limits", NULL}, precision, NULL, out);
+    }
+    lines_print_templates(u, NULL, "NEAREST", is_curved ? curved : bilinear, out);
+}
+
+/* Where it is not. */
 static void print_nearest(const struct unit *u, FILE *out)
 {
-    static const char *const proved[] = {
-        "inward", "fan", "closest_surface", "quad4_sole", "quad4_close", "quad4_repair_closest", "quad4_closest_arrays",
-        NULL};
     const struct segment_kind *k = u->file->segment;
     const bool straight = lines_straight(u);
     char *own = new_format("%s_nearest", k->name);
@@ -37,34 +57,45 @@ static void print_nearest(const struct unit *u, FILE *out)
                                  "closest_surface",
                                  "closest_of",
                                  NULL};
-    if (promise_kind_of(u) != PROMISE_BILINEAR)
-        templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
-                        (const char *const[]){straight ? "edge" : "curve", NULL}, u->options.precision, NULL, out);
-    if (k->bilinear)
-        lines_print_templates(u, NULL, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
-    lines_print_templates(u, NULL, "NEAREST", promise_kind_of(u) == PROMISE_BILINEAR ? proved : names, out);
+    templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
+                    (const char *const[]){straight ? "edge" : "curve", NULL}, u->options.precision, NULL, out);
+    lines_print_templates(u, NULL, "NEAREST", names, out);
     free(own);
+}
+
+/* Whether answers are proved. */
+static bool is_proved(const struct unit *u)
+{
+    const enum promise_kind kind = promise_kind_of(u);
+    return kind == PROMISE_BILINEAR || kind == PROMISE_CURVED;
 }
 
 void closest_print_helpers(const struct unit *u, FILE *out)
 {
-    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"side", "corner", "closest", NULL},
+    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"side", "corner", "lesser", "closest", NULL},
                     u->options.precision, NULL, out);
-    print_nearest(u, out);
+    if (u->file->segment->bilinear)
+        lines_print_templates(u, NULL, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
+    (is_proved(u) ? print_proved : print_nearest)(u, out);
 }
 
 void closest_print_contract(const struct unit *u, FILE *out)
 {
-    const char *name = promise_kind_of(u) == PROMISE_BILINEAR ? "contract_closest_promise" : "contract_closest";
+    const char *name = is_proved(u) ? "contract_closest_promise" : "contract_closest";
     lines_print_templates(u, NULL, NULL, (const char *const[]){name, NULL}, out);
 }
 
 void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
+    static const char *const bilinear[] = {"quad4_nearby", "proved_closest_calls", NULL};
+    static const char *const curved[] = {"curved_nearby", "proved_closest_calls", NULL};
+    static const char *const other[] = {"closest_calls", NULL};
+    const enum promise_kind kind = promise_kind_of(u);
     struct words w = promise_words(u, f);
-    templates_print(
-        NULL,
-        (const char *const[]){promise_kind_of(u) == PROMISE_BILINEAR ? "quad4_closest_calls" : "closest_calls", NULL},
-        u->options.precision, w.word, out);
+    templates_print(NULL,
+                    kind == PROMISE_BILINEAR ? bilinear
+                    : kind == PROMISE_CURVED ? curved
+                                             : other,
+                    u->options.precision, w.word, out);
     words_clear(&w);
 }

@@ -1,5 +1,8 @@
 /* Points of edges, and statuses of closest points. */
 
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 2
+#endif
 #ifndef FOOTPOINT_ERR_DOMAIN
 #define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
@@ -27,6 +30,11 @@ FOOTPOINT_PART REAL footpoint_detail_signed_root(REAL dd)
     const REAL root = sqrt(fabs(dd));
     return dd < 0.0 ? -root : root;
 }
+
+/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved.
+ * lanes = 1 in a loop over arrays. */
+typedef int footpoint_detail_nearby(const REAL *const *x, int lanes, REAL zero, REAL at[3],
+                                    int *region);
 
 /* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
 typedef int footpoint_detail_nearest(const REAL *const *x, REAL zero, REAL at[3], int *region);

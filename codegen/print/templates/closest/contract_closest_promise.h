@@ -4,8 +4,8 @@
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, EDGES.
  *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
  *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
- *           within 1e-9 of the border of that.  So dist exceeds the least distance by NAME_PROMISE times half the sum
- *           of the edges at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
+ *           within 1e-9 of the border of that.  So dist exceeds the least distance by NAME_PROMISE times the largest
+ *           |r_xi| + |r_eta| at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
  *           longest edge, and another, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
  *           point that descents have found; so are all answers under -ffast-math.  Where two nodes are one point, xi or eta
  *           may be any number of the edge between them.

@@ -1,19 +1,10 @@
 /* The closest point of a closed bilinear segment where the quick way proves nothing: by descents, seldom. */
 
-#ifndef FOOTPOINT_NOT_UNIQUE
-#define FOOTPOINT_NOT_UNIQUE 2
-#endif
-
 /* Vectors of r = c0 + xi a + eta b + xi eta c, d = xS - c0, four times as long; what bounds |a| + |c|, |b| + |c|,
  * |c| and all of them; and the longest edge. */
 typedef struct {
     REAL a[3], b[3], c[3], d[3], first, second, turn, far, longest;
 } footpoint_detail_quad4_face;
-
-FOOTPOINT_COLD REAL footpoint_detail_length(const REAL a[3])
-{
-    return sqrt(footpoint_detail_dot(a, a));
-}
 
 /* From nodes and slave node in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD void footpoint_detail_quad4_measure(REAL y[VECTORS][3],
@@ -311,14 +302,9 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_signed(const footpoint_detail_quad4_f
                                           footpoint_detail_quad4_region(q->u, q->v) ? 1.0 : 0.0));
 }
 
-/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved. 
- * lanes = 1 in a loop over arrays. */
-typedef int footpoint_detail_quad4_nearby(const REAL *const *x, int lanes, REAL zero, REAL at[3],
-                                          int *region);
-
 /* The answer where the quick way proves nothing, at = where that ended: once more in a unit of length in which the
  * segment is about 1 long, if it is far from that, then by descents.  at[2]: the distance. */
-FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_quad4_nearby *nearby,
+FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_nearby *nearby,
                                                        const REAL *const *x, int scalable,
                                                        REAL promise, REAL at[3], int *region)
 {
@@ -360,23 +346,29 @@ FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_quad4_ne
     return status;
 }
 
-/* An answer, with the distance in at. */
-FOOTPOINT_PART int footpoint_detail_quad4_proved_closest(footpoint_detail_quad4_nearby *nearby,
-                                                         const REAL *const *x, int scalable,
-                                                         REAL promise, REAL at[3], int *region)
+/* A distance that no point of the segment is nearer than, for an answer `at` of that status: by slopes, or by the
+ * ball about the corners. */
+FOOTPOINT_COLD REAL footpoint_detail_quad4_none_nearer(const REAL *const *x, REAL promise,
+                                                       int status, const REAL at[3])
 {
-    const int status = nearby(x, 0, 0.0, at, region);
-    if (status == FOOTPOINT_UNPROVED)
-        return footpoint_detail_quad4_proved_again(nearby, x, scalable, promise, at, region);
-    at[2] = footpoint_detail_signed_root(at[2]);
-    return status;
-}
-
-/* Its answer to the caller, if there is one. */
-FOOTPOINT_PART int footpoint_detail_quad4_proved_answer(int status, const REAL at[3], int where,
-                                                        REAL loc[2], REAL *dist, int *region)
-{
-    const int good = status < FOOTPOINT_OK ? status : FOOTPOINT_OK;
-    (void)footpoint_detail_closest_answer(good, at, where, loc, dist, region);
-    return status;
+    REAL u[3], v[3], d[3], e[3], f, g, least, most = 0.0;
+    int k;
+    if (status == FOOTPOINT_OK) {
+        footpoint_detail_quad4_surface(x, at[0], at[1], u, v, d);
+        (void)footpoint_detail_quad4_grows(at[0], footpoint_detail_dot(u, d), 0.0, &f);
+        (void)footpoint_detail_quad4_grows(at[1], footpoint_detail_dot(v, d), 0.0, &g);
+        least = at[2] * at[2] - 2.0 * promise * (f + g);
+        return sqrt(footpoint_detail_greater(least, 0.0));
+    }
+    if (status == FOOTPOINT_NOT_UNIQUE)
+        return fabs(at[2]);
+    footpoint_detail_quad4_surface(x, 0.0, 0.0, u, v, d);
+    for (k = 0; k < 4; k++) {
+        footpoint_detail_from(x[k], x[4], e);
+        for (int i = 0; i < 3; i++)
+            e[i] -= d[i];
+        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
+    }
+    least = sqrt(footpoint_detail_dot(d, d));
+    return footpoint_detail_greater(least - sqrt(most) - 1e-14 * (least + sqrt(most)), 0.0);
 }

@@ -13,25 +13,6 @@ typedef struct {
     REAL wide, high, off_f, off_g, off_det;
 } footpoint_detail_quad4_bounds;
 
-/* a if x > 0, b otherwise, and the less of two numbers; NaN raises no exception. */
-FOOTPOINT_PART REAL footpoint_detail_pick(REAL x, REAL a, REAL b)
-{
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(x, 0.0) ? a : b;
-#else
-    return x > 0.0 ? a : b;
-#endif
-}
-
-FOOTPOINT_PART REAL footpoint_detail_least(REAL a, REAL b)
-{
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(b, a) ? a : b;
-#else
-    return a < b ? a : b;
-#endif
-}
-
 /* How fast half the square of the distance grows from an edge of u, of slope f, into the segment; 0 inside.  *falls:
  * how fast it may fall, f being off by `off`. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_grows(REAL u, REAL f, REAL off, REAL *falls)

@@ -81,3 +81,17 @@ FOOTPOINT_PART void footpoint_detail_quad8_third(const footpoint_detail_quad8_te
     third[0] = 2.0 * g + h;
     third[1] = g + 2.0 * h;
 }
+
+/* Third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q). */
+FOOTPOINT_PART void footpoint_detail_quad8_mixed(const footpoint_detail_quad8_terms *t, REAL p,
+                                                 REAL q, REAL uuv[3], REAL uvv[3], REAL k[3])
+{
+    int i;
+    (void)p, (void)q;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        uuv[i] = t->g[i];
+        uvv[i] = t->h[i];
+        k[i] = 0.0;
+    }
+}

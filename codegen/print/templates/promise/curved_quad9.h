@@ -88,3 +88,16 @@ FOOTPOINT_PART void footpoint_detail_quad9_third(const footpoint_detail_quad9_te
     third[0] = 2.0 * g + h;
     third[1] = g + 2.0 * h;
 }
+
+/* Third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q). */
+FOOTPOINT_PART void footpoint_detail_quad9_mixed(const footpoint_detail_quad9_terms *t, REAL p,
+                                                 REAL q, REAL uuv[3], REAL uvv[3], REAL k[3])
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        uuv[i] = t->g[i] + q * t->k[i];
+        uvv[i] = t->h[i] + p * t->k[i];
+        k[i] = t->k[i];
+    }
+}

@@ -75,3 +75,14 @@ FOOTPOINT_PART void footpoint_detail_tri6_third(const footpoint_detail_tri6_term
     (void)t, (void)x, (void)y;
     third[0] = third[1] = 0.0;
 }
+
+/* Third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q); there are none. */
+FOOTPOINT_PART void footpoint_detail_tri6_mixed(const footpoint_detail_tri6_terms *t, REAL p,
+                                                REAL q, REAL uuv[3], REAL uvv[3], REAL k[3])
+{
+    int i;
+    (void)t, (void)p, (void)q;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        uuv[i] = uvv[i] = k[i] = 0.0;
+}
