@@ -38,7 +38,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         [ "$kind" = quad4 ] || files="$files gap"
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in
-        quad4) files="$files bounds quad4_proof quad4_steps quad4_repair answer_proved" ;;
+        quad4) files="$files bounds quad4_proof quad4_steps quad4_repair answer_proved quad4_from from" ;;
         tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved" ;;
         tri3) files="$files tri3_answer" ;;
@@ -58,7 +58,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         '') ;;
         quad4)
             files="$files quad4_sole quad4_close quad4_repair_closest proved_closest_arrays"
-            calls="nearest nearest_shorter quad4_prove quad4_approach $calls quad4_nearby proved_closest_calls"
+            calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby proved_closest_calls"
             ;;
         curved*) calls="$calls curved_nearby proved_closest_calls" ;;
         *) calls="$calls closest_calls" ;;
@@ -91,7 +91,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         for name in $files $calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in quad4_sure contract contract_closest contract_closest_promise contract_promise contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in quad4_sure contract contract_closest contract_closest_promise contract_promise contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

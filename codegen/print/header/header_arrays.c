@@ -24,5 +24,7 @@ void arrays_print(const struct unit *u, const struct function *f, FILE *out)
     const char *const calls[] = {"arrays_calls", prepares(u) ? "over_calls" : NULL, NULL};
     struct words w = promise_words(u, f);
     templates_print(NULL, calls, u->options.precision, w.word, out);
+    if (promise_follows(u))
+        templates_print(NULL, (const char *const[]){"from_calls", NULL}, u->options.precision, w.word, out);
     words_clear(&w);
 }

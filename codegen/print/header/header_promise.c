@@ -32,6 +32,11 @@ enum promise_kind promise_kind_of(const struct unit *u)
     return !any ? PROMISE_NONE : k->bilinear ? PROMISE_BILINEAR : PROMISE_LINEAR;
 }
 
+bool promise_follows(const struct unit *u)
+{
+    return promise_kind_of(u) == PROMISE_BILINEAR;
+}
+
 /* What the name of f promises. */
 static double name_promise(const struct function *f)
 {

@@ -11,6 +11,9 @@ enum promise_kind { PROMISE_NONE, PROMISE_LINEAR, PROMISE_BILINEAR, PROMISE_CURV
 
 enum promise_kind promise_kind_of(const struct unit *u);
 
+/** Whether searches can begin with the last answer: NAME_from. */
+bool promise_follows(const struct unit *u);
+
 /** The largest error of xi and eta, relative to max(1, |xi|, |eta|), that FOOTPOINT_OK of a function allows; 0: it has no
  *  proof. */
 double promise_of(const struct unit *u, const struct function *f);

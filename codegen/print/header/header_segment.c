@@ -1,7 +1,7 @@
 /* Text of the search: nodes as a mesh has them to xi, eta and the gap.  For a genome NAME of a segment,
  *   NAME_at:  xi and eta by straight-line code, corners in the order that the scene assumes, nothing checked;
  *   NAME:     xi, eta and the signed gap (9), corners in any order, segments of any size, with a status;
- * over arrays, see header_arrays.h; and of faces that have it NAME_closest, see header_closest.h. */
+ * from the last answer and over arrays, see header_arrays.h; and of faces that have it NAME_closest, see header_closest.h. */
 #include "header_segment.h"
 
 #include "../../base/text.h"
@@ -91,6 +91,8 @@ void search_print_contract(const struct unit *u, FILE *out)
     lines_print_templates(u, NULL, NULL, (const char *const[]){"contract", NULL}, out);
     if (promise_kind_of(u) != PROMISE_NONE)
         lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_promise", NULL}, out);
+    if (promise_follows(u))
+        lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_from", NULL}, out);
     if (closest_exists(u))
         closest_print_contract(u, out);
 }

@@ -1,0 +1,107 @@
+/* Searches that begin with the last answer, alone and over arrays. */
+
+/* The search from scratch. */
+typedef int footpoint_detail_KIND_name(NODE_PARAMETERS, REAL loc[2], REAL *gap);
+
+/* Whether (xi,eta) is more than half of the segment away from loc, or one of them is NaN. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_strayed(const REAL loc[2], REAL xi, REAL eta)
+{
+    return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
+}
+
+/* From loc by way of (xi,eta), to which an expansion about loc has led that proved nothing: two more, then the search
+ * from scratch. */
+FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *name,
+                                                 const REAL *const *x, REAL promise, REAL xi,
+                                                 REAL eta, REAL loc[2], REAL *gap)
+{
+    REAL g;
+    int k;
+    for (k = 0; k < 2 && !(footpoint_detail_KIND_strayed(loc, xi, eta) >> REAL_TOP); k++) {
+        const REAL_BITS doubt = footpoint_detail_KIND_from(x, promise, 3, &xi, &eta, &g);
+        if (!((doubt | footpoint_detail_KIND_strayed(loc, xi, eta)) >> REAL_TOP)) {
+            loc[0] = xi;
+            loc[1] = eta;
+            *gap = g;
+            return FOOTPOINT_OK;
+        }
+    }
+    return name(VECTOR_ROWS, loc, gap);
+}
+
+/* An element of arrays of last answers in place; not inlined, as it is seldom called. */
+FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name *name,
+                                                     const REAL *const *x, REAL promise, REAL *xi,
+                                                     REAL *eta, REAL *gap, int *status)
+{
+    REAL loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = footpoint_detail_KIND_further(name, x, promise, loc[0], loc[1], loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+/* As many steps for all in the loop, where answers take their places if they are proved. */
+FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *name, size_t n,
+                                                 const REAL *const *x, REAL promise,
+                                                 REAL *FOOTPOINT_RESTRICT xi,
+                                                 REAL *FOOTPOINT_RESTRICT eta,
+                                                 REAL *FOOTPOINT_RESTRICT gap,
+                                                 int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const REAL p[VECTORS][3] = {COLUMNS};
+        const REAL *const row[VECTORS] = {ROWS};
+        REAL u = xi[i], v = eta[i], g;
+        const int doubt =
+            (int)(footpoint_detail_KIND_from(row, promise, 1, &u, &v, &g) >> REAL_TOP);
+        status[i] = FOOTPOINT_UNPROVED * doubt;
+        xi[i] = doubt ? xi[i] : u;
+        eta[i] = doubt ? eta[i] : v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const REAL p[VECTORS][3] = {COLUMNS};
+            const REAL *const row[VECTORS] = {ROWS};
+            footpoint_detail_KIND_follow_one(name, row, promise, &xi[i], &eta[i], &gap[i],
+                                             &status[i]);
+        }
+}
+
+/* The same over one segment. */
+FOOTPOINT_PART void
+footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *const *segment,
+                                  size_t n, const REAL *const *x, REAL promise,
+                                  REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
+                                  REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    REAL c[SEGMENT_VECTORS][3];
+    size_t i;
+    int j, k;
+    for (k = 0; k < SEGMENT_VECTORS; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const REAL s[3] = {x[0][i], x[1][i], x[2][i]};
+        const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
+        REAL u = xi[i], v = eta[i], g;
+        const int doubt =
+            (int)(footpoint_detail_KIND_from(row, promise, 1, &u, &v, &g) >> REAL_TOP);
+        status[i] = FOOTPOINT_UNPROVED * doubt;
+        xi[i] = doubt ? xi[i] : u;
+        eta[i] = doubt ? eta[i] : v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const REAL s[3] = {x[0][i], x[1][i], x[2][i]};
+            const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
+            footpoint_detail_KIND_follow_one(name, row, promise, &xi[i], &eta[i], &gap[i],
+                                             &status[i]);
+        }
+}
