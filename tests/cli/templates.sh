@@ -39,8 +39,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in
         quad4) files="$files bounds quad4_proof quad4_steps quad4_repair answer_proved quad4_from from" ;;
-        tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved" ;;
-        quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved" ;;
+        tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved curved_from from" ;;
+        quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
         *) files="$files answer" ;;
         esac
@@ -60,7 +60,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             files="$files quad4_sole quad4_close quad4_repair_closest proved_closest_arrays"
             calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby proved_closest_calls"
             ;;
-        curved*) calls="$calls curved_nearby proved_closest_calls" ;;
+        curved*) calls="$calls from_calls curved_nearby proved_closest_calls" ;;
         *) calls="$calls closest_calls" ;;
         esac
         if [ $kind = face ]; then # functions at a place of it

@@ -45,8 +45,9 @@ static void print_answers(const struct unit *u, FILE *out)
         : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}
                                     : (const char *const[]){"answer", NULL},
         out);
-    if (promise == PROMISE_BILINEAR)
-        lines_print_templates(u, NULL, "FROM", (const char *const[]){"quad4_from", "from", NULL}, out);
+    if (promise_follows(u))
+        lines_print_templates(u, NULL, "FROM",
+                              (const char *const[]){curved ? "curved_from" : "quad4_from", "from", NULL}, out);
     free(terms);
 }
 

@@ -34,7 +34,7 @@ enum promise_kind promise_kind_of(const struct unit *u)
 
 bool promise_follows(const struct unit *u)
 {
-    return promise_kind_of(u) == PROMISE_BILINEAR;
+    return promise_kind_of(u) == PROMISE_BILINEAR || promise_kind_of(u) == PROMISE_CURVED;
 }
 
 /* What the name of f promises. */

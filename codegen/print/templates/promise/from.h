@@ -12,13 +12,13 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_strayed(const REAL loc[2], REAL x
 /* From loc by way of (xi,eta), to which an expansion about loc has led that proved nothing: two more, then the search
  * from scratch. */
 FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *name,
-                                                 const REAL *const *x, REAL promise, REAL xi,
-                                                 REAL eta, REAL loc[2], REAL *gap)
+                                                 const REAL *const *x, REAL promise, REAL least,
+                                                 REAL xi, REAL eta, REAL loc[2], REAL *gap)
 {
     REAL g;
     int k;
     for (k = 0; k < 2 && !(footpoint_detail_KIND_strayed(loc, xi, eta) >> REAL_TOP); k++) {
-        const REAL_BITS doubt = footpoint_detail_KIND_from(x, promise, 3, &xi, &eta, &g);
+        const REAL_BITS doubt = footpoint_detail_KIND_from(x, promise, least, 3, &xi, &eta, &g);
         if (!((doubt | footpoint_detail_KIND_strayed(loc, xi, eta)) >> REAL_TOP)) {
             loc[0] = xi;
             loc[1] = eta;
@@ -31,20 +31,20 @@ FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *nam
 
 /* An element of arrays of last answers in place; not inlined, as it is seldom called. */
 FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name *name,
-                                                     const REAL *const *x, REAL promise, REAL *xi,
-                                                     REAL *eta, REAL *gap, int *status)
+                                                     const REAL *const *x, REAL promise, REAL least,
+                                                     REAL *xi, REAL *eta, REAL *gap, int *status)
 {
     REAL loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_KIND_further(name, x, promise, loc[0], loc[1], loc, gap);
+    *status = footpoint_detail_KIND_further(name, x, promise, least, loc[0], loc[1], loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
 /* As many steps for all in the loop, where answers take their places if they are proved. */
 FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *name, size_t n,
-                                                 const REAL *const *x, REAL promise,
+                                                 const REAL *const *x, REAL promise, REAL least,
                                                  REAL *FOOTPOINT_RESTRICT xi,
                                                  REAL *FOOTPOINT_RESTRICT eta,
                                                  REAL *FOOTPOINT_RESTRICT gap,
@@ -57,7 +57,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *nam
         const REAL *const row[VECTORS] = {ROWS};
         REAL u = xi[i], v = eta[i], g;
         const int doubt =
-            (int)(footpoint_detail_KIND_from(row, promise, 1, &u, &v, &g) >> REAL_TOP);
+            (int)(footpoint_detail_KIND_from(row, promise, least, 1, &u, &v, &g) >> REAL_TOP);
         status[i] = FOOTPOINT_UNPROVED * doubt;
         xi[i] = doubt ? xi[i] : u;
         eta[i] = doubt ? eta[i] : v;
@@ -67,7 +67,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *nam
         if (status[i] != FOOTPOINT_OK) {
             const REAL p[VECTORS][3] = {COLUMNS};
             const REAL *const row[VECTORS] = {ROWS};
-            footpoint_detail_KIND_follow_one(name, row, promise, &xi[i], &eta[i], &gap[i],
+            footpoint_detail_KIND_follow_one(name, row, promise, least, &xi[i], &eta[i], &gap[i],
                                              &status[i]);
         }
 }
@@ -75,7 +75,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *nam
 /* The same over one segment. */
 FOOTPOINT_PART void
 footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *const *segment,
-                                  size_t n, const REAL *const *x, REAL promise,
+                                  size_t n, const REAL *const *x, REAL promise, REAL least,
                                   REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
                                   REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
@@ -91,7 +91,7 @@ footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *
         const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
         REAL u = xi[i], v = eta[i], g;
         const int doubt =
-            (int)(footpoint_detail_KIND_from(row, promise, 1, &u, &v, &g) >> REAL_TOP);
+            (int)(footpoint_detail_KIND_from(row, promise, least, 1, &u, &v, &g) >> REAL_TOP);
         status[i] = FOOTPOINT_UNPROVED * doubt;
         xi[i] = doubt ? xi[i] : u;
         eta[i] = doubt ? eta[i] : v;
@@ -101,7 +101,7 @@ footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *
         if (status[i] != FOOTPOINT_OK) {
             const REAL s[3] = {x[0][i], x[1][i], x[2][i]};
             const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
-            footpoint_detail_KIND_follow_one(name, row, promise, &xi[i], &eta[i], &gap[i],
+            footpoint_detail_KIND_follow_one(name, row, promise, least, &xi[i], &eta[i], &gap[i],
                                              &status[i]);
         }
 }

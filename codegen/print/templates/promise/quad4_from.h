@@ -119,8 +119,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_stage(const footpoint_detail_qua
  * for xi included, and with |z| <= 1/3 70 far^2.  M differs from H^-1, and what it multiplies, by 25 far^2 |M|: q is
  * larger by |M| 3e-14 far^2 at most.  Sums of any order.  Where det is well within the range of numbers, what
  * underflows is below these bounds. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL promise, int stages,
-                                                     REAL *xi, REAL *eta, REAL *gap)
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL promise, REAL least,
+                                                     int stages, REAL *xi, REAL *eta, REAL *gap)
 {
     const REAL p = 0.5 + 0.5 * *xi, q = 0.5 + 0.5 * *eta, reach = 1.0 + p * p + q * q;
     const int correct = promise < (stages > 1 ? 1e-9 : 1e-6);
@@ -158,6 +158,11 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
             footpoint_detail_quad4_slopes(&r, s, t, &f, &g);
             (void)footpoint_detail_quad4_chord(&r, per, f, g, &s, &t);
         }
+    }
+    (void)least;
+    if (stages > 1 && footpoint_detail_infinite(s + t) >> REAL_TOP) {
+        *xi = *eta = *gap = s + t;
+        return (REAL_BITS)1 << REAL_TOP; /* compilers' maxima of NaN raise exceptions */
     }
     do
         doubt = footpoint_detail_quad4_stage(&r, &e, promise, correct, &s, &t);

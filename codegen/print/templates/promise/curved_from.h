@@ -1,0 +1,28 @@
+/* Curved faces from a near start. */
+
+/* From (*xi,*eta) to the foot point, and the gap there, by a step of Newton and then up to `stages` that are tested, 1 in a
+ * loop over arrays.  The highest bit of the result is not set if a minimum of the distance is proved to lie within promise
+ * of the answer, see footpoint_detail_KIND_step(), and that is no farther than half of the face from the start. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL promise, REAL least,
+                                                    int stages, REAL *xi, REAL *eta, REAL *gap)
+{
+    const REAL middle = footpoint_detail_KIND_middle(), s = *xi, t = *eta;
+    REAL p = s - middle, q = t - middle;
+    footpoint_detail_KIND_terms of;
+    REAL_BITS doubt;
+    footpoint_detail_KIND_expand(x, &of);
+    footpoint_detail_KIND_bare(&of, &p, &q);
+    if (stages == 1 && promise < 1e-6)
+        footpoint_detail_KIND_bare(&of, &p, &q);
+    if (stages > 1 && footpoint_detail_infinite(p + q) >> REAL_TOP) {
+        *xi = *eta = *gap = p + q;
+        return (REAL_BITS)1 << REAL_TOP; /* compilers' maxima of NaN raise exceptions */
+    }
+    do
+        doubt = footpoint_detail_KIND_step(&of, promise, &p, &q);
+    while (--stages > 0 && doubt >> REAL_TOP);
+    *xi = p + middle;
+    *eta = q + middle;
+    return doubt | footpoint_detail_above(*xi - s, 1.0) | footpoint_detail_above(*eta - t, 1.0) |
+           footpoint_detail_KIND_reach(&of, p, q, least, gap);
+}
