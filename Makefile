@@ -375,6 +375,7 @@ $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsu
 $(BIN)/tests/test_promise_curved: $(OBJ)/tests/generated/header_functions.o
 $(BIN)/tests/test_promise_curved $(BIN)/tests/test_closest_curved: $(OBJ)/tests/generated/curved_cases.o $(OBJ)/tests/hard/draw.o
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
+$(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(foreach test,$(test_main),$(eval $(BIN)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
 $(TESTS): $(OBJ)/support.a $(OBJ)/paper.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
 	@mkdir -p $(@D)

@@ -67,7 +67,7 @@ static const struct option_row rows[] = {
      .help = "of the code (default: what the genomes' scene says, or double)"},
     {"samples", 0, OPTION_TEXT, AT(samples), "FILE",
      .help = "of footpoint-evolve --samples: float code of a segment is measured on them, takes edges of any size, and "
-             "gets NAME_sure, which checks answers for the worst error measured"},
+             "begins its proofs with the function that fits"},
     {"points", 0, OPTION_TEXT, AT(points), "FILE",
      .help = "write test points to FILE, a C header for your tests: inputs, exact outputs and allowed errors"},
     {"allow-poles", 0, OPTION_FLAG, AT(unit.allow_poles),

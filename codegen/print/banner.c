@@ -91,7 +91,7 @@ static void print_note(const struct genome *g, const struct genome_note *note, F
 static void print_notes(const struct function *f, FILE *out)
 {
     const struct genome *g = f->genome;
-    struct measured m = {.worst = 0};
+    struct measured m = {0};
     for (size_t k = 0; k < g->notes; k++)
         if (!take_errors(&g->note[k], &m))
             print_note(g, &g->note[k], out);

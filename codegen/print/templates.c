@@ -21,10 +21,16 @@ static const struct {
             {"REAL_BITS", {"unsigned long long", "unsigned int"}}, /* an integer of its width */
             {"REAL_TOP", {"63", "31"}},                            /* the number of its highest bit */
             {"REAL_DIGITS", {"53", "24"}},                         /* of the mantissa */
+            {"REAL_UNIT", {"1.12e-16", "6e-8f"}},                  /* of rounding, or a little more */
             {"REAL_MIN", {"2.2250738585072014e-308", "1.1754944e-38f"}},
             {"REAL_MIDDLE", {"511", "31"}}, /* exponents, biased: about the half of them, from 2^-LOW to 2^HIGH */
             {"REAL_LOW", {"512", "96"}},
             {"REAL_HIGH", {"512", "32"}},
+            {"REAL_ORDINARY", {"32", "12"}},     /* products of edges from 2^-this to 2^this stay in range */
+            {"REAL_CLOSE", {"1e-9", "3e-4f"}},   /* what is proved of a whole segment, where promises are finer */
+            {"REAL_FINE", {"1e-11", "1e-3f"}},   /* which these are */
+            {"REAL_APART", {"1e-6", "1e-3f"}},   /* steps that change the distance by more than rounding does */
+            {"REAL_TIE", {"1e-10", "3e-5f"}},    /* distances, over the longest edge, between which rounding decides */
             {"REAL_FLAT", {"1e-20", "1e-9f"}},   /* the square of the sine below which tangents are parallel */
             {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
             {"REAL_ANGLE", {"1e-24", "1e-12f"}}, /* the square of the sine below which a vector lies in a plane */

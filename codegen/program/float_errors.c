@@ -141,7 +141,7 @@ static struct measure_error error_of(double *error, size_t n)
 struct measured measure_program(const struct genome_file *f, const struct program *p, bool relative,
                                 const struct measure_samples *s)
 {
-    struct measured found = {.worst = 0};
+    struct measured found;
     float *y = new_array(s->inputs, sizeof *y), *value = new_array(p->ops, sizeof *value);
     float *x = new_array(s->inputs, sizeof *x);
     double *error[MEASURE_PARTS][2];
@@ -166,8 +166,6 @@ struct measured measure_program(const struct genome_file *f, const struct progra
     for (int part = 0; part < MEASURE_PARTS; part++)
         for (int k = 0; k < 2; k++) {
             found.error[part][k] = error_of(error[part][k], n[part]);
-            if (part != MEASURE_EVEN)
-                found.worst = fmax(found.worst, found.error[part][k].max);
             free(error[part][k]);
         }
     free(x);

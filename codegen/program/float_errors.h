@@ -28,7 +28,6 @@ bool measure_differs(const struct measure_error *a, const struct measure_error *
 
 struct measured {
     struct measure_error error[MEASURE_PARTS][2]; /* by part and output, xi and eta */
-    double worst;                                 /* the largest of them, but for MEASURE_EVEN */
 };
 
 /** "heldout", "heldout_random", "heldout_even". */

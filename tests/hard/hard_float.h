@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-/** Prints the lines of one family of the table of hard_main.c: the bare search, NAME_sure, and the NAME_sure of all
- *  functions together.  0 if any answer of these was worse than the header says, or not finite, without a status. */
+/** Prints the lines of one family of the table of hard_main.c: the finest function, and all functions together.  0 if any
+ *  answer that is OK was beyond its promise, or not finite, or a status was wrong. */
 int hard_float_family(int family, long n, uint64_t seed);
 
 #endif

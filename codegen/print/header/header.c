@@ -108,7 +108,7 @@ static void print_helpers(const struct unit *u, FILE *out)
         templates_print("FOOTPOINT_DETAIL_BITS", (const char *const[]){"bits", NULL}, precision, NULL, out);
     if (scales)
         templates_print("FOOTPOINT_DETAIL_POWER", (const char *const[]){"power", NULL}, precision, NULL, out);
-    if (u->options.samples)
+    if (precision == PRECISION_FLOAT)
         single_print_helpers(u, out);
     if (u->file->face)
         place_print_helpers(u, out);

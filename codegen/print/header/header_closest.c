@@ -21,14 +21,16 @@ bool closest_exists(const struct unit *u)
 /* What is nearest, where that is proved: of bilinear segments and of curved faces. */
 static void print_proved(const struct unit *u, FILE *out)
 {
-    static const char *const bilinear[] = {"inward",
-                                           "fan",
-                                           "closest_surface",
-                                           "quad4_sole",
-                                           "quad4_close",
-                                           "quad4_repair_closest",
-                                           "proved_closest_arrays",
-                                           NULL};
+    const bool single = u->options.precision == PRECISION_FLOAT;
+    const char *const bilinear[] = {"inward",
+                                    "fan",
+                                    "closest_surface",
+                                    "quad4_sole",
+                                    single ? "quad4_vector_here" : "quad4_here",
+                                    "quad4_close",
+                                    "quad4_repair_closest",
+                                    "proved_closest_arrays",
+                                    NULL};
     static const char *const curved[] = {
         "inward",       "fan",          "closest_surface", "curved_anchor",         "curved_sole",
         "curved_close", "curved_split", "curved_seek",     "proved_closest_arrays", NULL};
@@ -87,11 +89,14 @@ void closest_print_contract(const struct unit *u, FILE *out)
 
 void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    static const char *const bilinear[] = {"quad4_nearby", "proved_closest_calls", NULL};
     static const char *const curved[] = {"curved_nearby", "proved_closest_calls", NULL};
     static const char *const other[] = {"closest_calls", NULL};
     const enum promise_kind kind = promise_kind_of(u);
     struct words w = promise_words(u, f);
+    const bool single = u->options.precision == PRECISION_FLOAT;
+    const char *const nearby = single ? "quad4_vector_nearby" : "quad4_nearby";
+    const char *const bilinear[] = {nearby, "proved_closest_calls", NULL};
+    words_add(&w, "SCALED_ROWS", lines_rows(u, "y"));
     templates_print(NULL,
                     kind == PROMISE_BILINEAR ? bilinear
                     : kind == PROMISE_CURVED ? curved

@@ -30,7 +30,8 @@ static void print_kind(const struct unit *u, FILE *out)
 static void print_answers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
-    const bool bilinear = u->file->segment->bilinear && precision == PRECISION_DOUBLE;
+    const bool bilinear = u->file->segment->bilinear;
+    const char *const step = precision == PRECISION_FLOAT ? "quad4_vector_step" : "quad4_step";
     const enum promise_kind promise = promise_kind_of(u);
     const bool curved = promise == PROMISE_CURVED;
     char *terms = new_format("curved_%s", u->file->segment->name);
@@ -41,7 +42,7 @@ static void print_answers(const struct unit *u, FILE *out)
     lines_print_templates(
         u, NULL, "ANSWER",
         curved     ? (const char *const[]){terms, "curved_proof", "curved_repair", "answer_proved", NULL}
-        : bilinear ? (const char *const[]){"quad4_proof", "quad4_steps", "quad4_repair", "answer_proved", NULL}
+        : bilinear ? (const char *const[]){"quad4_proof", step, "quad4_steps", "quad4_repair", "answer_proved", NULL}
         : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}
                                     : (const char *const[]){"answer", NULL},
         out);

@@ -19,13 +19,18 @@ static const struct {
     double promise;
 } promises[] = {{"fast", 1e-1},     {"coarse", 1e-1}, {"gauss2", 1e-2},  {"medium", 1e-2},
                 {"balanced", 1e-3}, {"fine", 1e-5},   {"precise", 1e-7}, {"accurate", 1e-10}};
-static const double finest = 1e-12;
+static const double finest[] = {[PRECISION_DOUBLE] = 1e-12, [PRECISION_FLOAT] = 1e-5};
+
+static bool single(const struct unit *u)
+{
+    return u->options.precision == PRECISION_FLOAT;
+}
 
 enum promise_kind promise_kind_of(const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
     const bool any = u->file->order == CORNERS_ANY;
-    if (u->options.precision != PRECISION_DOUBLE || *k->normals)
+    if (*k->normals || (single(u) && !k->bilinear))
         return PROMISE_NONE;
     if (!lines_straight(u))
         return PROMISE_CURVED;
@@ -34,29 +39,39 @@ enum promise_kind promise_kind_of(const struct unit *u)
 
 bool promise_follows(const struct unit *u)
 {
-    return promise_kind_of(u) == PROMISE_BILINEAR || promise_kind_of(u) == PROMISE_CURVED;
+    return !single(u) && (promise_kind_of(u) == PROMISE_BILINEAR || promise_kind_of(u) == PROMISE_CURVED);
 }
 
 /* What the name of f promises. */
-static double name_promise(const struct function *f)
+static double name_promise(const struct unit *u, const struct function *f)
 {
+    const double least = finest[u->options.precision];
     for (size_t i = 0; i < sizeof promises / sizeof *promises; i++)
-        if (strcmp(promises[i].name, f->genome->name) == 0)
-            return promises[i].promise;
-    return finest;
+        if (promise_kind_of(u) != PROMISE_LINEAR && strcmp(promises[i].name, f->genome->name) == 0)
+            return fmax(promises[i].promise, least);
+    return least;
 }
 
-/* The error of all but 1 % of what evolution held out; infinite if it did not say. */
+/* The error of all but 1 % of the samples that evolution held out; infinite if it is unknown. */
 static double usual_error(const struct function *f)
 {
+    if (f->measured)
+        return fmax(f->measured->error[0][0].p99, f->measured->error[0][1].p99);
     const char *said = genome_find_note(f->genome->note, f->genome->notes, "heldout_both");
     struct measure_error e[2];
     return said && measure_errors_read(said, e) ? fmax(e[0].p99, e[1].p99) : INFINITY;
 }
 
-/* A step of third order takes an error of less than this, or so, to its cube. */
+/* A step of third order takes an error of less than this, or so, to its cube; in float, one of second order to its square. */
 #define NEAR 0.02
 #define NEARLY 20.0
+#define NEARLY_SINGLE 0.5
+
+/* True if a step from an error of e ends below `promise`. */
+static bool one_step_does(const struct unit *u, double e, double promise)
+{
+    return single(u) ? e * e < NEARLY_SINGLE * promise : e * e * e < NEARLY * promise;
+}
 
 /* What NAME begins with: the cheapest function from which one step is most often enough. */
 static const struct function *start_of(const struct unit *u, const struct function *f)
@@ -66,19 +81,22 @@ static const struct function *start_of(const struct unit *u, const struct functi
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *other = &u->function[i];
         const double e = usual_error(other);
-        if (e < NEAR && e * e * e < NEARLY * name_promise(f) &&
+        if (e < NEAR && one_step_does(u, e, name_promise(u, f)) &&
             (!start || operations_cost(&other->code.ops, model) < operations_cost(&start->code.ops, model)))
             start = other;
     }
     return start ? start : f;
 }
 
+/* Promises over those that all but a few in a hundred samples meet by one step. */
+#define FEW 0.015
+
 /* How many steps f takes in a loop over arrays, where all pairs take as many, if the segment is bilinear; the few that need more are
  * done again behind it. */
 static int fixed_steps(const struct unit *u, const struct function *f)
 {
     const double e = usual_error(start_of(u, f));
-    return e < 0.2 * NEAR && e * e * e < 0.3 * name_promise(f) ? 1 : 2;
+    return e < 0.2 * NEAR && one_step_does(u, e, FEW * name_promise(u, f)) ? 1 : 2;
 }
 
 /* The promise that needs steps of third order. */
@@ -88,17 +106,17 @@ static int fixed_steps(const struct unit *u, const struct function *f)
 static bool are_alike(const struct unit *u, const struct function *f, const struct function *g)
 {
     return start_of(u, f) == start_of(u, g) && fixed_steps(u, f) == fixed_steps(u, g) &&
-           (name_promise(f) < THIRD) == (name_promise(g) < THIRD);
+           (name_promise(u, f) < THIRD) == (name_promise(u, g) < THIRD);
 }
 
 double promise_of(const struct unit *u, const struct function *f)
 {
-    double promise = promise_kind_of(u) == PROMISE_LINEAR ? finest : name_promise(f);
     if (promise_kind_of(u) == PROMISE_NONE)
         return 0.0;
+    double promise = name_promise(u, f);
     for (size_t i = 0; i < u->file->genomes && promise_kind_of(u) == PROMISE_BILINEAR; i++)
         if (promise >= THIRD && are_alike(u, f, &u->function[i]))
-            promise = fmin(promise, name_promise(&u->function[i]));
+            promise = fmin(promise, name_promise(u, &u->function[i]));
     return promise;
 }
 
@@ -116,8 +134,8 @@ void promise_define(const struct unit *u, const struct function *f, FILE *out)
 {
     char *name = promise_text(u, f);
     if (promise_of(u, f) > 0.0)
-        fprintf(out, "#define %s %g /* the largest error of xi and eta behind FOOTPOINT_OK */\n\n", name,
-                promise_of(u, f));
+        fprintf(out, "#define %s %g%s /* the largest error of xi and eta behind FOOTPOINT_OK */\n\n", name,
+                promise_of(u, f), single(u) ? "f" : "");
     free(name);
 }
 
@@ -156,12 +174,13 @@ struct words promise_words(const struct unit *u, const struct function *f)
     return w;
 }
 
-static char *products_text(const struct vectors_found *w, struct printer *r)
+static char *products_text(const struct unit *u, const struct vectors_found *w, struct printer *r)
 {
     struct memory *m = memory_open();
     for (size_t k = 0; k < PRODUCTS; k++) {
         char *text = vectors_product(w, r, k);
-        fprintf(m->stream, "%s%s", k == 0 ? "" : k % 5 ? ", " : ",\n        ", text);
+        fputs(k == 0 ? "" : k % 5 ? ", " : ",\n        ", m->stream);
+        c_print(text, u->options.precision, m->stream);
         free(text);
     }
     return memory_close(m);
@@ -176,7 +195,7 @@ void promise_print(const struct unit *u, const struct function *f, FILE *out)
     vectors_find(&v, u, f);
     vectors_find_products(&v, f);
     struct printer *r = gap_add_words(&w, u, f, &v);
-    words_add(&w, "PRODUCT_LIST", products_text(&v, r));
+    words_add(&w, "PRODUCT_LIST", products_text(u, &v, r));
     words_add(&w, "OVER", new_format("%.17g", v.factor[0] / v.factor[1]));
     words_add(&w, "UNITS", new_format("%g", ceil(v.product_rounding) + 10.0));
     words_add(&w, "TWIST", new_format("%d", v.twist));

@@ -15,7 +15,6 @@
 #include "header_promise.h"
 #include "header_vectors.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,23 +65,13 @@ static char *call_text(const struct unit *u, const struct function *of)
     return call;
 }
 
-/* What NAME_sure vouches for at the finest: nearer, rounding errors of its check leave it unsure too often. */
-#define SURE_FINEST 1e-4
-
-/* NAME_sure: NAME, and whether its answer is as good as the banner says. */
+/* NAME_sure, a name of before that callers have. */
 static void print_sure(const struct unit *u, const struct function *f, const char *vectors, FILE *out)
 {
-    char *head = new_format("FOOTPOINT_FN int %s_sure", f->name), *worst = single_worst_name(f);
-    fprintf(out,
-            "\n/* As %s, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the\n"
-            " * largest error of xi and eta on the samples held out, %g at least, and that no point of the segment is "
-            "nearer\n"
-            " * to S. */\n"
-            "#define %s %.3ef\n",
-            f->name, SURE_FINEST, worst, fmax(f->measured->worst, SURE_FINEST));
+    char *head = new_format("FOOTPOINT_FN int %s_sure", f->name);
+    fputs("\n/* Deprecated: the same as NAME, whose FOOTPOINT_OK is proved. */\n", out);
     lines_print_head(u, head, "REAL loc[2],REAL *gap", out);
-    single_print_sure(f, vectors, out);
-    free(worst);
+    fprintf(out, "{\n    return %s(%s, loc, gap);\n}\n", f->name, vectors);
     free(head);
 }
 
@@ -130,7 +119,7 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
     fputc('\n', out);
     templates_print_blocks("checked", u->options.precision, w.word, blocks, out);
     words_clear(&w);
-    if (single_checks(u) && isfinite(f->measured->worst))
+    if (promise == PROMISE_BILINEAR && u->options.samples)
         print_sure(u, f, vectors, out);
     arrays_print(u, f, out);
     if (closest_exists(u))

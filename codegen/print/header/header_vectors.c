@@ -434,7 +434,8 @@ static void find_values(struct vectors_found *w, const struct program *p)
     }
 }
 
-/* Operations of a function whose coordinates are relative to the segment have none of these values. */
+/* Operations of a function whose coordinates are relative to the segment have none of these values; and proofs in float take
+ * all vectors four times, as their texts are. */
 static void forget_operations(struct vectors_found *w, const struct program *p)
 {
     for (size_t point = 0; point < POINTS; point++)
@@ -457,7 +458,7 @@ void vectors_find(struct vectors_found *w, const struct unit *u, const struct fu
 {
     *w = (struct vectors_found){.vector = u->file->segment->bilinear ? bilinear : flat};
     find_values(w, f->program);
-    if (f->scaled)
+    if (f->scaled || u->options.precision == PRECISION_FLOAT)
         forget_operations(w, f->program);
     search_vectors(w, f->program);
     search_squares(w, f->program);

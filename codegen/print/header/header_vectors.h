@@ -12,7 +12,7 @@
 
 enum { VECTORS = 4, PRODUCTS = 9, POINTS = 2 };
 #define VECTORS_FOREIGN 0.08 /* see vectors_product */
-#define VECTORS_SHIFT 0.4
+#define VECTORS_SHIFT 0.5
 
 /** What a function has: operation `op`, or none (-1), is `factor` times the coordinate. */
 struct coordinate {

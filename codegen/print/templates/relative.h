@@ -10,3 +10,14 @@ FOOTPOINT_PART REAL footpoint_detail_relative(const REAL *const *x, int corners)
         sum += fabs(x[i][0] - x[0][0]) + fabs(x[i][1] - x[0][1]) + fabs(x[i][2] - x[0][2]);
     return 4.0 / sum;
 }
+
+/* The power of 2 that x > 0 begins with. */
+FOOTPOINT_PART REAL footpoint_detail_leading(REAL x)
+{
+    union {
+        REAL number;
+        REAL_BITS bits;
+    } both;
+    both.bits = footpoint_detail_bits(x) >> (REAL_DIGITS - 1) << (REAL_DIGITS - 1);
+    return both.number;
+}

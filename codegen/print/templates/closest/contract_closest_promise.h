@@ -4,15 +4,15 @@
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, EDGES.
  *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
  *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
- *           within 1e-9 of the border of that.  So dist exceeds the least distance by NAME_PROMISE times the largest
- *           |r_xi| + |r_eta| at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
+ *           within REAL_CLOSE of the border of that.  So dist exceeds the least distance by NAME_PROMISE times the largest
+ *           |r_xi| + |r_eta| at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than REAL_TIE of the
  *           longest edge, and another, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
  *           point that descents have found; so are all answers under -ffast-math.  Where two nodes are one point, xi or eta
  *           may be any number of the edge between them.
  *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, where r_xi x r_eta is a thousand times shorter
  *           at r than at a thousandth (1/1024; float: 1/32) of the way to the middle, because an edge is collapsed, or
  *           almost, or an angle about 180 degrees, for the normal there.  At an edge or a corner xS is
- *           behind only by more than a small angle, 1e-12, and by more than rounding: a node beside a flat segment, in its
+ *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat segment, in its
  *           plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of
  *           has dist < 0 for all segments there.
  *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if the segment has no area; and

@@ -6,7 +6,8 @@ FOOTPOINT_PART int NAME_detail_approach(NODE_PARAMETERS, REAL promise, int lanes
 {
     VECTOR_STATEMENTS
     const REAL products[9] = {PRODUCT_LIST};
-    const footpoint_detail_quad4_vectors vectors = {a,    b, c, d, OVER, SIZE, UNITS * 1.12e-16,
+    const REAL *const x[VECTORS] = {NODE_NAMES};
+    const footpoint_detail_quad4_vectors vectors = {x,    a, b, c, d, OVER, SIZE, UNITS * REAL_UNIT,
                                                     TWIST};
     return footpoint_detail_quad4_close(products, &vectors, promise, RATIO * PER, lanes, xi, eta,
                                         at, region);

@@ -87,11 +87,11 @@ FOOTPOINT_COLD void footpoint_detail_quad4_downhill(const footpoint_detail_quad4
         s = footpoint_detail_clamp(q->u + s) - q->u;
         t = footpoint_detail_clamp(q->v + t) - q->v;
         moved = fabs(s) + fabs(t);
-        if (!(moved > 0.0) || (moved < 1e-9 && moved >= 0.5 * before))
+        if (!(moved > 0.0) || (moved < REAL_CLOSE && moved >= 0.5 * before))
             return;
         footpoint_detail_quad4_look(r, footpoint_detail_clamp(q->u + s),
                                     footpoint_detail_clamp(q->v + t), &next);
-        while (moved > 1e-6 && !(next.dd < q->dd)) {
+        while (moved > REAL_APART && !(next.dd < q->dd)) {
             s *= 0.25;
             t *= 0.25;
             moved *= 0.25;
@@ -165,33 +165,9 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_sharp_det(const footpoint_detail_quad
     return least;
 }
 
-/* How far from q, in xi and in eta, the closest point is at most if it is within `close`: inside, both slopes vanish
- * there, and change by the Hessian at q and at most half the third derivatives times close^2.  At an edge where the slope
- * outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or |r_eta|^2. */
-FOOTPOINT_COLD REAL footpoint_detail_quad4_finer(const footpoint_detail_quad4_local *q,
-                                                 const footpoint_detail_quad4_bounds *r,
-                                                 REAL off_mixed, REAL close)
-{
-    const REAL bend = (4.0 * (fabs(q->uc) + fabs(q->vc)) + 2.0 * q->cc) * (close * close);
-    const REAL f = fabs(q->f) + r->off_f + bend, g = fabs(q->g) + r->off_g + bend;
-    const REAL mixed = q->uv - q->dc, turn = fabs(mixed) + off_mixed,
-               det = q->uu * q->vv - mixed * mixed;
-    const REAL held = 2.0 * close * (r->wide + r->high + fabs(q->dc));
-    const REAL s = (q->vv * f + turn * g) / det, t = (q->uu * g + turn * f) / det;
-    const int edge_u = fabs(q->u) >= 1.0, edge_v = fabs(q->v) >= 1.0;
-    if ((!edge_u && 1.0 - fabs(q->u) <= close) || (!edge_v && 1.0 - fabs(q->v) <= close))
-        return 1.0; /* an edge may hold it */
-    if (edge_u || edge_v) {
-        const int out_u = !edge_u || q->u * q->f > r->off_f + held;
-        const int out_v = !edge_v || q->v * q->g > r->off_g + held;
-        return out_u && out_v ? 1.05 * (edge_u ? edge_v ? 0.0 : g / q->vv : f / q->uu) : 1.0;
-    }
-    return det > 1000.0 * r->off_det ? 1.05 * (s > t ? s : t) : 1.0;
-}
-
 /* footpoint_detail_quad4_sole; or, if slack > 0, whether no point is nearer than q by more than `slack`.
  *
- * Rounding, u = 1.12e-16, with what bounds |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
+ * Rounding, u = REAL_UNIT, with what bounds |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
  * u of their lengths, a, b, c by 2 u first, second, turn, for which the shorter pair of edges serves, r_xi by 6 u
  * first, r_eta by 6 u second, D by 12 u far.  So slopes are off by 24 u first far and 24 u second far, products by
  * 15 u of what bounds the two, and `mixed` by 20 u (first second + far turn); Q, as |t| <= 2, by 600 u first second
@@ -200,7 +176,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_f
                                                   const footpoint_detail_quad4_local *q,
                                                   REAL promise, REAL slack)
 {
-    const REAL unit = 1.12e-16, close = 1e-9;
+    const REAL unit = REAL_UNIT, close = REAL_CLOSE;
     const REAL ac = fabs(footpoint_detail_dot(r->a, r->c)),
                bc = fabs(footpoint_detail_dot(r->b, r->c));
     const REAL off_mixed = 20.0 * unit * (r->first * r->second + r->far * r->turn);
@@ -211,6 +187,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_f
     bounds.off_f = 24.0 * unit * (r->first * r->far);
     bounds.off_g = 24.0 * unit * (r->second * r->far);
     bounds.off_det = 30.0 * off_mixed * (r->first * r->second);
+    bounds.off_rows = off_mixed + 15.0 * unit * (r->first * r->first + r->second * r->second);
     grows = footpoint_detail_quad4_grows(q->u, q->f, bounds.off_f, &f);
     grows += footpoint_detail_quad4_grows(q->v, q->g, bounds.off_g, &g);
     if (slack > 0.0) {
@@ -219,7 +196,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_f
         return slack > 0.0 && !(footpoint_detail_fast() >> REAL_TOP) && det > bounds.off_det;
     }
     det = footpoint_detail_quad4_sharp_det(q, grows, 1.0);
-    if (promise < close && footpoint_detail_quad4_finer(q, &bounds, off_mixed, close) <= promise)
+    if (promise < close && !(footpoint_detail_quad4_within(q, &bounds, close, promise) >> REAL_TOP))
         promise = close;
     return !(footpoint_detail_quad4_sole(q, &bounds, promise, f, g, det) >> REAL_TOP);
 }
@@ -231,7 +208,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_apex(const footpoint_detail_quad4_face
                                                REAL y[VECTORS][3],
                                                const footpoint_detail_quad4_local *q)
 {
-    const REAL off = 24.0 * 1.12e-16 * r->far;
+    const REAL off = 24.0 * REAL_UNIT * r->far;
     footpoint_detail_quad4_local end;
     REAL sign;
     int k;
@@ -252,12 +229,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_apex(const footpoint_detail_quad4_face
 }
 
 /* The nearest point that descents find, as q; its status.  A tie is proved, too: no point is nearer by more than
- * 1e-10 of the longest edge, and another, elsewhere in space, is not farther by more. */
+ * REAL_TIE of the longest edge, and another, elsewhere in space, is not farther by more. */
 FOOTPOINT_COLD int footpoint_detail_quad4_seek(const footpoint_detail_quad4_face *r,
                                                REAL y[VECTORS][3], REAL promise, REAL u, REAL v,
                                                footpoint_detail_quad4_local *q)
 {
-    const REAL close = 4e-10 * r->longest; /* vectors are four times as long */
+    const REAL close = 4.0 * REAL_TIE * r->longest; /* vectors are four times as long */
     footpoint_detail_quad4_local found[6];
     int best = 0, k, i;
     for (k = 0; k < 6; k++) {
@@ -275,7 +252,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_seek(const footpoint_detail_quad4_face
             apart[i] = (found[k].u - q->u) * r->a[i] + (found[k].v - q->v) * r->b[i] +
                        (found[k].u * found[k].v - q->u * q->v) * r->c[i];
         if (sqrt(found[k].dd) <= sqrt(q->dd) + close &&
-            footpoint_detail_length(apart) > 4e-6 * r->longest)
+            footpoint_detail_length(apart) > 4.0 * REAL_APART * r->longest)
             return footpoint_detail_quad4_certain(r, q, promise, close) ? FOOTPOINT_NOT_UNIQUE
                                                                         : FOOTPOINT_UNPROVED;
     }
@@ -323,8 +300,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_nearby *
     if (footpoint_detail_bits(footpoint_detail_dot(n, n) - REAL_FLAT * (edges * edges)) >> REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
     status = FOOTPOINT_UNPROVED;
-    if (scalable &&
-        (exponent > FOOTPOINT_DETAIL_ORDINARY || exponent < -FOOTPOINT_DETAIL_ORDINARY)) {
+    if (scalable && (exponent > REAL_ORDINARY || exponent < -REAL_ORDINARY)) {
         for (i = 0; i < VECTORS; i++)
             z[i] = y[i];
         status = nearby(z, 0, 0.0, at, region);
@@ -370,5 +346,6 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_none_nearer(const REAL *const *x, REA
         most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
     }
     least = sqrt(footpoint_detail_dot(d, d));
-    return footpoint_detail_greater(least - sqrt(most) - 1e-14 * (least + sqrt(most)), 0.0);
+    return footpoint_detail_greater(least - sqrt(most) - 100.0 * REAL_UNIT * (least + sqrt(most)),
+                                    0.0);
 }

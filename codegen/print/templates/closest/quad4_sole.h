@@ -8,9 +8,9 @@ typedef struct {
 } footpoint_detail_quad4_local;
 
 /* Bounds over the whole segment: wide >= |r_xi|^2, high >= |r_eta|^2; rounding errors of slopes, off_f and off_g;
- * and of the determinant that footpoint_detail_quad4_least_det returns. */
+ * of the determinant that footpoint_detail_quad4_least_det returns; and of the Hessian, by row. */
 typedef struct {
-    REAL wide, high, off_f, off_g, off_det;
+    REAL wide, high, off_f, off_g, off_det, off_rows;
 } footpoint_detail_quad4_bounds;
 
 /* How fast half the square of the distance grows from an edge of u, of slope f, into the segment; 0 inside.  *falls:
@@ -22,10 +22,10 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_grows(REAL u, REAL f, REAL off, REAL 
     return footpoint_detail_greater(outward, 0.0);
 }
 
-/* How far from u a point may be for all that: `promise`, and within the region, or 1e-9. */
+/* How far from u a point may be for all that: `promise`, and within the region, or REAL_CLOSE. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_reach(REAL u, REAL promise)
 {
-    return footpoint_detail_least(promise, footpoint_detail_greater(1.0 - fabs(u), 1e-9));
+    return footpoint_detail_least(promise, footpoint_detail_greater(1.0 - fabs(u), REAL_CLOSE));
 }
 
 /* A number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
@@ -41,7 +41,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_least_det(const footpoint_detail_quad
 }
 
 /* The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
- * `promise` of (u,v), in xi and in eta, and in the same region unless it is within 1e-9 of that region's border.  f,
+ * `promise` of (u,v), in xi and in eta, and in the same region unless it is within REAL_CLOSE of that region's border.  f,
  * g: how fast half the square of the distance may fall, see footpoint_detail_quad4_grows; least_det: Q.
  *
  * Let phi be half the square of the distance.  With a = r_xi and b = r_eta at (u,v)
@@ -70,4 +70,33 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_sole(const footpoint_detail_quad
     other = other * (0.999 * other - 4.0 * (r->wide * g)) - 4.0 * (r->wide * r->high) * (f * f);
     return footpoint_detail_bits(det) | footpoint_detail_bits(room) | footpoint_detail_bits(other) |
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
+}
+
+/* The highest bit of the result is not set if the closest point, known to be within `close` of q, is within promise in xi and in
+ * eta: inside, both slopes vanish there, and change by the Hessian at q and at most half the third derivatives times close^2.
+ * At an edge where the slope outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or |r_eta|^2.
+ * 1.05 leaves for rounding in Cramer's rule what det > 20000 units of mixed^2 lets it be. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_within(const footpoint_detail_quad4_local *q,
+                                                       const footpoint_detail_quad4_bounds *r,
+                                                       REAL close, REAL promise)
+{
+    const REAL in_u = 1.0 - fabs(q->u), in_v = 1.0 - fabs(q->v);
+    const REAL bend = (4.0 * (fabs(q->uc) + fabs(q->vc)) + 2.0 * q->cc) * (close * close);
+    const REAL more = bend + r->off_rows * close;
+    const REAL f = fabs(q->f) + r->off_f + more, g = fabs(q->g) + r->off_g + more;
+    const REAL mixed = q->uv - q->dc, turn = fabs(mixed), det = q->uu * q->vv - mixed * mixed;
+    const REAL held = 2.0 * close * (r->wide + r->high + fabs(q->dc));
+    const REAL both =
+        promise * det - 1.05 * footpoint_detail_greater(q->vv * f + turn * g, q->uu * g + turn * f);
+    const REAL of_u = promise * q->uu - 1.05 * f, of_v = promise * q->vv - 1.05 * g;
+    const REAL clear_u = footpoint_detail_pick(in_u, in_u - close, q->u * q->f - r->off_f - held);
+    const REAL clear_v = footpoint_detail_pick(in_v, in_v - close, q->v * q->g - r->off_g - held);
+    const REAL room = footpoint_detail_pick(in_u, footpoint_detail_pick(in_v, both, of_u),
+                                            footpoint_detail_pick(in_v, of_v, 1.0));
+    return footpoint_detail_bits(clear_u) | footpoint_detail_bits(clear_v) |
+           footpoint_detail_bits(room) |
+           footpoint_detail_bits(footpoint_detail_pick(footpoint_detail_least(in_u, in_v),
+                                                       det - 20000.0 * REAL_UNIT * (mixed * mixed),
+                                                       1.0)) |
+           footpoint_detail_infinite(room + clear_u + clear_v);
 }

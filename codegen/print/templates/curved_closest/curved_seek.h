@@ -175,7 +175,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_proved_again(footpoint_detail_nearby *n
         footpoint_detail_KIND_none_within(row) > longest)
         return FOOTPOINT_ERR_DOMAIN;
     status = FOOTPOINT_UNPROVED;
-    if (exponent > FOOTPOINT_DETAIL_ORDINARY || exponent < -FOOTPOINT_DETAIL_ORDINARY) {
+    if (exponent > REAL_ORDINARY || exponent < -REAL_ORDINARY) {
         status = nearby(row, 0, 0.0, at, region);
         at[2] = footpoint_detail_signed_root(at[2]);
     }

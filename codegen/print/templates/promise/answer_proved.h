@@ -19,8 +19,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
     if (doubt >> REAL_TOP) {
         for (i = 0; i < VECTORS; i++)
             z[i] = y[i];
-        if (nodes > 0 &&
-            (exponent > FOOTPOINT_DETAIL_ORDINARY || exponent < -FOOTPOINT_DETAIL_ORDINARY))
+        if (nodes > 0 && (exponent > REAL_ORDINARY || exponent < -REAL_ORDINARY))
             doubt = search(z, 2, 0.0, &xi, &eta, &g);
         if (doubt >> REAL_TOP) {
             if (search(nodes > 0 ? z : x, 1, 0.0, &xi, &eta, &g) >> REAL_TOP)

@@ -31,5 +31,8 @@ FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
     return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
 }
 
-/* Of more edges or less than 2^this a product of the search may leave its range. */
-#define FOOTPOINT_DETAIL_ORDINARY 32
+/* The scalar product of a, >= 0, and |b|. */
+FOOTPOINT_PART REAL footpoint_detail_weigh(const REAL a[3], const REAL b[3])
+{
+    return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
+}

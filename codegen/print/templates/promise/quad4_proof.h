@@ -1,55 +1,121 @@
-/* The proof of a Newton step from vectors: dearer, and finer on long faces. */
+/* The proof of a Newton step from nodes: dearer, and finer on long faces. */
 
-/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
- * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+/* What a proof knows of a segment and a slave node: their vectors x; those of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over`
+ * of the d here; size = a . a + b . b + c . c; and of what their rounding errors are.  Coordinates of a are off by some units of
+ * rounding of those of |a| + |c| + 0.08 |b|, of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with
+ * 3; of d, of |a| + |b| + |c| + |d|; products of two, by as many units as `rounding`, less 10, has, of the product of what bounds the
+ * two, where that of d has 0.5 (|a| + |b| + |c|) + |d|. */
+typedef struct {
+    const REAL *const *x;
+    const REAL *a, *b, *c, *d;
+    REAL over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART REAL footpoint_detail_root_bound(REAL x)
+{
+    union {
+        REAL number;
+        REAL_BITS bits;
+    } both;
+    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
+    return both.number;
+}
+
+/* What is at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and of each coordinate the sum of the absolute values of its
+ * terms, U, V, W, C.  By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
+typedef struct {
+    REAL u[3], v[3], w[3], c[3], U[3], V[3], W[3], C[3];
+} footpoint_detail_quad4_place;
+
+FOOTPOINT_PART void footpoint_detail_quad4_visit(const REAL *const *x, REAL xi, REAL eta,
+                                                 footpoint_detail_quad4_place *at)
+{
+    const REAL left = 1.0 - xi, right = 1.0 + xi, below = 1.0 - eta, above = 1.0 + eta;
+    const REAL a = left * below, b = right * below, c = right * above, d = left * above;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL ab = x[1][i] - x[0][i], dc = x[2][i] - x[3][i];
+        const REAL ad = x[3][i] - x[0][i], bc = x[2][i] - x[1][i];
+        const REAL of_a = a * (x[4][i] - x[0][i]), of_b = b * (x[4][i] - x[1][i]);
+        const REAL of_c = c * (x[4][i] - x[2][i]), of_d = d * (x[4][i] - x[3][i]);
+        at->u[i] = below * ab + above * dc;
+        at->U[i] = fabs(below * ab) + fabs(above * dc);
+        at->v[i] = left * ad + right * bc;
+        at->V[i] = fabs(left * ad) + fabs(right * bc);
+        at->w[i] = (of_a + of_b) + (of_c + of_d);
+        at->W[i] = (fabs(of_a) + fabs(of_b)) + (fabs(of_c) + fabs(of_d));
+        at->c[i] = dc - ab;
+        at->C[i] = fabs(dc) + fabs(ab);
+    }
+}
+
+/* A Newton step to the foot point of r, by xi and eta.  The highest bit of what it returns is not set if a minimum of the
+ * distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
- * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
- * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
- * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
- * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
- * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
- * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
-FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_prove(const REAL a[3], const REAL b[3],
-                                                      const REAL c[3], const REAL d[3], REAL over,
-                                                      REAL rounding, REAL promise, REAL *xi,
+ * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u . v - c . w;
+ * beta = |H^-1|, `step` = |H^-1 F|.  In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|) + c . c.  If
+ * h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact answer, and H is positive
+ * definite all the way there.
+ *
+ * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and what products of two errors make; H by 13 of rows
+ * U (U + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is no more than 1e-4 det / (2 units); L is off by 40 of
+ * C (U + V + C).  `tilt` bounds |H^-1| times the errors of H: with a step they are errors of F, too.  It makes beta and errors of F
+ * 1.06 times as large at most. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_newton(const REAL *const *x, REAL promise, REAL *xi,
+                                                       REAL *eta)
+{
+    footpoint_detail_quad4_place r;
+    REAL UV[3], all[3], uu, vv, r12, mixed, f, g, det, per, s, t, step, off_f, off_g, tilt, off, h;
+    REAL both, row, column, room;
+    int i;
+    footpoint_detail_quad4_visit(x, *xi, *eta, &r);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        UV[i] = r.U[i] + r.V[i];
+        all[i] = UV[i] + r.C[i];
+    }
+    uu = footpoint_detail_dot(r.u, r.u);
+    vv = footpoint_detail_dot(r.v, r.v);
+    r12 = footpoint_detail_dot(r.u, r.v) - footpoint_detail_dot(r.c, r.w);
+    mixed = fabs(r12);
+    f = footpoint_detail_dot(r.u, r.w);
+    g = footpoint_detail_dot(r.v, r.w);
+    det = uu * vv - r12 * r12;
+    per = 1.0 / det;
+    s = (vv * f - r12 * g) * per;
+    t = (uu * g - r12 * f) * per;
+    step = footpoint_detail_greater(fabs(s), fabs(t));
+    both = 1e-6 * footpoint_detail_dot(r.W, UV);
+    off_f = footpoint_detail_weigh(r.U, r.w) + footpoint_detail_weigh(r.W, r.u) + both;
+    off_g = footpoint_detail_weigh(r.V, r.w) + footpoint_detail_weigh(r.W, r.v) + both;
+    both = footpoint_detail_dot(r.C, r.W);
+    row = footpoint_detail_dot(r.U, UV) + both;
+    column = footpoint_detail_dot(r.V, UV) + both;
+    tilt = 25.0 * REAL_UNIT * per *
+           footpoint_detail_greater(vv * row + mixed * column, uu * column + mixed * row);
+    off = 7.0 * REAL_UNIT * per *
+              footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f) +
+          tilt * step;
+    h = 4.0 * (fabs(footpoint_detail_dot(r.u, r.c)) + fabs(footpoint_detail_dot(r.v, r.c))) +
+        footpoint_detail_dot(r.c, r.c) + 40.0 * REAL_UNIT * footpoint_detail_dot(r.C, all);
+    h *= (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off);
+    *xi += s;
+    *eta += t;
+    room = (0.999 * promise - 2.0 * REAL_UNIT) *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.3 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(0.249 - h) |
+           footpoint_detail_bits(0.05 - tilt) | footpoint_detail_bits(0.1 - (step + 2.0 * off)) |
+           footpoint_detail_bits(det - 20000.0 * REAL_UNIT * (r12 * r12)) |
+           footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
+}
+
+/* The same, where it is seldom called. */
+FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_prove(const REAL *const *x, REAL promise, REAL *xi,
                                                       REAL *eta)
 {
-    const REAL p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
-    const REAL u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
-    const REAL v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
-    const REAL w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
-                       over * d[2] - p * a[2] - q * v[2]};
-    const REAL uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
-    const REAL r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
-    const REAL f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
-    const REAL det = uu * vv - r12 * r12, per = 1.0 / det;
-    const REAL s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
-    const REAL step = footpoint_detail_greater(fabs(s), fabs(t));
-    const REAL twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
-    const REAL second = footpoint_detail_sum(b);
-    const REAL far =
-        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
-    const REAL away = footpoint_detail_sum(w) + 8.0 * step * far;
-    const REAL off_f = first + y * twist + away, off_g = second + x * twist + away;
-    const REAL off =
-        rounding * far * per *
-        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
-    const REAL turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
-    const REAL h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
-                   (4.0 * turns + cc + 1e-13 * (far * far));
-    REAL room, other;
-    *xi = p + s;
-    *eta = q + t;
-    room = 0.999 * promise *
-               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
-           (0.8 * h * step + 1.2 * off);
-    other = 0.249 - h;
-    room = other < room ? other : room;
-    other = 0.083 - step;
-    room = other < room ? other : room;
-    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
-    room = other < room ? other : room;
-    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
-           footpoint_detail_fast();
+    return footpoint_detail_quad4_newton(x, promise, xi, eta);
 }

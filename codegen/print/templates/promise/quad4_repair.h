@@ -1,6 +1,6 @@
 /* Steps of four-node faces where the quick ones prove nothing. */
 
-/* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
+/* The square of the distance at (xi,eta), of vectors with over = 1; and where gauss is not
  * NULL, the step of Gauss and Newton from there, which leads downhill. */
 FOOTPOINT_COLD REAL footpoint_detail_quad4_apart(const REAL a[3], const REAL b[3], const REAL c[3],
                                                  const REAL d[3], REAL xi, REAL eta, REAL *gauss)
@@ -66,12 +66,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const REAL a[3], const REAL b[3
 }
 
 /* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
- * segment is about 1 long; coordinates of what is made of them are off by 3 units of rounding, see footpoint_detail_quad4_prove(). */
+ * segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promise, REAL *xi,
                                                  REAL *eta)
 {
-    const REAL rounding = 11.0 * 1.12e-16;
     REAL a[3], b[3], c[3], d[3], at[2], to[2], apart, moved;
+    const REAL *const x[VECTORS] = {y[0], y[1], y[2], y[3], y[4]};
     int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_quad4_edges(y, a, b, c, d);
     at[0] = fabs(*xi) < 1e3 ? *xi : 0.0;
@@ -80,8 +80,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promis
     for (steps = 0; steps < 20; steps++) {
         to[0] = at[0];
         to[1] = at[1];
-        if (!(footpoint_detail_quad4_prove(a, b, c, d, 1.0, rounding, promise, &to[0], &to[1]) >>
-              REAL_TOP)) {
+        if (!(footpoint_detail_quad4_prove(x, promise, &to[0], &to[1]) >> REAL_TOP)) {
             at[0] = to[0];
             at[1] = to[1];
             status = FOOTPOINT_OK;
