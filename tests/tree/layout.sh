@@ -16,6 +16,7 @@ codegen/rounding:   codegen/region codegen/prove codegen/program codegen/graph c
 codegen/compile:    codegen/rounding codegen/region codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome codegen/base
 codegen/print/templates:
 codegen/print/templates/closest:
+codegen/print/templates/curved_closest:
 codegen/print/templates/along:
 codegen/print/templates/promise:
 codegen/print/templates/place:
