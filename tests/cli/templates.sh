@@ -58,7 +58,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         '') ;;
         quad4)
             files="$files quad4_sole quad4_here:quad4_vector_here quad4_close quad4_repair_closest proved_closest_arrays"
-            calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby:quad4_vector_nearby proved_closest_calls"
+            calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby:quad4_vector_nearby proved_closest_calls quad4_closest_from"
             ;;
         curved*) calls="$calls from_calls curved_nearby proved_closest_calls" ;;
         *) calls="$calls closest_calls" ;;

@@ -95,7 +95,7 @@ void closest_print(const struct unit *u, const struct function *f, FILE *out)
     struct words w = promise_words(u, f);
     const bool single = u->options.precision == PRECISION_FLOAT;
     const char *const nearby = single ? "quad4_vector_nearby" : "quad4_nearby";
-    const char *const bilinear[] = {nearby, "proved_closest_calls", NULL};
+    const char *const bilinear[] = {nearby, "proved_closest_calls", single ? NULL : "quad4_closest_from", NULL};
     words_add(&w, "SCALED_ROWS", lines_rows(u, "y"));
     templates_print(NULL,
                     kind == PROMISE_BILINEAR ? bilinear

@@ -17,6 +17,9 @@
  *           has dist < 0 for all segments there.
  *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if the segment has no area; and
  *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than the longest edge is long.
+ * NAME_closest_from:  the same with the last answer, or NaN, in loc.  Down to promises of 1e-5 it begins there and falls back
+ *           to NAME_closest if it proves nothing; finer ones begin anew, which is as fast.  region 1 to 8 is where xS leaves
+ *           the segment: the edge or corner whose neighbour to search next.
  * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
  * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[SEGMENT_VECTORS i] and on, such as a
  *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
