@@ -25,7 +25,7 @@ for header in $HEADERS; do
     esac
     kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH\(_F\)*$/\1/p' "$header" | tr A-Z a-z)
     type=$(sed -n 's/^ \* precision: //p' "$header")
-    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e _detail_ -e '_sure$' -e '_closest$' -e '_along$')
+    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e _detail_ -e '_sure$' -e '_closest$' -e '_along$' -e '_from$')
     [ -n "$FOOTPOINT_LONG" ] || functions=$(echo "$functions" | sed '1b; $!d')
     set -- $(places "$kind")
     vectors=$#
