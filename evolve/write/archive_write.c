@@ -218,7 +218,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     for (size_t i = 0; i < a->scene->tiers; i++)
         if (archive_has(a, i))
             add_tier(a, i, run);
-    const bool good = measure_genomes(a->program, 2, heldout, most, true, &m, d);
+    const bool good = measure_genomes(a->program, 2, heldout, most, &m, d);
     for (size_t g = 0; g < a->program->genomes && good; g++)
         add_errors(&a->program->genome[g], a, &m, 2 * g);
     measured_free(&m);
@@ -309,7 +309,7 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
     for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
         add_front(a, q, judge, most, f);
     if (!programs || most > 0)
-        good = measure_genomes(f, 1, heldout, samples, false, &m, d);
+        good = measure_genomes(f, 1, heldout, samples, &m, d);
     if (good)
         add_member_errors(f, &m);
     measured_free(&m);

@@ -1,10 +1,11 @@
-/* From the worst samples uphill; see climb.h.  All climbers of an expression make a step together, so that the frame's values
- * of their samples are computed at once. */
+/* From the worst samples uphill; see climb.h.  All climbers of a function make a step together, so that the frame's values of
+ * their samples are computed at once. */
 #include "climb.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+enum { STEPS = 60, STEPS_CURVED = 30 /* certain foot points of bilinear faces are cheap */, OUTS = 2 };
 #define LARGEST_STEP 0.25 /* of the range of a random number */
 #define WIDER 2.0         /* a step that led uphill; */
 #define NARROWER 0.85     /* one that did not */
@@ -15,10 +16,13 @@ struct climber {
 };
 
 struct climb {
-    struct sampler *sampler; /* not owned */
+    struct sampler *sampler;     /* not owned, as is: */
+    const struct measurement *m; /* first to first + outs - 1 are the function's */
+    size_t first, outs;
     struct climber *climber; /* owned */
     size_t climbers;
     gsl_rng *stream; /* owned */
+    double *worst;   /* not owned: by output */
 };
 
 /* A number a step away at most, as far as there are any. */
@@ -38,12 +42,26 @@ static void change(gsl_rng *stream, double step, struct stream_tape *tape)
             tape->number[i] = moved(stream, tape->number[i], step);
 }
 
-static void take_steps(struct climb *c, const struct measurement *m, size_t which)
+/* The larger error of each of n samples, to larger[]. */
+static void measure(struct climb *c, const struct sample *s, size_t n, double *larger)
+{
+    double value[OUTS][TALLY_WORST], *error[OUTS] = {value[0], value[1]};
+    measurement_errors(c->m, c->first, c->first + c->outs, s, n, error);
+    for (size_t i = 0; i < n; i++) {
+        larger[i] = 0;
+        for (size_t k = 0; k < c->outs; k++) {
+            larger[i] = fmax(larger[i], value[k][i]);
+            c->worst[k] = fmax(c->worst[k], value[k][i]);
+        }
+    }
+}
+
+static void take_steps(struct climb *c)
 {
     struct stream_tape tape[TALLY_WORST];
     struct sample sample[TALLY_WORST] = {{.xi = 0}};
     struct climber *of[TALLY_WORST];
-    double value[TALLY_WORST], *error = value;
+    double larger[TALLY_WORST];
     size_t n = 0;
     for (size_t i = 0; i < c->climbers; i++) {
         struct climber *k = &c->climber[i];
@@ -54,13 +72,27 @@ static void take_steps(struct climb *c, const struct measurement *m, size_t whic
         n += sampler_play(c->sampler, &tape[n], &sample[n]);
     }
     if (n > 0)
-        measurement_errors(m, which, which + 1, sample, n, &error);
+        measure(c, sample, n, larger);
     for (size_t i = 0; i < n; i++)
-        if (value[i] > of[i]->error) {
+        if (larger[i] > of[i]->error) {
             of[i]->tape = tape[i];
-            of[i]->error = value[i];
+            of[i]->error = larger[i];
             of[i]->step = fmin(LARGEST_STEP, of[i]->step * WIDER / NARROWER);
         }
+}
+
+/* The worst samples of one output. */
+static void start(struct climb *c, const struct tally *t, size_t most)
+{
+    for (size_t i = 0; i < t->kept && i < most; i++) {
+        struct climber *k = &c->climber[c->climbers];
+        if (t->largest[i].sample < c->sampler->listed.n)
+            continue;
+        sampler_record(c->sampler, t->largest[i].sample, &k->tape);
+        k->error = t->largest[i].error;
+        k->step = LARGEST_STEP / 4;
+        c->climbers++;
+    }
 }
 
 bool climb_can(const struct sampler *p)
@@ -68,27 +100,18 @@ bool climb_can(const struct sampler *p)
     return p->draw && p->part != PART_HELDOUT_EVEN;
 }
 
-double climb(struct sampler *p, struct measurement *m, size_t which)
+void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst)
 {
-    struct tally *t = &m->tally[which];
-    struct climb c = {p, new_array(TALLY_WORST, sizeof *c.climber), 0, stream_new()};
-    tally_sort(t);
-    double worst = t->kept > 0 ? t->largest[0].error : 0;
-    for (size_t i = 0; i < t->kept && i < TALLY_WORST; i++) {
-        struct climber *k = &c.climber[c.climbers];
-        if (t->largest[i].sample < p->listed.n)
-            continue;
-        sampler_record(p, t->largest[i].sample, &k->tape);
-        k->error = t->largest[i].error;
-        k->step = LARGEST_STEP / 4;
-        c.climbers++;
+    struct climb c = {p, m, first, outs, new_array(TALLY_WORST, sizeof *c.climber), 0, stream_new(), worst};
+    for (size_t k = 0; k < outs; k++) {
+        struct tally *t = &m->tally[first + k];
+        tally_sort(t);
+        worst[k] = t->kept > 0 ? t->largest[0].error : 0;
+        start(&c, t, TALLY_WORST / outs);
     }
-    stream_key(c.stream, p->scene->seed, p->scene->run, which, PART_HELDOUT);
-    for (int i = 0; i < CLIMB_STEPS && c.climbers > 0; i++)
-        take_steps(&c, m, which);
-    for (size_t i = 0; i < c.climbers; i++)
-        worst = fmax(worst, c.climber[i].error);
+    stream_key(c.stream, p->scene->seed, p->scene->run, first, PART_HELDOUT);
+    for (int i = p->scene->segment->bilinear ? STEPS : STEPS_CURVED; i > 0 && c.climbers > 0; i--)
+        take_steps(&c);
     gsl_rng_free(c.stream);
     free(c.climber);
-    return worst;
 }

@@ -5,14 +5,14 @@
 #include "../eval/errors.h"
 #include "../samples/sampler.h"
 
-enum { CLIMB_STEPS = 60 };
-
-/** Climbs from the samples of most error of an expression, TALLY_WORST of them, within the limits of their scene: CLIMB_STEPS
- *  changes each of the random numbers that they are drawn from, ever smaller ones, of which those stay that make the error
- *  larger.  Each change is a sample as any other, with a foot point of its own.  Deterministic in scene, run and `which`.
- *  @param[in] which  the expression of m, whose tally is of the sampler's samples; it is sorted
- *  @return the largest error met, no less than that of any sample */
-double climb(struct sampler *p, struct measurement *m, size_t which);
+/** Climbs from the samples of most error of a function, TALLY_WORST of them, within the limits of their scene: 60 changes
+ *  each, 30 on curved faces, of the random numbers that they are drawn from, ever smaller ones, of which those stay that make
+ *  the larger error of xi and eta larger.  Each change is a sample as any other, with a foot point of its own.  Deterministic
+ *  in scene, run and `first`.
+ *  @param[in] m           has taken the samples of p; the tallies are sorted
+ *  @param[in] first, outs the function's outputs in m
+ *  @param[out] worst      worst[outs]: the largest error met of each, no less than that of any sample */
+void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst);
 
 /** Whether there is something to climb on: samples that are drawn, for errors that are not another distribution's. */
 bool climb_can(const struct sampler *p);

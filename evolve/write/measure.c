@@ -34,18 +34,17 @@ static bool take_part(struct measurement *m, struct sampler *p, size_t most, str
 }
 
 static bool measure_part(const struct genome_file *f, struct measured *m, int part, const struct heldout *heldout,
-                         size_t most, bool climbs, struct region_survey *region, struct diag *d)
+                         size_t most, size_t outs, struct region_survey *region, struct diag *d)
 {
     struct sampler *p = heldout->part[part];
     struct errors *found = m->found[part] = new_array(m->n, sizeof *found);
     struct measurement all = measurement_open(f, m->t, m->output, m->n, p->count);
     double *worst = new_array(m->n, sizeof *worst);
     const bool good = take_part(&all, p, most, p->part == PART_HELDOUT_EVEN ? NULL : region, d);
-    climbs = climbs && good && climb_can(p) && p->count <= most;
-    for (size_t i = 0; i < m->n && climbs; i++)
-        worst[i] = climb(p, &all, i);
+    for (size_t i = 0; i < m->n && good && outs == 2 && climb_can(p) && p->count <= most; i += outs)
+        climb(p, &all, i, outs, worst + i);
     measurement_close(&all, found);
-    for (size_t i = 0; i < m->n && climbs; i++)
+    for (size_t i = 0; i < m->n; i++)
         found[i].climbed = worst[i];
     free(worst);
     return good;
@@ -63,8 +62,8 @@ static void list_outputs(const struct genome_file *f, size_t outs, struct measur
         }
 }
 
-bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *heldout, size_t most, bool climb,
-                     struct measured *m, struct diag *d)
+bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *heldout, size_t most, struct measured *m,
+                     struct diag *d)
 {
     struct region_survey *region = region_survey_new(f);
     bool good = true;
@@ -72,7 +71,7 @@ bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *h
     list_outputs(f, outs, m);
     for (int part = 0; part < HELDOUT_PARTS && good; part++)
         if (heldout->part[part])
-            good = measure_part(f, m, part, heldout, most, climb, region, d);
+            good = measure_part(f, m, part, heldout, most, outs, region, d);
     region_survey_add(region);
     return good;
 }

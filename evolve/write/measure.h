@@ -18,13 +18,12 @@ struct measured {
     struct errors *found[HELDOUT_PARTS]; /* owned, by t; NULL where the scene has no such part */
 };
 
-/** Measures the genomes of a file that have `outs` outputs, and adds the file's region.  Worst errors are those of climbing,
- *  too (climb.h), unless samples are left out.
- *  @param[in] most   samples of each part; SIZE_MAX: all
- *  @param[in] climb  climb from the worst samples
+/** Measures the genomes of a file that have `outs` outputs, and adds the file's region.  From the worst samples of a genome of
+ *  two outputs it climbs (climb.h), unless samples are left out.
+ *  @param[in] most  samples of each part; SIZE_MAX: all
  *  @return false with *d filled; then, too, to be freed */
-bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *heldout, size_t most, bool climb,
-                     struct measured *m, struct diag *d);
+bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *heldout, size_t most, struct measured *m,
+                     struct diag *d);
 void measured_free(struct measured *m);
 
 #endif

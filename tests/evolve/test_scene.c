@@ -12,20 +12,20 @@ static void shipped_scenes_read(void **state)
         size_t training, heldout;
         bool open; /* frame and tiers are left to the segments */
     } expected[] = {{"paper-quad4", "quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546, 200000, false},
-                    {"quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
+                    {"quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 1000000, false},
                     {"quad4-float", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
-                    {"plane-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
-                    {"parallelogram-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
-                    {"rectangle-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
-                    {"bricks-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 200000, true},
-                    {"punch-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 200000, false},
-                    {"blocks-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 200000, false},
-                    {"tri3", "tri3", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
-                    {"tri6", "tri6", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false},
-                    {"quad8", "quad8", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false},
-                    {"quad9", "quad9", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false},
-                    {"gregory", "gregory", SOURCE_RANDOM, CORNERS_ANY, 20000, 20000, false},
-                    {"bezier", "bezier", SOURCE_RANDOM, CORNERS_ANY, 20000, 20000, false},
+                    {"plane-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 1000000, true},
+                    {"parallelogram-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 1000000, true},
+                    {"rectangle-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 1000000, true},
+                    {"bricks-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 1000000, true},
+                    {"punch-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 1000000, false},
+                    {"blocks-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 1000000, false},
+                    {"tri3", "tri3", SOURCE_RANDOM, CORNERS_ANY, 20000, 1000000, false},
+                    {"tri6", "tri6", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
+                    {"quad8", "quad8", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
+                    {"quad9", "quad9", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
+                    {"gregory", "gregory", SOURCE_RANDOM, CORNERS_ANY, 20000, 100000, false},
+                    {"bezier", "bezier", SOURCE_RANDOM, CORNERS_ANY, 20000, 100000, false},
                     {"paper-gregory", "gregory", SOURCE_LATTICE, CORNERS_ANY, 28540, 30000, false}};
     (void)state;
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
