@@ -474,7 +474,7 @@ static bool found(const struct archive *a, bool all, struct diag *d)
                    a->scene->tier[first].name);
 }
 
-/* Samples that what is held out is measured on where a signal ends a run, and who sent it may not wait. */
+/* Samples that errors are measured on where a run ends early: its time is up, or who sent the signal may not wait. */
 enum { HURRIED = 10000 };
 
 /* On rank 0: what was found, to the files and in a table. */
@@ -486,8 +486,7 @@ static bool write_found(const struct call *call, const struct problem *p, const 
     const struct evolve_options *o = call->options;
     const struct run_facts facts = {o->seed, out->generation, o->islands};
     const bool saved = o->checkpoint && !out->unsaved && out->generation > 0;
-    const bool hurries = out->reason == STOP_TERMINATED || out->reason == STOP_INTERRUPTED;
-    const size_t samples = hurries ? HURRIED : SIZE_MAX;
+    const size_t samples = out->reason == STOP_DONE ? SIZE_MAX : HURRIED;
     if (out->reason != STOP_DONE)
         fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(out->reason), out->generation,
                 o->generations, saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
