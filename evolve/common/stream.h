@@ -18,8 +18,8 @@ struct stream_tape {
     uint64_t number[TAPE_NUMBERS];
     size_t n;
 };
-/** Plays a tape from its beginning: the stream yields the tape's numbers first, then draws its own and adds these to the
- *  tape while there is room.  So an empty tape records.  NULL ends it. */
+/** Plays a tape from its beginning: the stream returns the tape's numbers first, then draws its own and appends these to the
+ *  tape while there is room.  An empty tape therefore records.  NULL ends playing. */
 void stream_play(gsl_rng *stream, struct stream_tape *tape);
 
 #endif

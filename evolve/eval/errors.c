@@ -78,7 +78,7 @@ double errors_p99(double *absolute, size_t n)
     return errors_p99_above(absolute, n, 0);
 }
 
-/* ---- one after the other ---- */
+/* ---- running statistics ---- */
 
 void tally_open(struct tally *t, size_t most)
 {
@@ -87,7 +87,7 @@ void tally_open(struct tally *t, size_t most)
     t->largest = new_array(t->most, sizeof *t->largest);
 }
 
-/* A place below `at`, which is free, for an error larger than the least. */
+/* Puts an error into the heap at or below the free place `at`. */
 static void sift(struct tally *t, size_t at, struct largest e)
 {
     for (size_t child; (child = 2 * at + 1) < t->kept; at = child) {

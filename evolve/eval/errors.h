@@ -23,7 +23,7 @@ double errors_p99_above(double *absolute, size_t n, double least);
 /** Whether it is no more than `most`. */
 bool errors_p99_within(const double *absolute, size_t n, double most);
 
-/** Statistics of errors that come one after the other: all that is kept of them are sums and the largest. */
+/** Running statistics of errors: keeps sums and the largest errors only. */
 struct tally {
     size_t n, most; /* how many have come, and will come at most */
     double sum, band[GAP_BANDS];
@@ -36,14 +36,14 @@ struct tally {
 };
 enum { TALLY_WORST = 100 };
 void tally_open(struct tally *t, size_t most);
-/** Takes the errors of the next n samples. */
+/** Adds the errors of the next n samples. */
 void tally_take(struct tally *t, const double *error, size_t n);
-/** Sorts t->largest, the largest first. */
+/** Sorts t->largest in descending order; no errors can be added afterwards. */
 void tally_sort(struct tally *t);
-/** Their statistics; frees the tally. */
+/** Returns the statistics and frees the tally. */
 struct errors tally_close(struct tally *t);
 
-/** Expressions of a program, t[i] of output[i] (0: xi, 1: eta), and the tallies of their errors. */
+/** Expressions of a program, t[i] for output[i] (0 is xi, 1 is eta), and the tallies of their errors. */
 struct measurement {
     const struct genome_file *program; /* not owned, as is: */
     const struct genes *t;
@@ -53,16 +53,16 @@ struct measurement {
 };
 struct measurement measurement_open(const struct genome_file *program, const struct genes *t, const int *output,
                                     size_t trees, size_t most);
-/** Takes the next n samples; what all expressions are made of is computed once. */
+/** Adds the errors on the next n samples; values that several expressions share are computed once. */
 void measurement_take(struct measurement *m, const struct sample *s, size_t n);
 /** Writes found[i] for each expression and frees the tallies. */
 void measurement_close(struct measurement *m, struct errors *found);
 
-/** Absolute errors of some of the expressions, first to last - 1, on n samples, to error[i - first][0..n-1]. */
+/** Computes the absolute errors of expressions first to last - 1 on n samples: error[i - first][0..n-1]. */
 void measurement_errors(const struct measurement *m, size_t first, size_t last, const struct sample *s, size_t n,
                         double **error);
 
-/** The same of a set of samples. */
+/** Measures expressions on a set of samples. */
 void errors_measure(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
                     const struct sample_set *set, struct errors *found);
 

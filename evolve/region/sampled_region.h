@@ -14,7 +14,7 @@
  *  translation, rotation and scaling, so this covers every segment that is similar to one in that region. */
 void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets);
 
-/** The same of samples that come one after the other; the file has its genomes before. */
+/** Survey samples in pieces, then add the region.  The file must have its genomes before. */
 struct region_survey *region_survey_new(struct genome_file *f);
 void region_survey_take(struct region_survey *s, const struct sample *sample, size_t n);
 /** Adds the region and frees the survey. */

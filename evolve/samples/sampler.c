@@ -1,4 +1,4 @@
-/* Samples one at a time; see sampler.h.  A draw that makes no sample is repeated with the next numbers of the same stream. */
+/* Samples one at a time; see sampler.h.  A draw that makes no sample is repeated with the next numbers of its stream. */
 #include "sampler.h"
 
 #include "../input/mesh.h"
@@ -31,7 +31,7 @@ static bool prepare(struct sampler *p, struct diag *d)
     return mesh_prepare(p, d);
 }
 
-/* Samples that are listed, rounded where the scene is in float; those that have no foot point any more are left out. */
+/* Rounds the listed samples to float and removes samples that no longer have a foot point in the box. */
 static void round_listed(struct sampler *p)
 {
     struct sample_set *set = &p->listed;

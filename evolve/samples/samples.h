@@ -1,20 +1,20 @@
-/* The samples of a scene, drawn and labelled with their certain foot points: one function for each kind of source. */
+/* The samples of a scene, drawn and labelled with their certain foot points. */
 #ifndef FOOTPOINT_SAMPLES_H
 #define FOOTPOINT_SAMPLES_H
 
 #include "sampler.h"
 
-/** False for PART_HELDOUT_EVEN of scenes that have none, and for PART_HELDOUT_RANDOM of all but lattices. */
+/** Returns whether a scene has a part: PART_HELDOUT_RANDOM exists for lattices only, PART_HELDOUT_EVEN for shapes only. */
 bool scene_has(const struct scene *s, enum sample_part part);
 
-/** Append the part's samples, of a part that the scene has, to *set; their coordinates are numbers of the scene's
- *  precision.  Deterministic in the scene alone.  False with *d filled when none is left. */
+/** Appends all samples of a part to *set.  Coordinates are numbers of the scene's precision.  Deterministic in the scene and
+ *  its run.  Returns false with *d filled if there are no samples. */
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
 
-/** For who keeps them all: holds out 200,000 samples of a part at most. */
+/** Limits held-out samples to 200,000 a part, for callers that store them. */
 void scene_hold_out_less(struct scene *s);
 
-/** Opens the parts held out that the scene has.  False with *d filled; then, too, to be freed. */
+/** Opens the held-out parts of a scene.  Returns false with *d filled; *h must be freed in either case. */
 bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d);
 
 #endif

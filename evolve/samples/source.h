@@ -1,4 +1,4 @@
-/* The sources of samples: how each prepares a sampler, and draws; for the files of this room. */
+/* Sources of samples: shapes, meshes, lattices, smooth bodies.  Used by the files of this room only. */
 #ifndef FOOTPOINT_SOURCE_H
 #define FOOTPOINT_SOURCE_H
 
@@ -7,25 +7,25 @@
 
 #include <gsl/gsl_rng.h>
 
-/** What samples of a part are taken from (sampler.h). */
+/** An open part of a scene; see sampler.h. */
 struct sampler {
     const struct scene *scene; /* not owned */
     enum sample_part part;
-    size_t count;             /* of samples */
-    struct sample_set listed; /* owned: the first ones, which are not drawn: grids, nodes of meshes */
+    size_t count;             /* samples of the part */
+    struct sample_set listed; /* owned; the first samples, which are not drawn: a grid, a mesh's own nodes */
     gsl_rng *stream;          /* owned */
-    bool (*draw)(const struct sampler *p, struct sample *s); /* once; false: draw again */
-    struct mesh *mesh;                                       /* owned; of a scene of a mesh */
-    struct smooth_mesh **body;                               /* owned; of a scene of smooth bodies */
+    bool (*draw)(const struct sampler *p, struct sample *s); /* draws once; returns false to draw again */
+    struct mesh *mesh;                                       /* owned; NULL unless the scene has a mesh */
+    struct smooth_mesh **body;                               /* owned; NULL unless the scene has smooth bodies */
 };
 
-/** Fewer nodes of a mesh over its faces say little: errors are those of random nodes. */
+/** With fewer mesh nodes over master faces, errors are those of random nodes. */
 enum { MESH_FEW = 1000 };
 
-/** Mean and 99 % of another distribution, all that PART_HELDOUT_EVEN is for, need no more. */
+/** PART_HELDOUT_EVEN only compares means and 99 % errors, which need no more samples. */
 enum { EVEN_MOST = 50000 };
 
-/** How many samples of a part are drawn at random. */
+/** Returns how many samples of a part are drawn at random. */
 static inline size_t samples_wanted(const struct scene *s, enum sample_part part)
 {
     switch (part) {
@@ -44,18 +44,17 @@ static inline size_t samples_wanted(const struct scene *s, enum sample_part part
     return s->heldout;
 }
 
-/** Prepare a sampler of each source: what is listed, and how the rest is drawn.  Segments with normals are of smooth bodies,
- *  or of the lattice with random normals, where `training` and `heldout` count samples before those are left out whose foot
- *  point is not in the box. */
+/** Set p->listed and p->draw.  Segments with normals lie on smooth bodies or on the lattice, with random normals; on the
+ *  lattice's grid `training` and `heldout` include samples that are left out because their foot point is not in the box. */
 bool lattice_prepare(struct sampler *p, struct diag *d);
 bool mesh_prepare(struct sampler *p, struct diag *d);
 bool patches_prepare(struct sampler *p, struct diag *d);
 bool shapes_draw(const struct sampler *p, struct sample *s);
-/** The configurations of the lattice's grid that belong to the part, and a draw off the grid. */
+/** Append the part's configurations on the lattice's grid; draw one off the grid. */
 bool lattice_grid(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool lattice_draw(const struct sampler *p, struct sample *s);
 
-/** How each draws the parts held out, in words for banners: lines of text, as many as it returns. */
+/** Write how held-out samples are drawn, in words for banners.  Return the number of lines. */
 size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t mesh_drawn(const struct scene *scene, size_t real, char line[DRAWN_LINES][DRAWN_LENGTH]);
@@ -71,8 +70,8 @@ bool draw_face(const struct surface *f, gsl_rng *stream, const struct shapes *sh
  *  @param[in] least, most  |gap|, mesh length: its logarithm is uniform and its sign random; least 0: gap is uniform */
 bool place_slave(gsl_rng *stream, const struct scene *scene, double least, double most, struct sample *s);
 
-/** Round the coordinates of a sample to float, and find its foot point anew.  False if it has none in the scene's box any
- *  more, but for rounding. */
+/** Rounds the coordinates of a sample to float and computes its foot point again.  Returns false if the foot point is no longer
+ *  in the scene's box, up to rounding. */
 bool sample_round(const struct scene *scene, struct sample *s);
 
 /** Renumber the corners as the order says, and the foot point with them: A becomes the corner nearest to the slave

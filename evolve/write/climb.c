@@ -1,14 +1,14 @@
-/* From the worst samples uphill; see climb.h.  All climbers of a function make a step together, so that the frame's values of
- * their samples are computed at once. */
+/* A local search for the worst errors; see climb.h.  All climbers of a function step together, so that one table holds the
+ * frame's values of all their samples. */
 #include "climb.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { STEPS = 60, STEPS_CURVED = 30 /* certain foot points of bilinear faces are cheap */, OUTS = 2 };
-#define LARGEST_STEP 0.25 /* of the range of a random number */
-#define WIDER 2.0         /* a step that led uphill; */
-#define NARROWER 0.85     /* one that did not */
+enum { STEPS = 60, STEPS_CURVED = 30 /* certain foot points of curved faces are dear */, OUTS = 2 };
+#define LARGEST_STEP 0.25 /* over the range of a random number */
+#define WIDER 2.0         /* factor of the step after one uphill */
+#define NARROWER 0.85     /* and after any other */
 
 struct climber {
     struct stream_tape tape;
@@ -17,22 +17,22 @@ struct climber {
 
 struct climb {
     struct sampler *sampler;     /* not owned, as is: */
-    const struct measurement *m; /* first to first + outs - 1 are the function's */
+    const struct measurement *m; /* outputs first to first + outs - 1 */
     size_t first, outs;
     struct climber *climber; /* owned */
     size_t climbers;
     gsl_rng *stream; /* owned */
-    double *worst;   /* not owned: by output */
+    double *worst;   /* not owned; indexed by output */
 };
 
-/* A number a step away at most, as far as there are any. */
+/* Returns a random number within a step of `number`, clamped to the range. */
 static uint64_t moved(gsl_rng *stream, uint64_t number, double step)
 {
     const double to = ldexp((double)number, -64) + step * (2 * gsl_rng_uniform(stream) - 1);
     return (uint64_t)ldexp(fmin(fmax(to, 0), 1 - 0x1p-53), 64);
 }
 
-/* One number changed or, every other time, all. */
+/* Changes one number or, every other time, all numbers. */
 static void change(gsl_rng *stream, double step, struct stream_tape *tape)
 {
     const bool all = gsl_rng_uniform_int(stream, 2) == 0;
@@ -42,7 +42,7 @@ static void change(gsl_rng *stream, double step, struct stream_tape *tape)
             tape->number[i] = moved(stream, tape->number[i], step);
 }
 
-/* The larger error of each of n samples, to larger[]. */
+/* Computes the larger error of each of n samples. */
 static void measure(struct climb *c, const struct sample *s, size_t n, double *larger)
 {
     double value[OUTS][TALLY_WORST], *error[OUTS] = {value[0], value[1]};
@@ -81,7 +81,7 @@ static void take_steps(struct climb *c)
         }
 }
 
-/* The worst samples of one output. */
+/* Adds climbers at the worst samples of one output. */
 static void start(struct climb *c, const struct tally *t, size_t most)
 {
     for (size_t i = 0; i < t->kept && i < most; i++) {

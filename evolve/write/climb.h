@@ -1,20 +1,20 @@
-/* Errors between the samples: from the worst samples uphill to the worst errors near them. */
+/* Worst errors between the samples: a local search uphill from the worst samples. */
 #ifndef FOOTPOINT_CLIMB_H
 #define FOOTPOINT_CLIMB_H
 
 #include "../eval/errors.h"
 #include "../samples/sampler.h"
 
-/** Climbs from the samples of most error of a function, TALLY_WORST of them, within the limits of their scene: 60 changes
- *  each, 30 on curved faces, of the random numbers that they are drawn from, ever smaller ones, of which those stay that make
- *  the larger error of xi and eta larger.  Each change is a sample as any other, with a foot point of its own.  Deterministic
- *  in scene, run and `first`.
- *  @param[in] m           has taken the samples of p; the tallies are sorted
- *  @param[in] first, outs the function's outputs in m
- *  @param[out] worst      worst[outs]: the largest error met of each, no less than that of any sample */
+/** Climbs from the worst samples of a function, TALLY_WORST in all.  Each climber changes the random numbers that its sample
+ *  is drawn from, 60 times on bilinear faces and 30 times on curved ones, by ever smaller steps, and keeps a change if it
+ *  makes the larger error of xi and eta larger.  Every change is a sample within the scene's limits with a certain foot
+ *  point of its own.  Deterministic in the scene, its run and `first`.
+ *  @param[in,out] m         must have taken the samples of p; its tallies are sorted
+ *  @param[in] first, outs   the outputs of the function in m, 2 at most
+ *  @param[out] worst        worst[outs]: the largest error of each output; at least that of the samples */
 void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst);
 
-/** Whether there is something to climb on: samples that are drawn, for errors that are not another distribution's. */
+/** Returns whether the samples of a part can be climbed from: they are drawn, and from the scene's own distribution. */
 bool climb_can(const struct sampler *p);
 
 #endif

@@ -17,7 +17,7 @@ bool heldout_piece(struct sampler *p, size_t most, size_t *at, struct sample *s,
     return true;
 }
 
-/* Takes all samples of a part, for the region, too, unless it is NULL. */
+/* Measures all samples of a part, and the region unless it is NULL. */
 static bool take_part(struct measurement *m, struct sampler *p, size_t most, struct region_survey *region,
                       struct diag *d)
 {
