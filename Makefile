@@ -355,6 +355,7 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 	    sh evolve/regenerate.sh $(or $(SCENE),$(SCENES))
 	$(if $(SCENE),,$(Q)BIN=$(BIN) GENERATIONS=$(GENERATIONS) sh evolve/regenerate.sh --derivatives $(FACES))
 	$(if $(SCENE),,$(Q)$(emit_perceptrons))
+	$(if $(SCENE),,$(Q)BIN=$(BIN) sh evolve/regenerate.sh --table)
 
 front: codegen evolve ## which members of the fronts to ship as tiers, measured on validation samples: SCENE= MEMBERS= of each tier
 	$(call demand,SCENE,$(SCENE),no scene)

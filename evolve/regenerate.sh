@@ -3,7 +3,8 @@
 # emitted from these genomes, or all if GENERATIONS is 0.  Several scenes are done side by side, as many as there are ranks.
 # A scene given by its name is the tree's.  A scene given by a path is somebody's own: genomes and header stand beside it, or
 # in the folder OUT.  Genomes take the place of those before when a run has ended; an interrupted run changes nothing.
-# regenerate.sh --derivatives FACE...: emit the headers of derivatives, as above.  Reads BIN, MPIRUN (without -n), RANKS,
+# regenerate.sh --derivatives FACE...: emit the headers of derivatives, as above.  regenerate.sh --table: a line a function of
+# all headers, and what changed since the committed ones.  Reads BIN, MPIRUN (without -n), RANKS,
 # GENERATIONS, SEED, OUT and FROM (scratch, or nothing) from the environment; `make regenerate` calls it.  What a scene's run
 # says is in $BIN/regenerate/NAME.log, if there are several.
 progress() { printf '%s\n' "$*" >&2; }
@@ -82,17 +83,27 @@ if [ "$1" = --derivatives ]; then
     exit
 fi
 
+if [ "$1" = --table ]; then
+    awk -f evolve/what_ships.awk -v before="$BIN/regenerate/before" generated/footpoint_*.h
+    # Rows of the runs' tables.
+    grep -H 'times less error\|right to rounding' "$BIN/regenerate/"*.log 2> /dev/null |
+        sed "s|^$BIN/regenerate/\(.*\)\.log:|\1 |" > "$BIN/regenerate/better"
+    [ -s "$BIN/regenerate/better" ] && cat "$BIN/regenerate/better" || echo 'no function got better by one in a hundred'
+    echo 'pictures of time against error: make report, then build/report/index.html'
+    exit
+fi
+
 if [ $# = 1 ]; then
     regenerate "$1" "$RANKS"
     exit
 fi
-mkdir -p "$BIN/regenerate" && rm -f "$BIN/regenerate/"* || exit 3
+rm -rf "${BIN:?}/regenerate" && mkdir -p "$BIN/regenerate/before" || exit 3
+for header in generated/*.h; do # as committed, or as they are where git cannot tell
+    git show "HEAD:$header" > "$BIN/regenerate/before/${header##*/}" 2> /dev/null || cp "$header" "$BIN/regenerate/before/"
+done
 STARTED=$(date +%s) SCENES=$#
 at_once=$((RANKS < SCENES ? RANKS : SCENES))
 export STARTED SCENES
 printf '%s\n' "$@" | xargs -P "$at_once" -I{} sh "$0" --one {} $((RANKS / at_once))
 status=$?
-# What got better: rows of the runs' tables.
-grep -H 'times less error\|right to rounding' "$BIN/regenerate/"*.log | sed "s|^$BIN/regenerate/\(.*\)\.log:|\1 |" |
-    awk 'BEGIN { n = 0 } { n++; print } END { if (n == 0) print "nothing got better by one in a hundred" }'
 exit $status
