@@ -14,7 +14,8 @@ endif
 
 MAKEFLAGS += --no-builtin-rules
 # All processors, unless the caller gives -j, or several goals of which some do more than build: these follow one another.
-ACTIONS := clean check check-long regenerate front bench bench-record figures calibrate perceptrons report rivals paper install install-runtime \
+ACTIONS := clean check check-long regenerate front bench bench-record figures calibrate perceptrons report rivals queries paper install \
+           install-runtime \
            uninstall dist abi
 goals   := $(filter-out deps%,$(MAKECMDGOALS))
 given_j := $(filter -j% --jobs%,$(MAKEFLAGS) $(shell echo "$$MAKEFLAGS"))
@@ -378,6 +379,7 @@ $(BIN)/tests/test_promise_curved $(BIN)/tests/test_closest_curved: $(OBJ)/tests/
 $(BIN)/tests/test_from: $(patsubst %,$(OBJ)/tests/%.o,generated/judged_faces hard/draw)
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
+$(BIN)/tests/test_queries: $(OBJ)/tests/queries/query_text.o
 $(foreach test,$(test_main),$(eval $(BIN)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
 $(TESTS): $(OBJ)/support.a $(OBJ)/paper.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
 	@mkdir -p $(@D)
@@ -432,6 +434,10 @@ calibrate: calibrate-program ## measure this machine's operation costs, build/ma
 
 rivals: runtime ## beside other libraries: table, and pictures in build/rivals/index.html: CASES= of each family (some minutes)
 	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) CASES=$(CASES) sh tests/libraries/rivals.sh build/rivals
+
+# The committed set and its scores, or with COUNT= another set.
+queries: runtime ## the public set of queries and the scores on it; with SEED= COUNT= another set, build/queries/queries.txt
+	$(Q)BIN=$(BIN) CC=$(CC) sh tests/queries/queries.sh $(if $(COUNT),set $(SEED) $(COUNT),fill)
 
 report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report/report.sh build/report
@@ -572,5 +578,5 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench bench-record figures calibrate report \
-        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
+        perceptrons paper rivals queries build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

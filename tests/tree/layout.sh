@@ -53,6 +53,7 @@ tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
 tests/hard:         tests/rivals tests/support runtime runtime/* generated
 tests/bench:        tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/libraries:    tests/hard tests/rivals tests/support generated runtime runtime/*
+tests/queries:      tests/libraries tests/rivals tests/support generated runtime runtime/*
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
