@@ -4,6 +4,7 @@
 #include "print/formulas.h"
 #include "print/fortran.h"
 #include "print/header/header.h"
+#include "print/header/header_along.h"
 #include "print/header/header_place.h"
 #include "print/points.h"
 
@@ -32,7 +33,7 @@ static bool write_code(const struct unit *u, const struct codegen_options *o, st
 {
     struct outfile out;
     bool good = true;
-    if (o->language == LANGUAGE_C && u->file->face && !place_check(u, d))
+    if (o->language == LANGUAGE_C && !(u->file->face ? place_check(u, d) : along_check(u, d)))
         return false;
     if ((o->points && !write_points(u, o->points, d)) || !outfile_open(&out, o->output, d))
         return false;

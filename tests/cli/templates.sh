@@ -99,8 +99,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
-double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625'
-float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f'
+double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625 -DREAL_ALONG=1e-9'
+float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f -DREAL_ALONG=1e-3f'
 float="$float -fsingle-precision-constant -DSINGLE"
 later 'templates: half of the compilers and precisions'
 for compiler in 'gcc -std=c99' 'clang -std=c99' 'g++ -std=c++11' 'clang++ -std=c++11'; do

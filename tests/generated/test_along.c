@@ -1,7 +1,9 @@
 /* Projection along a direction, footpoint_KIND_along, against a solver that is certain and shares no code with it,
- * tests/support/line_points.h: a status is right, the nearest of several points is the answer.  Faces are mild, strongly
- * curved, arched, with mid-side nodes at a quarter, collapsed, folded, wavy and slim, at the origin and 1e6 edges away from it, with
- * lines in any direction, near the normal and near chords.  4,000 lines a kind, 1e6 with FOOTPOINT_LONG. */
+ * tests/support/line_points.h: behind FOOTPOINT_OK a point lies within the promise, by Newton's steps in quadruple precision, and the
+ * face has no other one; other statuses are right, and the nearest of several points is the answer.  Faces are mild, strongly
+ * curved, arched, half circles, with mid-side nodes at a quarter or 0.3 to 0.5 off, collapsed, folded, wavy and slim, at the origin and
+ * 1e6 edges away from it, of sizes from 1e-100 to 1e100, with lines in any direction, near the normal, near chords, through nodes, along
+ * edges, and such that touch the face or nearly do.  4,000 lines a kind, 1e6 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
@@ -57,22 +59,28 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* ---- samples ---- */
 
-enum family { MILD, STRONG, ARCH, QUARTER, COLLAPSED, FOLDED, WAVY, SLIM, FAMILIES };
-static const char *const family_name[] = {"mild",      "strong", "arch", "quarter-point",
-                                          "collapsed", "folded", "wavy", "slim"};
+enum family { MILD, STRONG, ARCH, QUARTER, COLLAPSED, FOLDED, WAVY, SLIM, CIRCLE, OFF, FAMILIES };
+static const char *const family_name[] = {"mild",   "strong", "arch", "quarter-point", "collapsed",
+                                          "folded", "wavy",   "slim", "circular",      "moved"};
+/* Where lines lead. */
+enum lead { ANYWHERE, NORMAL, OBLIQUE, CHORD, NODE_OR_EDGE, TOUCHING, LEADS };
 
 struct line {
     double x[VECTORS][3], p[3]; /* the slave node behind the nodes */
+    enum lead lead;
+    double far; /* how many edges the slave node is away */
 };
 
 static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
 static const double triangle[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
 
-/* Nodes about 1 apart: on an arch, moved, with mid-side nodes a quarter from corner A or from edge AB, with C at D, up to 1e4 times as long as wide. */
+/* Nodes about 1 apart: on an arch or up to half of a circle, moved, mid-side nodes alone by 0.3 to 0.5, or a quarter from corner A or
+ * from edge AB, with C at D, up to 1e4 times as long as wide. */
 static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, double (*x)[3])
 {
-    static const double move[FAMILIES] = {0.1, 0.5, 0.05, 0.02, 0.1, 1.2, 0.1, 0.3};
+    static const double move[FAMILIES] = {0.1, 0.5, 0.05, 0.02, 0.1, 1.2, 0.1, 0.3, 0.02, 0.1};
     const double rise = gsl_ran_flat(stream, 0.2, 1.5), edge = gsl_ran_flat(stream, -1, 1);
+    const double turn = gsl_ran_flat(stream, 0.5, 3.14159);
     const double slim = how == SLIM ? pow(10, gsl_ran_flat(stream, -4, 0)) : 1;
     for (int n = 0; n < k->nodes; n++) {
         const double *const at = k->corners == 3 ? triangle[n] : square[n], low = k->corners == 3 ? 0 : -1;
@@ -85,6 +93,17 @@ static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, do
             x[n][2] += rise * (place[0] * (1 - place[0]) * 4 + (edge > 0 ? place[1] * (1 - place[1]) : 0));
         if (how == WAVY && n >= k->corners)
             x[n][2] += gsl_ran_flat(stream, -1, 1);
+        if (how == CIRCLE) {
+            const double angle = turn * (x[n][0] - 0.5);
+            x[n][2] += cos(angle) / turn;
+            x[n][0] = sin(angle) / turn;
+        }
+        if (how == OFF && n >= k->corners) {
+            double to[3];
+            gsl_ran_dir_3d(stream, &to[0], &to[1], &to[2]);
+            for (int i = 0; i < 3; i++)
+                x[n][i] += gsl_ran_flat(stream, 0.3, 0.5) * to[i];
+        }
         x[n][1] *= slim;
     }
     if (how == COLLAPSED)
@@ -93,24 +112,59 @@ static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, do
         memcpy(x[6], x[2], sizeof *x);
 }
 
+/* Tangents by differences, as the surface is of degree 2 in each coordinate. */
+static void tangents_at(const struct kind *k, struct line *l, const double loc[2], double t[2][3])
+{
+    static const double none[3] = {0, 0, 0};
+    for (int j = 0; j < 2; j++) {
+        double less[3];
+        line_points_offset(k->nodes, l->x, none, (double[]){loc[0] + (j == 0), loc[1] + (j == 1)}, t[j]);
+        line_points_offset(k->nodes, l->x, none, (double[]){loc[0] - (j == 0), loc[1] - (j == 1)}, less);
+        for (int i = 0; i < 3; i++)
+            t[j][i] = (t[j][i] - less[i]) / 2;
+    }
+}
+
+/* The direction becomes one of the tangents' plane; r moves off the face by 1e-16 to 1e-2. */
+static void touch(const struct kind *k, gsl_rng *stream, struct line *l, const double loc[2], double r[3])
+{
+    const double angle = gsl_ran_flat(stream, 0, 6.2832);
+    const double off = gsl_rng_uniform_int(stream, 4) ? pow(10, gsl_ran_flat(stream, -16, -2)) : 0;
+    double t[2][3];
+    tangents_at(k, l, loc, t);
+    for (int i = 0; i < 3; i++) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        l->p[i] = cos(angle) * t[0][i] + sin(angle) * t[1][i];
+        r[i] += off * (t[0][a] * t[1][b] - t[0][b] * t[1][a]);
+    }
+}
+
 /* A line through a point on the face or a little beside it, and a slave node on it: in any direction, near the normal of a
- * flat face, or near a chord of the face. */
+ * flat face, near a chord of the face, or touching it there; through a node, or along an edge. */
 static void draw_line(const struct kind *k, gsl_rng *stream, struct line *l)
 {
     static const double none[3] = {0, 0, 0};
     const double low = k->corners == 3 ? -0.1 : -1.1, far = pow(10, gsl_ran_flat(stream, -4, 4));
     const double along = gsl_ran_flat(stream, -2, 2) * fmax(1, far);
-    const double loc[2] = {gsl_ran_flat(stream, low, 1.1), gsl_ran_flat(stream, low, 1.1)};
+    double loc[2] = {gsl_ran_flat(stream, low, 1.1), gsl_ran_flat(stream, low, 1.1)};
     const double next[2] = {loc[0] + gsl_ran_flat(stream, -0.6, 0.6), loc[1] + gsl_ran_flat(stream, -0.6, 0.6)};
-    const int how = (int)gsl_rng_uniform_int(stream, 4);
+    const enum lead how = (enum lead)gsl_rng_uniform_int(stream, LEADS);
+    const int node = (int)gsl_rng_uniform_int(stream, (unsigned long)k->nodes), edge = (int)gsl_rng_uniform_int(stream, 4);
     double r[3], s[3];
+    for (int i = 0; i < 2 && how == NODE_OR_EDGE && edge; i++)
+        loc[i] = (k->corners == 3 ? triangle : square)[node][i];
     line_points_offset(k->nodes, l->x, none, loc, r);
     line_points_offset(k->nodes, l->x, none, next, s);
+    l->lead = how;
+    l->far = fabs(along);
     for (int i = 0; i < 3; i++)
-        l->p[i] = how == 0   ? gsl_ran_gaussian(stream, 1)
-                  : how == 1 ? (i == 2) + gsl_ran_flat(stream, -0.2, 0.2)
-                  : how == 2 ? (i == 2) + gsl_ran_flat(stream, -1, 1)
-                             : s[i] - r[i] + gsl_ran_flat(stream, -0.05, 0.05);
+        l->p[i] = how == ANYWHERE ? gsl_ran_gaussian(stream, 1)
+                  : how == NORMAL ? (i == 2) + gsl_ran_flat(stream, -0.2, 0.2)
+                  : how == CHORD  ? s[i] - r[i] + gsl_ran_flat(stream, -0.05, 0.05)
+                  : how == NODE_OR_EDGE && edge == 1 ? l->x[(node + 1) % k->corners][i] - l->x[node % k->corners][i]
+                                                     : (i == 2) + gsl_ran_flat(stream, -1, 1);
+    if (how == TOUCHING && k->nodes > 3)
+        touch(k, stream, l, loc, r);
     for (int i = 0; i < 3; i++)
         l->x[k->nodes][i] = r[i] + along * l->p[i];
 }
@@ -118,7 +172,8 @@ static void draw_line(const struct kind *k, gsl_rng *stream, struct line *l)
 static void draw(const struct kind *k, long number, gsl_rng *stream, struct line *l)
 {
     const enum family how = (enum family)(number % FAMILIES);
-    const double size = ldexp(1, (int)gsl_rng_uniform_int(stream, 41) - 20);
+    const int power = (int)gsl_rng_uniform_int(stream, 50);
+    const double size = power == 0 ? 1e100 : power == 1 ? 1e-100 : ldexp(1, power - 24);
     double away[3];
     draw_face(k, how, stream, l->x);
     draw_line(k, stream, l);
@@ -133,7 +188,8 @@ static void draw(const struct kind *k, long number, gsl_rng *stream, struct line
 
 struct tally {
     long lines[4], wrong, unclear, nowhere, family[FAMILIES]; /* lines by number of points, three and more together */
-    double off;
+    long all[FAMILIES + 1], proved[FAMILIES + 1]; /* last: mild faces, lines through these, slave nodes up to 100 edges away */
+    double off, error;
 };
 
 struct answer {
@@ -174,12 +230,62 @@ static bool is_nowhere(const struct kind *k, struct line *l)
     return wide.count == 0 || !wide.clear;
 }
 
+/* A point lies within the promise of the answer, and no other one on the face. */
+static bool is_proved(const struct kind *k, struct line *l, const struct answer *a, struct tally *t)
+{
+    struct line_points face = {.clear = false};
+    const double error = line_points_error(k->nodes, l->x, l->x[k->nodes], l->p, a->loc);
+    t->error = fmax(t->error, error);
+    if (!(error <= FOOTPOINT_ALONG_PROMISE) || beyond_of(k, a->loc) > 1e-15)
+        return false;
+    for (double over = 0.1; over > CLEAR && !face.clear; over *= 0.05) /* where it touches the surface beyond the edges */
+        line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, over, &face);
+    for (int i = 0; i < face.count; i++) {
+        const struct line_point *const p = &face.point[i];
+        if (p->beyond <= 0 && fmax(fabs(p->loc[0] - a->loc[0]), fabs(p->loc[1] - a->loc[1])) > error + 1e-12)
+            return false;
+    }
+    return face.clear;
+}
+
+/* The direction has no length, or lies in the planes of the tangents at corners. */
+static bool is_flat(const struct kind *k, struct line *l)
+{
+    double size = 0, most = 0;
+    for (int c = 0; c < k->corners; c++) {
+        double t[2][3], across = 0;
+        tangents_at(k, l, k->corners == 3 ? triangle[c] : square[c], t);
+        for (int i = 0; i < 3; i++) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3;
+            across += l->p[i] * (t[0][a] * t[1][b] - t[0][b] * t[1][a]);
+            for (int j = 0; j < 3; j++)
+                size = fmax(size, fabs(l->p[i] * t[0][j] * t[1][a]));
+        }
+        most = fmax(most, fabs(across));
+    }
+    return most <= 1e-7 * size;
+}
+
+/* What a status says of the number of points on the face is true. */
+static bool is_counted(const struct kind *k, struct line *l, const struct answer *a, int inside)
+{
+    if (a->status == FOOTPOINT_ERR_DOMAIN)
+        return inside == 0 && (k->nodes != 4 || is_nowhere(k, l));
+    if (a->status == FOOTPOINT_ERR_DEGENERATE)
+        return is_flat(k, l);
+    return a->status == FOOTPOINT_UNPROVED || (a->status == FOOTPOINT_OK && inside == 1) ||
+           (a->status == FOOTPOINT_NOT_UNIQUE && inside > 1) ||
+           (a->status == FOOTPOINT_OUTSIDE && inside == 0 && beyond_of(k, a->loc) > 0);
+}
+
 static bool is_right(const struct kind *k, struct line *l, const struct answer *a, struct tally *t)
 {
     struct line_points all;
     const struct line_point *best = NULL;
     const double span = span_of(k, l);
     int inside = 0;
+    if (a->status == FOOTPOINT_OK && !is_proved(k, l, a, t))
+        return false;
     line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, 0.1, &all);
     bool clear = all.clear;
     for (int i = 0; i < all.count; i++) {
@@ -189,22 +295,31 @@ static bool is_right(const struct kind *k, struct line *l, const struct answer *
         if (p->beyond < 0 && (!best || fabs(p->dist) < fabs(best->dist)))
             best = p;
     }
-    if (a->status >= FOOTPOINT_OK) {
+    if (a->status >= FOOTPOINT_OK && a->status != FOOTPOINT_UNPROVED) {
         const double reach = 1 + fabs(a->loc[0]) + fabs(a->loc[1]), off = off_line(k, l, a) / (span * reach * reach);
         t->off = fmax(t->off, off);
         if (off > 1e-9)
             return false;
     }
-    t->unclear += !clear;
+    t->unclear += !clear && l->lead != TOUCHING && l->lead != NODE_OR_EDGE;
     if (!clear)
         return true;
     t->lines[inside < 3 ? inside : 3]++;
     t->nowhere += a->status == FOOTPOINT_ERR_DOMAIN;
-    if (inside == 0)
-        return (a->status == FOOTPOINT_OUTSIDE && beyond_of(k, a->loc) > 0) ||
-               (a->status == FOOTPOINT_ERR_DOMAIN && (k->nodes != 4 || is_nowhere(k, l)));
-    return a->status == (inside == 1 ? FOOTPOINT_OK : FOOTPOINT_NOT_UNIQUE) &&
-           fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread) * span;
+    return is_counted(k, l, a, inside) &&
+           (inside == 0 || a->status == FOOTPOINT_UNPROVED ||
+            fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread) * span);
+}
+
+static void count(long number, const struct line *l, const struct answer *a, struct tally *t)
+{
+    const enum family how = (enum family)(number % FAMILIES);
+    t->all[how]++;
+    t->proved[how] += a->status != FOOTPOINT_UNPROVED;
+    if (how == MILD && l->lead < CHORD && l->far <= 100) {
+        t->all[FAMILIES]++;
+        t->proved[FAMILIES] += a->status != FOOTPOINT_UNPROVED;
+    }
 }
 
 static void judge(const struct kind *k, long number, struct line *l, const struct answer *a, struct tally *t)
@@ -253,6 +368,7 @@ static long compare(const struct kind *k, long samples)
         ask(k, lines, one, row);
         for (int n = 0; n < ROWS; n++) {
             judge(k, first + n, &lines[n], &one[n], &t);
+            count(first + n, &lines[n], &one[n], &t);
             if (row[n].status != one[n].status ||
                 (one[n].status >= FOOTPOINT_OK &&
                  (row[n].loc[0] != one[n].loc[0] || row[n].loc[1] != one[n].loc[1] || row[n].dist != one[n].dist)))
@@ -262,11 +378,15 @@ static long compare(const struct kind *k, long samples)
     gsl_rng_free(stream);
     printf(
         "# %s: %ld of %ld wrong; %ld lines beside the face, %ld meet it once, %ld twice, %ld more often; %ld meet the "
-        "surface nowhere; %ld unclear; off the line by %.1e\n",
-        k->name, t.wrong, samples, t.lines[0], t.lines[1], t.lines[2], t.lines[3], t.nowhere, t.unclear, t.off);
+        "surface nowhere; %ld unclear; off the line by %.1e, off a point by %.1e\n",
+        k->name, t.wrong, samples, t.lines[0], t.lines[1], t.lines[2], t.lines[3], t.nowhere, t.unclear, t.off, t.error);
+    printf("# %s: proved of ordinary ones %.2f %%; of all", k->name, 100.0 * (double)t.proved[FAMILIES] / (double)t.all[FAMILIES]);
+    for (int i = 0; i < FAMILIES; i++)
+        printf(", %s %.1f %%%s", family_name[i], 100.0 * (double)t.proved[i] / (double)t.all[i], i + 1 < FAMILIES ? "" : "\n");
     for (int i = 0; i < FAMILIES; i++)
         if (t.family[i])
             printf("# %s: %ld wrong on %s faces\n", k->name, t.family[i], family_name[i]);
+    assert_true(100 * t.proved[FAMILIES] >= 99 * t.all[FAMILIES]);
     assert_true(t.unclear < samples / 100 && t.lines[0] > samples / 10 && t.lines[1] > samples / 10);
     assert_true(k->nodes == 3 || t.lines[2] > samples / 100);
     return t.wrong;
@@ -340,7 +460,7 @@ static void nearly_singular_lines(void **state)
     for (int e = 0; e <= 12; e++) {
         const double near = pow(10, -e);
         for (int k = 0; k < KINDS; k++) {
-            struct line l = {{{0}}, {0, 0, 1}};
+            struct line l = {.p = {0, 0, 1}};
             struct answer a = {0, {7, 7}, 7};
             if (kinds[k].corners == 3)
                 continue;
@@ -351,15 +471,14 @@ static void nearly_singular_lines(void **state)
             const double s[3] = {0.3 * near, 1 - near, 0.5};
             memcpy(l.x[kinds[k].nodes], s, sizeof s);
             a.status = kinds[k].along(l.x, l.p, a.loc, &a.dist);
+            printf("%d %d %d\n", kinds[k].nodes, e, a.status);
+            assert_true(a.status == FOOTPOINT_OK || (a.status == FOOTPOINT_UNPROVED && e > 3));
             if (kinds[k].nodes == 4 || e <= 6)
-                assert_true(a.status == FOOTPOINT_OK && fabs(a.dist - 0.5) < 1e-12 &&
-                            off_line(&kinds[k], &l, &a) < 1e-12);
-            else
-                assert_true(a.status == FOOTPOINT_OK || a.status == FOOTPOINT_ERR_NO_CONVERGENCE);
+                assert_true(fabs(a.dist - 0.5) < 1e-12 && off_line(&kinds[k], &l, &a) < 1e-12);
         }
         for (int k = 2; k < KINDS; k++)
             for (int above = 0; above < 2; above++) {
-                struct line l = {{{0}}, {1, 0.01, 0}};
+                struct line l = {.p = {1, 0.01, 0}};
                 struct answer a = {0, {7, 7}, 7};
                 for (int n = 0; n < kinds[k].nodes; n++) {
                     const double *const at = kinds[k].corners == 3 ? triangle[n] : square[n];
@@ -369,8 +488,10 @@ static void nearly_singular_lines(void **state)
                 const double s[3] = {0.37, 0.1, above ? 1 + 0.01 * near : 1 - 0.01 * near};
                 memcpy(l.x[kinds[k].nodes], s, sizeof s);
                 a.status = kinds[k].along(l.x, l.p, a.loc, &a.dist);
-                assert_true(above ? a.status == FOOTPOINT_ERR_DOMAIN || a.status == FOOTPOINT_OUTSIDE
-                                  : a.status == FOOTPOINT_NOT_UNIQUE && off_line(&kinds[k], &l, &a) < 1e-12);
+                printf("%d %d %d %d\n", kinds[k].nodes, e, above, a.status);
+                if (a.status != FOOTPOINT_UNPROVED || e <= 8)
+                    assert_true(above ? a.status == FOOTPOINT_ERR_DOMAIN || a.status == FOOTPOINT_OUTSIDE
+                                      : a.status == FOOTPOINT_NOT_UNIQUE && off_line(&kinds[k], &l, &a) < 1e-12);
             }
     }
 }
@@ -421,6 +542,8 @@ static void size_does_not_matter(void **state)
         struct line l;
         struct answer usual = {0, {7, 7}, 7};
         draw(k, n, stream, &l);
+        if (l.lead == NODE_OR_EDGE || fabs(log10(span_of(k, &l))) > 50) /* where rounding decides, or would be no numbers */
+            continue;
         usual.status = k->along(l.x, l.p, usual.loc, &usual.dist);
         for (int power = -900; power <= 900; power += 150) {
             struct line m = l;

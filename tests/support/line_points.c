@@ -11,9 +11,11 @@
 #include <string.h>
 
 typedef long double real;
+__extension__ typedef __float128 exact;
 
 enum { DIRECTIONS = 8 };
 static const real direction[DIRECTIONS][2] = {{1, 0}, {5, 2}, {1, 1}, {2, 5}, {0, 1}, {-2, 5}, {-1, 1}, {-5, 2}};
+enum { BOXES = 100000 }; /* more of them do not tell */
 #define FINEST 1e-9L  /* boxes in which the Jacobian may be 0 are not halved on */
 #define SPLIT 0.4853L /* where boxes are cut: no point of interest lies there */
 
@@ -24,12 +26,12 @@ struct box {
 
 /* ---- faces ---- */
 
-static void shape(int nodes, real xi, real eta, real n[9])
+static void shape(int nodes, exact xi, exact eta, exact n[9])
 {
     static const int place[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
-    const real third = 1 - xi - eta, three[6] = {third, xi, eta, 4 * third * xi, 4 * xi * eta, 4 * eta * third};
+    const exact third = 1 - xi - eta, three[6] = {third, xi, eta, 4 * third * xi, 4 * xi * eta, 4 * eta * third};
     for (int k = 0; k < nodes; k++) {
-        const real u = xi * place[k][0], v = eta * place[k][1];
+        const exact u = xi * place[k][0], v = eta * place[k][1];
         if (nodes == 3)
             n[k] = three[k];
         else if (nodes == 6)
@@ -46,44 +48,81 @@ static void shape(int nodes, real xi, real eta, real n[9])
     }
 }
 
-static void offset_at(int nodes, double (*x)[3], const double xs[3], real xi, real eta, real r[3])
+static void offset_at(int nodes, double (*x)[3], const double xs[3], exact xi, exact eta, exact r[3])
 {
-    real n[9];
+    exact n[9];
     shape(nodes, xi, eta, n);
     for (int i = 0; i < 3; i++) {
         r[i] = 0;
         for (int k = 0; k < nodes; k++)
-            r[i] += n[k] * ((real)x[k][i] - xs[i]);
+            r[i] += n[k] * ((exact)x[k][i] - xs[i]);
     }
 }
 
 void line_points_offset(int nodes, double (*x)[3], const double xs[3], const double loc[2], double offset[3])
 {
-    real r[3];
+    exact r[3];
     offset_at(nodes, x, xs, loc[0], loc[1], r);
     for (int i = 0; i < 3; i++)
         offset[i] = (double)r[i];
 }
 
-/* Two axes of length 1 normal to the direction. */
-static void axes_of(const double along[3], real e[2][3])
+/* Two axes normal to the direction, of length 1 to rounding. */
+static void axes_of(const double along[3], exact e[2][3])
 {
-    real square = 0, length = 0;
+    exact square = 0, length = 0;
     int least = 0;
     for (int i = 0; i < 3; i++) {
-        square += (real)along[i] * along[i];
+        square += (exact)along[i] * along[i];
         least = fabs(along[i]) < fabs(along[least]) ? i : least;
     }
     for (int i = 0; i < 3; i++) {
-        e[0][i] = (i == least) - along[i] * (real)along[least] / square;
+        e[0][i] = (i == least) - along[i] * (exact)along[least] / square;
         length += e[0][i] * e[0][i];
     }
     for (int i = 0; i < 3; i++)
-        e[0][i] /= sqrtl(length);
+        e[0][i] /= sqrtl((real)length);
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        e[1][i] = (along[j] * e[0][k] - along[k] * e[0][j]) / sqrtl(square);
+        e[1][i] = (along[j] * e[0][k] - along[k] * e[0][j]) / sqrtl((real)square);
     }
+}
+
+/* Where the line is in the plane of the axes, seen from the surface. */
+static void plane_at(int nodes, double (*x)[3], const double xs[3], exact e[2][3], const exact loc[2], exact f[2])
+{
+    exact r[3];
+    offset_at(nodes, x, xs, loc[0], loc[1], r);
+    for (int c = 0; c < 2; c++)
+        f[c] = e[c][0] * r[0] + e[c][1] * r[1] + e[c][2] * r[2];
+}
+
+double line_points_error(int nodes, double (*x)[3], const double xs[3], const double along[3], const double loc[2])
+{
+    exact e[2][3], at[2] = {loc[0], loc[1]};
+    double step = INFINITY;
+    axes_of(along, e);
+    for (int k = 0; k < 12 && step > 1e-22; k++) {
+        exact f[3][2], move[2];
+        plane_at(nodes, x, xs, e, at, f[2]);
+        for (int i = 0; i < 2; i++) { /* slopes of a polynomial of degree 2 */
+            const exact more[2] = {at[0] + (i == 0), at[1] + (i == 1)}, less[2] = {at[0] - (i == 0), at[1] - (i == 1)};
+            exact high[2];
+            plane_at(nodes, x, xs, e, more, high);
+            plane_at(nodes, x, xs, e, less, f[i]);
+            for (int c = 0; c < 2; c++)
+                f[i][c] = (high[c] - f[i][c]) / 2;
+        }
+        const exact turn = f[0][0] * f[1][1] - f[0][1] * f[1][0];
+        if (turn == 0)
+            return INFINITY;
+        move[0] = (f[1][0] * f[2][1] - f[1][1] * f[2][0]) / turn;
+        move[1] = (f[0][1] * f[2][0] - f[0][0] * f[2][1]) / turn;
+        at[0] += move[0];
+        at[1] += move[1];
+        step = fmax(fabs((double)move[0]), fabs((double)move[1]));
+    }
+    return step > 1e-16 ? INFINITY : fmax(fabs((double)(at[0] - loc[0])), fabs((double)(at[1] - loc[1])));
 }
 
 /* ---- the search ---- */
@@ -94,6 +133,8 @@ struct line_search {
     const double *xs, *along;
     struct box whole;
     struct line_points *found;
+    real limit; /* of u + v */
+    long boxes;
 };
 
 static real cross2(const real a[2], const real b[2])
@@ -202,16 +243,16 @@ static void add_point(struct line_search *q, real s, real t, real f[3][2])
         return;
     }
     struct line_point *const p = &all->point[all->count++];
-    real r[3], ahead = 0, length = 0;
+    exact r[3], ahead = 0, length = 0;
     p->loc[0] = (double)(q->whole.u + s * q->whole.wide);
     p->loc[1] = (double)(q->whole.v + t * q->whole.high);
     p->beyond = beyond_of(q->nodes, p->loc);
     offset_at(q->nodes, q->x, q->xs, q->whole.u + s * q->whole.wide, q->whole.v + t * q->whole.high, r);
     for (int i = 0; i < 3; i++) {
         ahead -= r[i] * q->along[i];
-        length += (real)q->along[i] * q->along[i];
+        length += (exact)q->along[i] * q->along[i];
     }
-    p->dist = (double)(ahead / sqrtl(length));
+    p->dist = (double)((real)ahead / sqrtl((real)length));
     p->spread =
         (double)(q->whole.wide * (sqrtl(dot2(f[1], f[1])) + sqrtl(dot2(f[2], f[2]))) / fabsl(cross2(f[1], f[2])));
 }
@@ -261,14 +302,14 @@ static void halve(const struct box *b, struct box half[2])
 
 static void search_box(struct line_search *q, const struct box *b)
 {
-    if (!q->found->clear || is_ahead(b))
+    if (!q->found->clear || b->u + b->v > q->limit || is_ahead(b))
         return;
     if (turn_of(b)) {
         const int winding = winding_of(b);
         if (winding == 0 || (abs(winding) == 1 && polish(q, b)))
             return;
     }
-    if (fmaxl(b->wide, b->high) < FINEST) {
+    if (fmaxl(b->wide, b->high) < FINEST || ++q->boxes > BOXES) {
         q->found->clear = false;
         return;
     }
@@ -283,14 +324,15 @@ void line_points_find(int nodes, double (*x)[3], const double xs[3], const doubl
 {
     const bool triangle = nodes == 3 || nodes == 6;
     const real low = (triangle ? 0 : -1) - (real)over, wide = 1 - low + (real)over;
-    struct line_search q = {nodes, x, xs, along, {low, low, wide, wide, {{{0}}}}, found};
-    real e[2][3], (*const net)[3][2] = q.whole.net;
+    struct line_search q = {nodes, x, xs, along, {low, low, wide, wide, {{{0}}}}, found, triangle ? 1 + (real)over : INFINITY, 0};
+    real(*const net)[3][2] = q.whole.net;
+    exact e[2][3];
     axes_of(along, e);
     for (int k = 0; k < 9; k++) {
-        real r[3];
+        exact r[3];
         offset_at(nodes, x, xs, low + wide * (k / 3) / 2, low + wide * (k % 3) / 2, r);
         for (int c = 0; c < 2; c++)
-            net[k / 3][k % 3][c] = e[c][0] * r[0] + e[c][1] * r[1] + e[c][2] * r[2];
+            net[k / 3][k % 3][c] = (real)(e[c][0] * r[0] + e[c][1] * r[1] + e[c][2] * r[2]);
     }
     for (int c = 0; c < 2; c++) { /* from values at the halves to control points */
         for (int i = 0; i < 3; i++)

@@ -7,6 +7,24 @@
 #include "header_lines.h"
 
 #include <stdlib.h>
+#include <string.h>
+
+/* The template of the face in powers of xi and eta; NULL if there is none. */
+static const char *powers_of(const struct segment_kind *k)
+{
+    const size_t nodes = strlen(k->nodes);
+    return k->triangle ? (nodes == 6 ? "triangle_powers" : NULL) : nodes == 8 || nodes == 9 ? "square_powers" : NULL;
+}
+
+bool along_check(const struct unit *u, struct diag *d)
+{
+    const struct segment_kind *k = u->file->segment;
+    if (!k || *k->normals || lines_straight(u) || powers_of(k))
+        return true;
+    return diag_at(d, u->file->path, 0, 0,
+                   "segment %s has %zu nodes; headers project along a direction onto faces of 3, 4, 6, 8 and 9 nodes",
+                   k->name, strlen(k->nodes));
+}
 
 void along_print(const struct unit *u, FILE *out)
 {
@@ -19,12 +37,8 @@ void along_print(const struct unit *u, FILE *out)
     templates_print("FOOTPOINT_DETAIL_ALONG", (const char *const[]){"along", NULL}, precision, NULL, out);
     if (!closed)
         templates_print("FOOTPOINT_DETAIL_DOMAINS", (const char *const[]){"curved_domain", NULL}, precision, NULL, out);
-    const char *const curved[] = {k->triangle ? "triangle_powers" : "square_powers",
-                                  "curved_along",
-                                  "curved_parts",
-                                  "curved_along_full",
-                                  "along_again",
-                                  NULL},
+    const char *const curved[] = {powers_of(k),        "curved_along", "curved_parts",
+                                  "curved_along_full", "along_again",  NULL},
                       *const straight[] = {method, "along_again", NULL};
     lines_print_templates(u, NULL, "ALONG", closed ? straight : curved, out);
     lines_print_templates(u, NULL, NULL, (const char *const[]){"along_calls", NULL}, out);

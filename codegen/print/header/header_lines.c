@@ -125,22 +125,6 @@ void words_clear(struct words *w)
     free(w->word);
 }
 
-/* Words of contracts. */
-static void add_claims(struct words *w, const struct unit *u)
-{
-    const struct segment_kind *k = u->file->segment;
-    const bool straight = lines_straight(u);
-    static const char missed[] =
-        "no steps come upon a point beyond the edges; FOOTPOINT_ERR_NO_CONVERGENCE: it touches the\n"
-        " *           segment or goes through a collapsed edge, to rounding, so that thousands of parts do not tell";
-    words_add(w, "EDGES",
-              new_format("%s", k->triangle ? "1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C"
-                                           : "1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D"));
-    words_add(w, "ACCURACY",
-              new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding"));
-    words_add(w, "MISSED", new_format("%s", straight ? "meets the surface nowhere" : missed));
-}
-
 struct words lines_words(const struct unit *u, const struct function *f, const struct function *search)
 {
     const struct segment_kind *k = u->file->segment;
@@ -149,7 +133,9 @@ struct words lines_words(const struct unit *u, const struct function *f, const s
     words_add(&w, "KIND", new_format("%s", k->name));
     words_add(&w, "PREFIX", new_format("%s", u->options.prefix));
     words_add(&w, "SHAPE", new_format("%s", k->triangle ? "triangle" : "square"));
-    add_claims(&w, u);
+    words_add(&w, "EDGES",
+              new_format("%s", k->triangle ? "1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C"
+                                           : "1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D"));
     words_add(&w, "REACH_TO_GROWTH", power_text("reach", k->growth));
     words_add(&w, "VECTORS", new_format("%zu", n));
     words_add(&w, "SEGMENT_VECTORS", new_format("%zu", n - 1));

@@ -29,7 +29,7 @@ struct words {
 void words_add(struct words *w, const char *word, char *text); /* takes the text */
 void words_clear(struct words *w);
 
-/** Returns words about the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, ACCURACY and MISSED for contracts;
+/** Returns words about the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES for contracts;
  *  VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES, CORNERS, COORDINATES, of all vectors;
  *  NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the vectors of pair i, is made
  *  of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", VECTOR_ROWS, "x[0], ...", and SEGMENT_ROWS,

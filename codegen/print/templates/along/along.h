@@ -10,6 +10,8 @@
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
 
+#define ALONG_PROMISE REAL_ALONG /* the largest error of xi and eta behind FOOTPOINT_OK of projection along a direction */
+
 /* The larger one without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART REAL footpoint_detail_larger(REAL a, REAL b)
 {
@@ -21,6 +23,28 @@ FOOTPOINT_PART REAL footpoint_detail_excess(REAL x)
 {
     const REAL more = fabs(x) - 1.0;
     return 0.5 * (more + fabs(more));
+}
+
+/* Half of the last digit of 1. */
+FOOTPOINT_PART REAL footpoint_detail_unit(void)
+{
+    return 1.0 / (REAL)((REAL_BITS)1 << REAL_DIGITS);
+}
+
+/* The sum of the absolute values. */
+FOOTPOINT_PART REAL footpoint_detail_manhattan(const REAL a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+FOOTPOINT_PART int footpoint_detail_met(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return FOOTPOINT_UNPROVED;
+#else
+    return FOOTPOINT_OK;
+#endif
 }
 
 /* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */

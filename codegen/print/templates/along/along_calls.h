@@ -2,11 +2,13 @@
 
 /* PREFIX_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  ACCURACY.  Returns FOOTPOINT_OK: the line meets the segment once;
- *           FOOTPOINT_NOT_UNIQUE: more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE: it passes by, and
- *           the answer is a point where it meets the surface beyond the edges; and where loc and dist are untouched
- *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and
- *           MISSED;
+ *           normal that is the gap.  These are proved, rounding errors included: FOOTPOINT_OK, the line meets the
+ *           surface at a point within ALONG_PROMISE of loc, and the segment at no other one;
+ *           FOOTPOINT_NOT_UNIQUE, it meets the segment more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE,
+ *           it passes by, and the answer is where it meets the surface beyond the edges, to rounding.
+ *           FOOTPOINT_UNPROVED: any of these, as where it nearly touches the segment.  loc and dist are untouched where it returns
+ *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the edges
+ *           is known;
  *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
  *           FOOTPOINT_ERR_NOT_FINITE.
  * PREFIX_along_n:  the same for n pairs, each with its status and its direction, three columns. */

@@ -17,10 +17,9 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_bend(const REAL k[9], REAL u, REAL v, 
 }
 
 /* Bounds of the slopes of footpoint_detail_KIND_bend where |u|, |v| <= wide, no less than reach; |k[3] + k[8] v^2| is
- * largest where v is 0 or wide.  The highest bit of what it returns is set unless |k[0]| is more than |u + bend| where
- * |u|, |v| <= reach. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_bounds(const REAL k[9], REAL reach, REAL wide,
-                                                      REAL slope[2])
+ * largest where v is 0 or wide.  Returns a bound of |u + bend| where |u|, |v| <= reach. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_bounds(const REAL k[9], REAL reach, REAL wide,
+                                                 REAL slope[2])
 {
     const REAL top = NODES > 8 ? 0.5 * (wide * wide * k[8]) : 0.0;
     const REAL u = NODES > 8 ? fabs(k[3] + top) + fabs(top) : fabs(k[3]);
@@ -37,19 +36,43 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_bounds(const REAL k[9], REAL reac
     }
     slope[0] *= wide;
     slope[1] *= wide;
-    return footpoint_detail_bits(fabs(k[0]) - 1.001 * (reach + reach * reach * all));
+    return 1.001 * (reach + reach * reach * all);
+}
+
+/* A bound of all rounding errors of a scalar product of the surface with a vector m = b x p where |u|, |v| <= 1, over |b| |p|, sums
+ * of absolute values: differences of nodes are off by a unit, coefficients by 110 of all sizes at most, together by 300; m, its
+ * products and the power series, moved to a part of the face, and the step that begins at rounded u and v count 170 more.  Of c[0],
+ * which holds xS, it is 20. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_rounding(REAL c[3][9])
+{
+    REAL away = 0.0, size = 0.0;
+    int i, k;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        away += fabs(c[i][0]);
+        FOOTPOINT_UNROLL
+        for (k = 1; k < NODES; k++)
+            size += fabs(c[i][k]);
+    }
+    return footpoint_detail_unit() * (20.0 * away + 500.0 * size);
 }
 
 /* The point at = {u, v} where u + bend = k[0] and v + bend = l[0].  Bends as they are without bends, then a few of Newton's
- * steps.  The highest bit of what it returns is set unless the last one is shorter than the root of `stands` and no other
- * point with |u|, |v| <= reach is proved to be there.  Proofs: with bounds A, B of the slopes of u's bend and C, D of v's as
- * far as `at` lies, two such points would differ by du and dv where (1 - A) |du| <= B |dv| and (1 - D) |dv| <= C |du|, so
- * that (1 - A) (1 - D) > B C leaves one; or u + bend = k[0] or v + bend = l[0] nowhere within reach, and `at` lies beyond. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL l[9], REAL reach,
-                                                    REAL stands, REAL at[2])
+ * steps; at[2] becomes the square of the last.  off: bounds of the rounding errors of both equations where |u|, |v| <= 1.  The highest
+ * bit of what it returns is set unless a point is proved to lie within `most` of `at`, and no other one where |u|, |v| <= reach;
+ * that of *hit unless it is proved that no point lies there at all.
+ *
+ * Let bounds of the slopes of u's bend be A, B, of v's C, D where |u|, |v| <= wide.  Then u, v -> k[0] - bend, l[0] - bend is a
+ * contraction there if A, D < 1 and (1 - A) (1 - D) > B C, in a norm of its own: there is one point at most, and one lies within
+ * ((1 - D) r + B s, (1 - A) s + C r) / ((1 - A) (1 - D) - B C) of any place where the equations are off by r and s.  A step of
+ * Newton leaves half of its square times second derivatives, which are 5 (A + B) / wide at most.  It is solved to 1e5 units of
+ * itself, as the determinant is above 0.01; less than a unit and 4e8 units of its square.  Errors of coefficients change
+ * slopes by twice what they change values by, and either grows by the fourth power of wide. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL l[9],
+                                                    const REAL off[2], REAL reach, REAL most,
+                                                    REAL at[3], REAL_BITS *hit)
 {
-    REAL f[2], g[2], u, v, s, t, wide, over, moved = 0.0;
-    REAL_BITS within;
+    REAL f[2], g[2], u, v, s, t, wide, over, moved = 0.0, a, d, det;
     int i;
     u = k[0] - footpoint_detail_KIND_bend(k, k[0], l[0], f);
     v = l[0] - footpoint_detail_KIND_bend(l, k[0], l[0], g);
@@ -66,25 +89,44 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL 
     }
     at[0] = u;
     at[1] = v;
-    wide = footpoint_detail_larger(footpoint_detail_larger(fabs(u), fabs(v)), reach);
-    within = footpoint_detail_KIND_bounds(k, reach, wide, f);
-    within &= footpoint_detail_KIND_bounds(l, reach, wide, g);
-    over = 1.0 - f[0];
-    return footpoint_detail_above(moved, stands) |
-           (within & (footpoint_detail_bits(over) |
-                      footpoint_detail_bits(over * (1.0 - g[1]) - f[1] * g[0] - 0.01)));
+    at[2] = moved;
+    wide = 1.002 * footpoint_detail_larger(footpoint_detail_larger(fabs(u), fabs(v)), reach);
+    s = footpoint_detail_KIND_bounds(k, reach, wide, f);
+    t = footpoint_detail_KIND_bounds(l, reach, wide, g);
+    *hit = footpoint_detail_bits(fabs(k[0]) - s - off[0]) &
+           footpoint_detail_bits(fabs(l[0]) - t - off[1]);
+    wide = footpoint_detail_larger(1.0, wide);
+    wide *= wide;
+    wide *= wide;
+    s = wide * off[0];
+    t = wide * off[1];
+    f[0] += s + s;
+    f[1] += s + s;
+    g[0] += t + t;
+    g[1] += t + t;
+    over = 4e8 * footpoint_detail_unit();
+    s += (4.0 * (f[0] + f[1]) + over) * moved;
+    t += (4.0 * (g[0] + g[1]) + over) * moved;
+    a = 1.0 - f[0];
+    d = 1.0 - g[1];
+    det = a * d - f[1] * g[0];
+    u = most * det - 1.01 * (d * s + f[1] * t);
+    v = most * det - 1.01 * (a * t + g[0] * s);
+    return footpoint_detail_bits(a) | footpoint_detail_bits(det - 0.01) | footpoint_detail_bits(u) |
+           footpoint_detail_bits(v) | footpoint_detail_infinite(u + v) |
+           footpoint_detail_above(moved, 4e-6);
 }
 
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
  * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  The highest bit of
- * what it returns is set where that does not tell; where the point is so far away that bends, fourth powers, make any step
- * short; and where p is in the plane of c1 and c2.  The distance may be infinite. */
+ * what it returns is set where that is not proved; and where the point is so far away that bends, fourth powers, make any step
+ * short.  The distance may be infinite. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
 {
-    REAL c[3][9], k[9], l[9], a[3], b[3], m[3], n[3], w[2], slope[2], across, over;
+    REAL c[3][9], k[9], l[9], a[3], b[3], m[3], n[3], w[3], off[2], slope[2], across, over, beyond;
     const REAL pp = footpoint_detail_dot(p, p);
-    REAL_BITS flaw;
+    REAL_BITS doubt, hit;
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
@@ -106,7 +148,11 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
         k[i] = m[0] * c[0][i] + m[1] * c[1][i] + m[2] * c[2][i];
         l[i] = n[0] * c[0][i] + n[1] * c[1][i] + n[2] * c[2][i];
     }
-    flaw = footpoint_detail_KIND_meet(k, l, NODES > 6 ? 1.0 : 2.0 / 3.0, REAL_MARGIN, w);
+    over = fabs(over) * footpoint_detail_manhattan(p) * footpoint_detail_KIND_rounding(c);
+    off[0] = over * footpoint_detail_manhattan(b);
+    off[1] = over * footpoint_detail_manhattan(a);
+    doubt = footpoint_detail_KIND_meet(k, l, off, NODES > 6 ? 1.0 : 2.0 / 3.0, 0.99 * ALONG_PROMISE,
+                                       w, &hit);
     footpoint_detail_SHAPE_start(0, at);
     at[0] += w[0];
     at[1] += w[1];
@@ -114,9 +160,12 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
     for (i = 0; i < 3; i++)
         at[2] += p[i] * (c[i][0] - w[0] * a[i] - w[1] * b[i] -
                          footpoint_detail_KIND_bend(c[i], w[0], w[1], slope));
-    over = footpoint_detail_dot(a, a) * footpoint_detail_dot(b, b);
-    *status = footpoint_detail_SHAPE_beyond(at[0], at[1]) > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
-    return flaw | footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
-           footpoint_detail_bits(across * across - 100.0 * REAL_FLAT * (over * pp)) |
+    beyond = footpoint_detail_SHAPE_beyond(at[0], at[1]);
+    *status = beyond > 0.0 ? FOOTPOINT_OUTSIDE : footpoint_detail_met();
+    hit |= footpoint_detail_above(w[2], REAL_MARGIN) | footpoint_detail_bits(beyond - REAL_MIN) |
+           footpoint_detail_above(off[0] * off[0] + off[1] * off[1],
+                                  400.0 / REAL_FLAT * footpoint_detail_unit() *
+                                      footpoint_detail_unit());
+    return (doubt & hit) | footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
            footpoint_detail_above(w[0] * w[0] + w[1] * w[1], 1e4);
 }

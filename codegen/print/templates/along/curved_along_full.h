@@ -42,71 +42,106 @@ FOOTPOINT_FN int footpoint_detail_KIND_edge_on(const REAL *const *x, const REAL 
     return 1;
 }
 
-/* The face as two polynomials, along two directions at right angles to p and each other.  A line that passes a face of size 1
- * by more than 1e3 passes it by 1e3, so that products stay in the range of numbers. */
-FOOTPOINT_FN void footpoint_detail_KIND_seen(const REAL *const *x, const REAL p[3], REAL q[2][9])
+/* The face as two polynomials, along two directions at right angles to p and each other, a product of p's length or its square.  1 if
+ * one of them is not 0 anywhere on the face. */
+FOOTPOINT_FN int footpoint_detail_KIND_seen(const REAL *const *x, const REAL p[3],
+                                            footpoint_detail_KIND_view *s)
 {
-    REAL c[3][9], e[2][3], far;
+    const REAL length = footpoint_detail_manhattan(p);
+    REAL c[3][9], e[2][3];
     const int least = fabs(p[0]) < fabs(p[1]) ? (fabs(p[2]) < fabs(p[0]) ? 2 : 0)
                                               : (fabs(p[2]) < fabs(p[1]) ? 2 : 1);
-    int i, k;
+    int i, k, beside = 0;
     for (i = 0; i < 3; i++) {
         footpoint_detail_KIND_powers(x, i, c[i]);
         e[0][i] = i == least ? 1.0 : 0.0;
     }
     footpoint_detail_cross(p, e[0], e[1]);
     footpoint_detail_cross(e[1], p, e[0]);
-    for (k = 0; k < 2; k++)
-        for (i = 0; i < (NODES > 6 ? 9 : 6); i++)
-            q[k][i] = e[k][0] * c[0][i] + e[k][1] * c[1][i] + e[k][2] * c[2][i];
-    far = 1e-3 * (fabs(q[0][0]) + fabs(q[1][0]));
-    for (k = 0; k < 2; k++)
-        q[k][0] = far > 1.0 ? q[k][0] / far : q[k][0];
+    s->off = length * (1.0 + length) * footpoint_detail_KIND_rounding(c);
+    s->n = 0;
+    for (k = 0; k < 2; k++) {
+        REAL most = s->off;
+        for (i = 0; i < 9; i++)
+            s->q[k][i] = i < NODES ? e[k][0] * c[0][i] + e[k][1] * c[1][i] + e[k][2] * c[2][i] : 0.0;
+        for (i = 1; i < 9; i++)
+            most += 1.001 * fabs(s->q[k][i]);
+        beside |= fabs(s->q[k][0]) > most;
+    }
+    return beside;
 }
 
-/* Where the line meets the surface beyond the edges: of short steps from five places, the first that lead to a point. */
+/* Up to 50 short steps from `at` to where the line meets the surface.  The highest bit of what it returns is set if they come to no
+ * end. */
+FOOTPOINT_FN REAL_BITS footpoint_detail_KIND_walk(const REAL *const *x, const REAL p[3], REAL at[3])
+{
+    REAL moved = 1.0;
+    REAL_BITS flaw = 0;
+    int i;
+    for (i = 0; i < 50 && !(flaw >> REAL_TOP) &&
+                footpoint_detail_above(moved, REAL_MARGIN) >> REAL_TOP;
+         i++)
+        flaw = footpoint_detail_KIND_along_step(x, p, 0.25, at, &moved);
+    return flaw | footpoint_detail_above(moved, REAL_MARGIN) |
+           footpoint_detail_infinite(at[0] + at[1] + at[2]);
+}
+
+/* at[2] becomes the distance at (xi,eta) = at. */
+FOOTPOINT_FN void footpoint_detail_KIND_ahead(const REAL *const *x, const REAL p[3], REAL at[3])
+{
+    REAL u[3], v[3], d[3];
+    footpoint_detail_KIND_surface(x, at[0], at[1], u, v, d);
+    at[2] = footpoint_detail_dot(p, d) / sqrt(footpoint_detail_dot(p, p));
+}
+
+/* Where the line meets the surface beyond the edges: of steps from five places, the first that lead to a point. */
 FOOTPOINT_FN int footpoint_detail_KIND_beside(const REAL *const *x, const REAL p[3], REAL at[3])
 {
-    int i, k;
+    int k;
     for (k = 0; k < 5; k++) {
-        REAL y[3], moved = 1.0;
-        REAL_BITS flaw = 0;
-        footpoint_detail_SHAPE_start(k, y);
-        for (i = 0; i < 50 && !(flaw >> REAL_TOP) &&
-                    footpoint_detail_above(moved, REAL_MARGIN) >> REAL_TOP;
-             i++)
-            flaw = footpoint_detail_KIND_along_step(x, p, 0.25, y, &moved);
-        if ((flaw | footpoint_detail_above(moved, REAL_MARGIN) |
-             footpoint_detail_infinite(y[0] + y[1] + y[2])) >>
-                REAL_TOP ||
-            footpoint_detail_SHAPE_beyond(y[0], y[1]) <= 0.0)
+        footpoint_detail_SHAPE_start(k, at);
+        if (footpoint_detail_KIND_walk(x, p, at) >> REAL_TOP ||
+            footpoint_detail_SHAPE_beyond(at[0], at[1]) <= 0.0)
             continue;
-        for (i = 0; i < 3; i++)
-            at[i] = y[i];
+        footpoint_detail_KIND_ahead(x, p, at);
         return FOOTPOINT_OUTSIDE;
     }
     return FOOTPOINT_ERR_DOMAIN;
 }
 
-/* Of the points in the face the nearest one; of none the one less far outside. */
+/* (xi,eta) and the distance of a point that is found; without a proof, where steps lead from there if they do. */
+FOOTPOINT_FN void footpoint_detail_KIND_place(const REAL *const *x, const REAL p[3],
+                                              const REAL found[3], REAL at[3])
+{
+    REAL y[3];
+    footpoint_detail_SHAPE_start(0, at);
+    at[0] += found[0];
+    at[1] += found[1];
+    y[0] = at[0];
+    y[1] = at[1];
+    y[2] = 0.0;
+    if (found[2] > 0.0 && !(footpoint_detail_KIND_walk(x, p, y) >> REAL_TOP)) {
+        at[0] = y[0];
+        at[1] = y[1];
+    }
+    footpoint_detail_KIND_ahead(x, p, at);
+}
+
+/* Of the points in the face the nearest one; of none the one less far outside.  Points near an edge may be on either side: one of
+ * several is no answer then. */
 FOOTPOINT_COLD int footpoint_detail_KIND_along_full(const REAL *const *x, const REAL p[3],
                                                     REAL at[3])
 {
-    REAL q[2][9], found[8][2], best = 0.0;
-    int inside = 0, points, i, k;
+    footpoint_detail_KIND_view s;
+    REAL best = 0.0, doubt = 0.0;
+    int inside = 0, maybe = 0, surely = 0, i, k;
     if (footpoint_detail_KIND_edge_on(x, p))
         return FOOTPOINT_ERR_DEGENERATE;
-    footpoint_detail_KIND_seen(x, p, q);
-    points = footpoint_detail_KIND_meets(q, found);
-    if (points < 0)
-        return FOOTPOINT_ERR_NO_CONVERGENCE;
-    for (k = 0; k < points; k++) {
-        REAL y[3], moved, over, rank;
-        footpoint_detail_SHAPE_start(0, y);
-        y[0] += found[k][0];
-        y[1] += found[k][1];
-        for (i = 0; i < 3; i++)
-            (void)footpoint_detail_KIND_along_step(x, p, 0.25, y, &moved);
+    if (!footpoint_detail_KIND_seen(x, p, &s))
+        footpoint_detail_KIND_meets(&s);
+    for (k = 0; k < s.n; k++) {
+        REAL y[3], over, rank;
+        footpoint_detail_KIND_place(x, p, s.found[k], y);
         over = footpoint_detail_SHAPE_beyond(y[0], y[1]);
         rank = over > 0.0 ? over : fabs(y[2]);
         if (k == 0 || (over > 0.0 ? inside == 0 && rank < best : inside == 0 || rank < best)) {
@@ -114,9 +149,14 @@ FOOTPOINT_COLD int footpoint_detail_KIND_along_full(const REAL *const *x, const 
             for (i = 0; i < 3; i++)
                 at[i] = y[i];
         }
+        doubt += s.found[k][2];
         inside += over <= 0.0;
+        maybe += over <= 2.0 * ALONG_PROMISE;
+        surely += over < -2.0 * ALONG_PROMISE;
     }
-    if (points == 0)
+    if (s.n == 0)
         return footpoint_detail_KIND_beside(x, p, at);
-    return inside > 1 ? FOOTPOINT_NOT_UNIQUE : inside == 1 ? FOOTPOINT_OK : FOOTPOINT_OUTSIDE;
+    if (doubt > 0.0 || (maybe > 1 && surely < 2))
+        return FOOTPOINT_UNPROVED;
+    return maybe > 1 ? FOOTPOINT_NOT_UNIQUE : inside ? footpoint_detail_met() : FOOTPOINT_OUTSIDE;
 }

@@ -1,9 +1,5 @@
 /* The two domains of curved faces, for projection along a direction. */
 
-#ifndef FOOTPOINT_ERR_NO_CONVERGENCE
-#define FOOTPOINT_ERR_NO_CONVERGENCE (-4)
-#endif
-
 /* How far (xi,eta) lies beyond the edges: <= 0 inside. */
 FOOTPOINT_PART REAL footpoint_detail_square_beyond(REAL xi, REAL eta)
 {

@@ -6,7 +6,10 @@
  * Both have the discriminant D, and at a solution J = [r_xi r_eta] = [c1 c2] + [c1 c3] xi + [c3 c2] eta is a root of D,
  * the two solutions have the two.  J is linear in xi and eta: where its values at the corners have one sign, so it has in
  * the segment, and of the two solutions that with J of this sign alone can lie there; the other one is what an iteration
- * may end at outside. */
+ * may end at outside.
+ *
+ * A solution is proved by what it leaves of j xi + k2 xi eta = ..., j eta + k1 xi eta = ..., the equations [r c2] and [c1 r],
+ * j = [c1 c2], k1 = [c1 c3], k2 = [c3 c2]. */
 
 /* c1, c2, c3 and d, all times 4. */
 FOOTPOINT_PART void footpoint_detail_quad4_frame(const REAL *const *x, REAL c1[3], REAL c2[3],
@@ -52,12 +55,38 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_ahead(const REAL c1[3], const REAL c2
     return ahead;
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless J
- * is far from 0 and has one sign in the segment and as far beyond it as (xi, eta) lies. */
+/* Bounds of rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`.  Differences of nodes are off by a
+ * unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums count for the rest. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_rounding(const REAL c1[3], const REAL c2[3],
+                                                    const REAL c3[3], const REAL d[3], REAL units)
+{
+    return footpoint_detail_unit() *
+           (20.0 * footpoint_detail_manhattan(d) +
+            units * (footpoint_detail_manhattan(c1) + footpoint_detail_manhattan(c2) +
+                     footpoint_detail_manhattan(c3)));
+}
+
+/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of where the equations leave r and
+ * s, and no other one where |xi|, |eta| <= wide.  off: rounding errors of the equations there.  As a map that leads to xi, eta, r - k2
+ * xi eta and s - k1 xi eta, over j, contract if `room` > 0, in a norm of its own; then solutions lie within what `left` bounds. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_meet(REAL j, REAL k1, REAL k2, REAL r, REAL s,
+                                                     const REAL off[2], REAL wide)
+{
+    const REAL a = wide * fabs(k2) + 2.0 * off[0], b = wide * fabs(k1) + 2.0 * off[1];
+    const REAL all = fabs(j), room = all - a - b, most = 0.99 * ALONG_PROMISE * (all * room);
+    const REAL first = fabs(r) + off[0], second = fabs(s) + off[1];
+    const REAL left = most - 1.01 * ((all - b) * first + a * second);
+    const REAL right = most - 1.01 * ((all - a) * second + b * first);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(left) | footpoint_detail_bits(right) |
+           footpoint_detail_infinite(left + right);
+}
+
+/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
+ * is proved, as J has one sign in the segment and as far beyond it as (xi, eta) lies. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, const REAL p[3],
                                                       REAL at[3], int *status)
 {
-    REAL c1[3], c2[3], c3[3], d[3], k[6], root, below_xi, below_eta, over, slope, size, pp;
+    REAL c1[3], c2[3], c3[3], d[3], k[6], off[2], root, below_xi, below_eta, over, slope, wide, pp;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
     slope = k[0] + k[3];
@@ -69,16 +98,18 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, cons
     at[1] = k[5] * (below_xi * over);
     pp = footpoint_detail_dot(p, p);
     at[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, at[0], at[1]);
-    size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
-    *status = FOOTPOINT_OUTSIDE *
-              (int)((footpoint_detail_above(at[0], 1.0) | footpoint_detail_above(at[1], 1.0)) >>
-                    REAL_TOP);
-    return footpoint_detail_outside(below_xi * below_eta) | footpoint_detail_outside(pp) |
-           footpoint_detail_infinite(at[0] + at[1] + at[2]) |
-           footpoint_detail_bits(k[0] * k[0] - 100.0 * REAL_FLAT * (size * size * pp)) |
-           footpoint_detail_bits(fabs(k[0]) - 1.0001 * (fabs(k[1]) + fabs(k[2])) *
-                                                  (1.0 + footpoint_detail_excess(at[0]) +
-                                                   footpoint_detail_excess(at[1])));
+    wide = 1.002 * (1.0 + footpoint_detail_excess(at[0]) + footpoint_detail_excess(at[1]));
+    over = footpoint_detail_manhattan(p) * (wide * wide) *
+           footpoint_detail_quad4_rounding(c1, c2, c3, d, 40.0);
+    off[0] = over * footpoint_detail_manhattan(c2);
+    off[1] = over * footpoint_detail_manhattan(c1);
+    *status = (footpoint_detail_above(at[0], 1.0) | footpoint_detail_above(at[1], 1.0)) >> REAL_TOP
+                  ? FOOTPOINT_OUTSIDE
+                  : footpoint_detail_met();
+    return footpoint_detail_quad4_meet(k[0], k[1], k[2], k[4] + at[0] * (k[0] + at[1] * k[2]),
+                                       k[5] + at[1] * (k[0] + at[0] * k[1]), off, wide) |
+           footpoint_detail_outside(below_xi * below_eta) | footpoint_detail_outside(pp) |
+           footpoint_detail_infinite(at[2]);
 }
 
 /* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
@@ -89,48 +120,111 @@ FOOTPOINT_PART REAL footpoint_detail_root(REAL a, REAL b, REAL c, REAL slope)
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside.  Of the two
- * ways to compute the discriminant the one that loses fewer digits, as near a collapsed edge. */
+/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of (xi,eta), with J of the sign of
+ * `slope`: there tangents take the place of c1 and c2, and xS - r that of d. */
+FOOTPOINT_FN REAL_BITS footpoint_detail_quad4_near(const REAL c1[3], const REAL c2[3],
+                                                   const REAL c3[3], const REAL d[3],
+                                                   const REAL p[3], REAL xi, REAL eta, REAL slope)
+{
+    const REAL wide = 1.0 + footpoint_detail_excess(xi) + footpoint_detail_excess(eta);
+    const REAL over = footpoint_detail_manhattan(p) * (wide * wide) *
+                      footpoint_detail_quad4_rounding(c1, c2, c3, d, 100.0);
+    REAL a[3], b[3], e[3], k[6], off[2];
+    int i;
+    for (i = 0; i < 3; i++) {
+        a[i] = c1[i] + eta * c3[i];
+        b[i] = c2[i] + xi * c3[i];
+        e[i] = d[i] - xi * c1[i] - eta * b[i];
+    }
+    footpoint_detail_quad4_brackets(a, b, c3, e, p, k);
+    off[0] = over * footpoint_detail_manhattan(b);
+    off[1] = over * footpoint_detail_manhattan(a);
+    return footpoint_detail_quad4_meet(k[0], k[1], k[2], k[4], k[5], off, ALONG_PROMISE) |
+           footpoint_detail_bits(k[0] * slope);
+}
+
+/* Both solutions: z, xi, eta and the distance, what they reach at most of xi and eta, and whether a solution is proved to be there;
+ * FOOTPOINT_ERR_DOMAIN if there is none.  Of the two ways to compute the discriminant the one that loses fewer digits, as near
+ * a collapsed edge. */
+FOOTPOINT_FN int footpoint_detail_quad4_solve(const REAL c1[3], const REAL c2[3], const REAL c3[3],
+                                              const REAL d[3], const REAL p[3], const REAL k[6],
+                                              REAL z[2][3], REAL reach[2], int proved[2])
+{
+    const REAL a = k[0] - k[3], b = k[0] + k[3];
+    const REAL discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
+                                  ? a * a - 4.0 * (k[1] * k[4])
+                                  : b * b - 4.0 * (k[2] * k[5]);
+    const REAL size = footpoint_detail_manhattan(c1) + footpoint_detail_manhattan(c2) +
+                      footpoint_detail_manhattan(c3);
+    const REAL off = size * footpoint_detail_manhattan(p) *
+                     footpoint_detail_quad4_rounding(c1, c2, c3, d, 40.0);
+    const REAL all = footpoint_detail_manhattan(k) + footpoint_detail_manhattan(k + 3) + off;
+    const REAL root = sqrt(discriminant > 0.0 ? discriminant : 0.0);
+    int i, found = 0;
+    if (discriminant + 8.0 * off * all < 0.0)
+        return FOOTPOINT_ERR_DOMAIN;
+    for (i = 0; i < 2; i++) {
+        const REAL slope = i ? -root : root;
+        z[i][0] = footpoint_detail_root(k[1], a, k[4], slope);
+        z[i][1] = footpoint_detail_root(k[2], b, k[5], slope);
+        z[i][2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, z[i][0], z[i][1]) /
+                  sqrt(footpoint_detail_dot(p, p));
+        reach[i] = fabs(z[i][0]) > fabs(z[i][1]) ? fabs(z[i][0]) : fabs(z[i][1]);
+        proved[i] = 0;
+        if (footpoint_detail_infinite(z[i][0] + z[i][1] + z[i][2]) >> REAL_TOP) {
+            reach[i] = 1.0 / REAL_MIN;
+            continue;
+        }
+        found++;
+        proved[i] =
+            !(footpoint_detail_quad4_near(c1, c2, c3, d, p, z[i][0], z[i][1], slope) >> REAL_TOP);
+    }
+    return found ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN;
+}
+
+/* Whether `other` cannot lie in the segment, as z is proved with J of the sign in the middle: there J is -J of z, and in the segment
+ * it is more. */
+FOOTPOINT_FN int footpoint_detail_quad4_excludes(const REAL k[6], const REAL z[3], REAL reach,
+                                                 REAL off)
+{
+    const REAL bends = fabs(k[1]) + fabs(k[2]), turn = k[0] + (k[1] * z[0] + k[2] * z[1]);
+    return turn * k[0] > 0.0 &&
+           fabs(k[0]) - bends + fabs(turn) > 2.0 * ALONG_PROMISE * bends + 3.0 * off * (2.0 + reach);
+}
+
+/* That in the segment, of two there the nearer one, of none the one less far outside.  Where both are proved there is no other one. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const REAL p[3],
                                                      REAL at[3])
 {
-    REAL c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, a, b, discriminant;
-    int i, found = 0, inside[2], best;
+    REAL c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, wide, off;
+    int i, best, proved[2], could[2], inside[2], near = 0, surely = 0;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
-    length = sqrt(footpoint_detail_dot(p, p));
     size =
         footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
-    wide = fabs(k[0]) + fabs(k[1]) + fabs(k[2]);
-    if (footpoint_detail_bits(wide * wide - 10.0 * REAL_FLAT * (size * size) * (length * length)) >>
+    wide = footpoint_detail_manhattan(k);
+    if (footpoint_detail_bits(wide * wide -
+                              10.0 * REAL_FLAT * (size * size) * footpoint_detail_dot(p, p)) >>
         REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
-    a = k[0] - k[3];
-    b = k[0] + k[3];
-    discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
-                       ? a * a - 4.0 * (k[1] * k[4])
-                       : b * b - 4.0 * (k[2] * k[5]);
-    if (discriminant < 0.0)
+    if (footpoint_detail_quad4_solve(c1, c2, c3, d, p, k, z, reach, proved) != FOOTPOINT_OK)
         return FOOTPOINT_ERR_DOMAIN;
-    for (i = 0; i < (discriminant > 0.0 ? 2 : 1); i++) {
-        const REAL slope = i ? -sqrt(discriminant) : sqrt(discriminant);
-        REAL *const y = z[found];
-        y[0] = footpoint_detail_root(k[1], a, k[4], slope);
-        y[1] = footpoint_detail_root(k[2], b, k[5], slope);
-        y[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
-        reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
-        inside[found] = reach[found] <= 1.0;
-        found += !((footpoint_detail_infinite(y[0]) | footpoint_detail_infinite(y[1]) |
-                    footpoint_detail_infinite(y[2])) >>
-                   REAL_TOP);
+    off = footpoint_detail_manhattan(p) * sqrt(3.0 * size) *
+          footpoint_detail_quad4_rounding(c1, c2, c3, c3, 40.0);
+    for (i = 0; i < 2; i++) {
+        could[i] = !proved[!i] || !footpoint_detail_quad4_excludes(k, z[!i], reach[!i], off);
+        inside[i] = could[i] && reach[i] <= 1.0;
+        near += could[i] && reach[i] <= 1.0 + ALONG_PROMISE;
+        surely += could[i] && reach[i] < 1.0 - ALONG_PROMISE;
     }
-    if (found == 0)
-        return FOOTPOINT_ERR_DOMAIN;
-    best = found == 2 &&
-           (inside[0] && inside[1] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0]);
+    best = inside[0] == inside[1]
+               ? (inside[0] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0])
+               : inside[1];
     for (i = 0; i < 3; i++)
         at[i] = z[best][i];
-    if (!inside[best])
-        return FOOTPOINT_OUTSIDE;
-    return found == 2 && inside[0] && inside[1] ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
+    if ((could[0] && !proved[0]) || (could[1] && !proved[1]) || (near == 2 && surely < 2))
+        return FOOTPOINT_UNPROVED;
+    return near == 2      ? FOOTPOINT_NOT_UNIQUE
+           : inside[best] ? footpoint_detail_met()
+                          : FOOTPOINT_OUTSIDE;
 }

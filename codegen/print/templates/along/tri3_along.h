@@ -1,11 +1,12 @@
 /* Where a line meets the plane of the flat triangle. */
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless the
- * line is far from parallel to the plane. */
+/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
+ * is proved to the promise: differences of nodes are off by a unit, scalar products with vectors at right angles to p by 5, and
+ * xi and eta by 2 of their own. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
 {
-    REAL c1[3], c2[3], d[3], m1[3], m2[3], n[3], across, size, pp;
+    REAL c1[3], c2[3], d[3], m1[3], m2[3], n[3], across, pp, off, wide;
     int i;
     for (i = 0; i < 3; i++) {
         c1[i] = x[1][i] - x[0][i];
@@ -20,21 +21,40 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_along(const REAL *const *x, const
     at[0] = footpoint_detail_dot(d, m2) / across;
     at[1] = -footpoint_detail_dot(d, m1) / across;
     at[2] = footpoint_detail_dot(d, n) / across * pp;
-    size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
-    *status = FOOTPOINT_OUTSIDE * (int)((footpoint_detail_above(at[0] - 0.5, 0.5) |
-                                         footpoint_detail_above(at[1] - 0.5, 0.5) |
-                                         footpoint_detail_above(at[0] + at[1] - 0.5, 0.5)) >>
-                                        REAL_TOP);
+    wide = 1.0 + footpoint_detail_excess(at[0]) + footpoint_detail_excess(at[1]);
+    off = 10.0 * footpoint_detail_unit() * footpoint_detail_manhattan(p) *
+          footpoint_detail_larger(footpoint_detail_manhattan(c1), footpoint_detail_manhattan(c2)) *
+          (footpoint_detail_manhattan(d) +
+           wide * (footpoint_detail_manhattan(c1) + footpoint_detail_manhattan(c2)));
+    *status = (footpoint_detail_above(at[0] - 0.5, 0.5) | footpoint_detail_above(at[1] - 0.5, 0.5) |
+               footpoint_detail_above(at[0] + at[1] - 0.5, 0.5)) >>
+                      REAL_TOP
+                  ? FOOTPOINT_OUTSIDE
+                  : footpoint_detail_met();
     return footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
            footpoint_detail_infinite(at[0] + at[1] + at[2]) |
-           footpoint_detail_bits(across * across - 100.0 * REAL_FLAT * (size * size * pp));
+           footpoint_detail_bits(0.99 * ALONG_PROMISE * fabs(across) - off);
 }
 
+/* In full, FOOTPOINT_ERR_DEGENERATE where the line is parallel to the plane. */
 FOOTPOINT_COLD int footpoint_detail_tri3_along_full(const REAL *const *x, const REAL p[3],
                                                     REAL at[3])
 {
-    int status;
-    const REAL_BITS flaw = footpoint_detail_tri3_along(x, p, at, &status);
+    REAL c1[3], c2[3], n[3], across, size = 0.0;
+    int status, i;
+    const REAL_BITS doubt = footpoint_detail_tri3_along(x, p, at, &status);
+    for (i = 0; i < 3; i++) {
+        c1[i] = x[1][i] - x[0][i];
+        c2[i] = x[2][i] - x[0][i];
+        size += c1[i] * c1[i] + c2[i] * c2[i];
+    }
+    footpoint_detail_cross(c1, c2, n);
+    across = footpoint_detail_dot(n, p);
+    if ((footpoint_detail_bits(across * across -
+                               100.0 * REAL_FLAT * (size * size * footpoint_detail_dot(p, p))) |
+         footpoint_detail_infinite(at[0] + at[1] + at[2])) >>
+        REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
     at[2] /= sqrt(footpoint_detail_dot(p, p));
-    return flaw >> REAL_TOP ? FOOTPOINT_ERR_DEGENERATE : status;
+    return doubt >> REAL_TOP ? FOOTPOINT_UNPROVED : status;
 }
