@@ -1,7 +1,7 @@
 /* Points where a line meets a face; see line_points.h.
  *
  * In the plane normal to the line the face is a map F from a square of parameters, of degree 2 in each, and the line is 0.
- * A box is dropped if all control points of F lie ahead of 0 in one of eight directions.  Slopes of F are means of control
+ * A box is dropped if all control points of F lie ahead of 0 in one of eight directions, or normal to a middle line.  Slopes of F are means of control
  * vectors, too: if all products of one in xi and one in eta have one sign, so has the Jacobian, each zero in the box counts
  * with it, and the winding number of F round the box's edge is their number. */
 #include "line_points.h"
@@ -15,7 +15,7 @@ __extension__ typedef __float128 exact;
 
 enum { DIRECTIONS = 8 };
 static const real direction[DIRECTIONS][2] = {{1, 0}, {5, 2}, {1, 1}, {2, 5}, {0, 1}, {-2, 5}, {-1, 1}, {-5, 2}};
-enum { BOXES = 100000 }; /* more of them do not tell */
+enum { BOXES = 3000 }; /* more of them do not tell */
 #define FINEST 1e-9L  /* boxes in which the Jacobian may be 0 are not halved on */
 #define SPLIT 0.4853L /* where boxes are cut: no point of interest lies there */
 
@@ -48,15 +48,20 @@ static void shape(int nodes, exact xi, exact eta, exact n[9])
     }
 }
 
-static void offset_at(int nodes, double (*x)[3], const double xs[3], exact xi, exact eta, exact r[3])
+static void weigh(int nodes, double (*x)[3], const double xs[3], const exact n[9], exact r[3])
 {
-    exact n[9];
-    shape(nodes, xi, eta, n);
     for (int i = 0; i < 3; i++) {
         r[i] = 0;
         for (int k = 0; k < nodes; k++)
             r[i] += n[k] * ((exact)x[k][i] - xs[i]);
     }
+}
+
+static void offset_at(int nodes, double (*x)[3], const double xs[3], exact xi, exact eta, exact r[3])
+{
+    exact n[9];
+    shape(nodes, xi, eta, n);
+    weigh(nodes, x, xs, n, r);
 }
 
 void line_points_offset(int nodes, double (*x)[3], const double xs[3], const double loc[2], double offset[3])
@@ -149,10 +154,13 @@ static real dot2(const real a[2], const real b[2])
 
 static bool is_ahead(const struct box *b)
 {
-    for (int k = 0; k < DIRECTIONS; k++) {
+    for (int k = 0; k < DIRECTIONS + 2; k++) {
+        const int i = k - DIRECTIONS;
+        const real *const from = b->net[i ? 1 : 0][i ? 0 : 1], *const to = b->net[i ? 1 : 2][i ? 2 : 1];
+        const real normal[2] = {from[1] - to[1], to[0] - from[0]}, *const to_side = i < 0 ? direction[k] : normal;
         int ahead = 0, behind = 0;
-        for (int i = 0; i < 9; i++) {
-            const real f = dot2(b->net[i / 3][i % 3], direction[k]);
+        for (int n = 0; n < 9; n++) {
+            const real f = dot2(b->net[n / 3][n % 3], to_side);
             ahead += f > 0;
             behind += f < 0;
         }
@@ -319,6 +327,21 @@ static void search_box(struct line_search *q, const struct box *b)
         search_box(q, &half[k]);
 }
 
+/* Shape functions at the corners, the middles of edges and the middle of a square; kept for the next call. */
+static exact (*shapes_of(int nodes, real low, real wide))[9]
+{
+    static exact shapes[9][9];
+    static struct {
+        int nodes;
+        real low;
+    } last;
+    for (int k = 0; k < 9 && (last.nodes != nodes || last.low != low); k++)
+        shape(nodes, low + wide * (k / 3) / 2, low + wide * (k % 3) / 2, shapes[k]);
+    last.nodes = nodes;
+    last.low = low;
+    return shapes;
+}
+
 void line_points_find(int nodes, double (*x)[3], const double xs[3], const double along[3], double over,
                       struct line_points *found)
 {
@@ -326,11 +349,11 @@ void line_points_find(int nodes, double (*x)[3], const double xs[3], const doubl
     const real low = (triangle ? 0 : -1) - (real)over, wide = 1 - low + (real)over;
     struct line_search q = {nodes, x, xs, along, {low, low, wide, wide, {{{0}}}}, found, triangle ? 1 + (real)over : INFINITY, 0};
     real(*const net)[3][2] = q.whole.net;
-    exact e[2][3];
+    exact e[2][3], (*const shapes)[9] = shapes_of(nodes, low, wide);
     axes_of(along, e);
     for (int k = 0; k < 9; k++) {
         exact r[3];
-        offset_at(nodes, x, xs, low + wide * (k / 3) / 2, low + wide * (k % 3) / 2, r);
+        weigh(nodes, x, xs, shapes[k], r);
         for (int c = 0; c < 2; c++)
             net[k / 3][k % 3][c] = (real)(e[c][0] * r[0] + e[c][1] * r[1] + e[c][2] * r[2]);
     }
