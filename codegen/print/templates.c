@@ -35,7 +35,7 @@ static const struct {
             {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
             {"REAL_ANGLE", {"1e-24", "1e-12f"}}, /* the square of the sine below which a vector lies in a plane */
             {"REAL_SMALL", {"1e-29", "1e-12f"}}, /* the square of the rounding errors of a vector, over its parts */
-            {"REAL_ALONG", {"1e-9", "1e-3f"}}, /* what projection along a direction promises, and its name */
+            {"REAL_ALONG", {"1e-9", "1e-3f"}},   /* what projection along a direction promises, and its name */
             {"ALONG_PROMISE", {"FOOTPOINT_ALONG_PROMISE", "FOOTPOINT_ALONG_PROMISE_F"}},
             {"REAL_INWARD", {"0.0009765625", "0.03125f"}}, /* of the way to the middle, where corners have normals */
             {"atan2", {"atan2", "atan2f"}},

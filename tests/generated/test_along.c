@@ -149,7 +149,8 @@ static void draw_line(const struct kind *k, gsl_rng *stream, struct line *l)
     double loc[2] = {gsl_ran_flat(stream, low, 1.1), gsl_ran_flat(stream, low, 1.1)};
     const double next[2] = {loc[0] + gsl_ran_flat(stream, -0.6, 0.6), loc[1] + gsl_ran_flat(stream, -0.6, 0.6)};
     const enum lead how = (enum lead)gsl_rng_uniform_int(stream, LEADS);
-    const int node = (int)gsl_rng_uniform_int(stream, (unsigned long)k->nodes), edge = (int)gsl_rng_uniform_int(stream, 4);
+    const int node = (int)gsl_rng_uniform_int(stream, (unsigned long)k->nodes),
+              edge = (int)gsl_rng_uniform_int(stream, 4);
     double r[3], s[3];
     for (int i = 0; i < 2 && how == NODE_OR_EDGE && edge; i++)
         loc[i] = (k->corners == 3 ? triangle : square)[node][i];
@@ -158,9 +159,9 @@ static void draw_line(const struct kind *k, gsl_rng *stream, struct line *l)
     l->lead = how;
     l->far = fabs(along);
     for (int i = 0; i < 3; i++)
-        l->p[i] = how == ANYWHERE ? gsl_ran_gaussian(stream, 1)
-                  : how == NORMAL ? (i == 2) + gsl_ran_flat(stream, -0.2, 0.2)
-                  : how == CHORD  ? s[i] - r[i] + gsl_ran_flat(stream, -0.05, 0.05)
+        l->p[i] = how == ANYWHERE                    ? gsl_ran_gaussian(stream, 1)
+                  : how == NORMAL                    ? (i == 2) + gsl_ran_flat(stream, -0.2, 0.2)
+                  : how == CHORD                     ? s[i] - r[i] + gsl_ran_flat(stream, -0.05, 0.05)
                   : how == NODE_OR_EDGE && edge == 1 ? l->x[(node + 1) % k->corners][i] - l->x[node % k->corners][i]
                                                      : (i == 2) + gsl_ran_flat(stream, -1, 1);
     if (how == TOUCHING && k->nodes > 3)
@@ -188,7 +189,8 @@ static void draw(const struct kind *k, long number, gsl_rng *stream, struct line
 
 struct tally {
     long lines[4], wrong, unclear, nowhere, family[FAMILIES]; /* lines by number of points, three and more together */
-    long all[FAMILIES + 1], proved[FAMILIES + 1]; /* last: mild faces, lines through these, slave nodes up to 100 edges away */
+    long all[FAMILIES + 1],
+        proved[FAMILIES + 1]; /* last: mild faces, lines through these, slave nodes up to 100 edges away */
     double off, error;
 };
 
@@ -239,7 +241,8 @@ static bool is_proved(const struct kind *k, struct line *l, const struct answer 
     t->error = fmax(t->error, error);
     if (!(error <= FOOTPOINT_ALONG_PROMISE) || beyond_of(k, a->loc) > 1e-15)
         return false;
-    for (double over = 0.005; over > CLEAR && !face.clear; over *= 0.05) /* where it touches the surface beyond the edges */
+    for (double over = 0.005; over > CLEAR && !face.clear;
+         over *= 0.05) /* where it touches the surface beyond the edges */
         line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, over, &face);
     for (int i = 0; i < face.count; i++) {
         const struct line_point *const p = &face.point[i];
@@ -380,10 +383,13 @@ static long compare(const struct kind *k, long samples)
     printf(
         "# %s: %ld of %ld wrong; %ld lines beside the face, %ld meet it once, %ld twice, %ld more often; %ld meet the "
         "surface nowhere; %ld unclear; off the line by %.1e, off a point by %.1e\n",
-        k->name, t.wrong, samples, t.lines[0], t.lines[1], t.lines[2], t.lines[3], t.nowhere, t.unclear, t.off, t.error);
-    printf("# %s: proved of ordinary ones %.2f %%; of all", k->name, 100.0 * (double)t.proved[FAMILIES] / (double)t.all[FAMILIES]);
+        k->name, t.wrong, samples, t.lines[0], t.lines[1], t.lines[2], t.lines[3], t.nowhere, t.unclear, t.off,
+        t.error);
+    printf("# %s: proved of ordinary ones %.2f %%; of all", k->name,
+           100.0 * (double)t.proved[FAMILIES] / (double)t.all[FAMILIES]);
     for (int i = 0; i < FAMILIES; i++)
-        printf(", %s %.1f %%%s", family_name[i], 100.0 * (double)t.proved[i] / (double)t.all[i], i + 1 < FAMILIES ? "" : "\n");
+        printf(", %s %.1f %%%s", family_name[i], 100.0 * (double)t.proved[i] / (double)t.all[i],
+               i + 1 < FAMILIES ? "" : "\n");
     for (int i = 0; i < FAMILIES; i++)
         if (t.family[i])
             printf("# %s: %ld wrong on %s faces\n", k->name, t.family[i], family_name[i]);
@@ -541,7 +547,8 @@ static void size_does_not_matter(void **state)
         struct line l;
         struct answer usual = {0, {7, 7}, 7};
         draw(k, n, stream, &l);
-        if (l.lead == NODE_OR_EDGE || fabs(log10(span_of(k, &l))) > 50) /* where rounding decides, or would be no numbers */
+        if (l.lead == NODE_OR_EDGE ||
+            fabs(log10(span_of(k, &l))) > 50) /* where rounding decides, or would be no numbers */
             continue;
         usual.status = k->along(l.x, l.p, usual.loc, &usual.dist);
         for (int power = -900; power <= 900; power += 150) {

@@ -16,8 +16,8 @@ __extension__ typedef __float128 exact;
 enum { DIRECTIONS = 8 };
 static const real direction[DIRECTIONS][2] = {{1, 0}, {5, 2}, {1, 1}, {2, 5}, {0, 1}, {-2, 5}, {-1, 1}, {-5, 2}};
 enum { BOXES = 3000 }; /* more of them do not tell */
-#define FINEST 1e-9L  /* boxes in which the Jacobian may be 0 are not halved on */
-#define SPLIT 0.4853L /* where boxes are cut: no point of interest lies there */
+#define FINEST 1e-9L   /* boxes in which the Jacobian may be 0 are not halved on */
+#define SPLIT 0.4853L  /* where boxes are cut: no point of interest lies there */
 
 struct box {
     real u, v, wide, high; /* parameters */
@@ -347,7 +347,8 @@ void line_points_find(int nodes, double (*x)[3], const double xs[3], const doubl
 {
     const bool triangle = nodes == 3 || nodes == 6;
     const real low = (triangle ? 0 : -1) - (real)over, wide = 1 - low + (real)over;
-    struct line_search q = {nodes, x, xs, along, {low, low, wide, wide, {{{0}}}}, found, triangle ? 1 + (real)over : INFINITY, 0};
+    struct line_search q = {
+        nodes, x, xs, along, {low, low, wide, wide, {{{0}}}}, found, triangle ? 1 + (real)over : INFINITY, 0};
     real(*const net)[3][2] = q.whole.net;
     exact e[2][3], (*const shapes)[9] = shapes_of(nodes, low, wide);
     axes_of(along, e);

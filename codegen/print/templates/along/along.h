@@ -10,7 +10,8 @@
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
 
-#define ALONG_PROMISE REAL_ALONG /* the largest error of xi and eta behind FOOTPOINT_OK of projection along a direction */
+/* The largest error of xi and eta behind FOOTPOINT_OK. */
+#define ALONG_PROMISE REAL_ALONG
 
 /* The larger one without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART REAL footpoint_detail_larger(REAL a, REAL b)

@@ -63,7 +63,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_seen(const REAL *const *x, const REAL p[3
     for (k = 0; k < 2; k++) {
         REAL most = s->off;
         for (i = 0; i < 9; i++)
-            s->q[k][i] = i < NODES ? e[k][0] * c[0][i] + e[k][1] * c[1][i] + e[k][2] * c[2][i] : 0.0;
+            s->q[k][i] =
+                i < NODES ? e[k][0] * c[0][i] + e[k][1] * c[1][i] + e[k][2] * c[2][i] : 0.0;
         for (i = 1; i < 9; i++)
             most += 1.001 * fabs(s->q[k][i]);
         beside |= fabs(s->q[k][0]) > most;
@@ -78,9 +79,7 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_KIND_walk(const REAL *const *x, const RE
     REAL moved = 1.0;
     REAL_BITS flaw = 0;
     int i;
-    for (i = 0; i < 50 && !(flaw >> REAL_TOP) &&
-                footpoint_detail_above(moved, REAL_MARGIN) >> REAL_TOP;
-         i++)
+    for (i = 0; i < 50 && (footpoint_detail_above(moved, REAL_MARGIN) & ~flaw) >> REAL_TOP; i++)
         flaw = footpoint_detail_KIND_along_step(x, p, 0.25, at, &moved);
     return flaw | footpoint_detail_above(moved, REAL_MARGIN) |
            footpoint_detail_infinite(at[0] + at[1] + at[2]);

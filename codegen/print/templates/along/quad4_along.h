@@ -77,8 +77,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_meet(REAL j, REAL k1, REAL k2, R
     const REAL first = fabs(r) + off[0], second = fabs(s) + off[1];
     const REAL left = most - 1.01 * ((all - b) * first + a * second);
     const REAL right = most - 1.01 * ((all - a) * second + b * first);
-    return footpoint_detail_bits(room) | footpoint_detail_bits(left) | footpoint_detail_bits(right) |
-           footpoint_detail_infinite(left + right);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(left) |
+           footpoint_detail_bits(right) | footpoint_detail_infinite(left + right);
 }
 
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
@@ -156,8 +156,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_solve(const REAL c1[3], const REAL c2[3]
                                   : b * b - 4.0 * (k[2] * k[5]);
     const REAL size = footpoint_detail_manhattan(c1) + footpoint_detail_manhattan(c2) +
                       footpoint_detail_manhattan(c3);
-    const REAL off = size * footpoint_detail_manhattan(p) *
-                     footpoint_detail_quad4_rounding(c1, c2, c3, d, 40.0);
+    const REAL off =
+        size * footpoint_detail_manhattan(p) * footpoint_detail_quad4_rounding(c1, c2, c3, d, 40.0);
     const REAL all = footpoint_detail_manhattan(k) + footpoint_detail_manhattan(k + 3) + off;
     const REAL root = sqrt(discriminant > 0.0 ? discriminant : 0.0);
     int i, found = 0;
@@ -188,8 +188,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_excludes(const REAL k[6], const REAL z[3
                                                  REAL off)
 {
     const REAL bends = fabs(k[1]) + fabs(k[2]), turn = k[0] + (k[1] * z[0] + k[2] * z[1]);
-    return turn * k[0] > 0.0 &&
-           fabs(k[0]) - bends + fabs(turn) > 2.0 * ALONG_PROMISE * bends + 3.0 * off * (2.0 + reach);
+    const REAL apart = fabs(k[0]) - bends + fabs(turn);
+    return turn * k[0] > 0.0 && apart > 2.0 * ALONG_PROMISE * bends + 3.0 * off * (2.0 + reach);
 }
 
 /* That in the segment, of two there the nearer one, of none the one less far outside.  Where both are proved there is no other one. */
