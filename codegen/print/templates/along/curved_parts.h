@@ -119,7 +119,7 @@ FOOTPOINT_FN int footpoint_detail_KIND_part(footpoint_detail_KIND_view *s, REAL 
     to[1] = at[1];
     to[2] = near < 3.0 * ALONG_PROMISE ||
             footpoint_detail_KIND_about(s, at[0], at[1], near, promise / near, to) != 1;
-    for (i = 0; i < s->n; i++)
+    for (i = 0; i < s->n && !(to[2] > 0.0); i++)
         if (fabs(s->found[i][0] - to[0]) <= 2.0 * ALONG_PROMISE &&
             fabs(s->found[i][1] - to[1]) <= 2.0 * ALONG_PROMISE)
             return 1;
