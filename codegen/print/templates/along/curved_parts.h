@@ -71,8 +71,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_misses(REAL q[2][9], REAL off)
 }
 
 /* 0: no point is proved to be in the part, 1: one, within `most` times half of at = {u, v}, 2: that is not known. */
-FOOTPOINT_COLD int footpoint_detail_KIND_about(footpoint_detail_KIND_view *s, REAL u, REAL v,
-                                               REAL half, REAL most, REAL at[2])
+FOOTPOINT_COLD int footpoint_detail_KIND_line_about(footpoint_detail_KIND_view *s, REAL u, REAL v,
+                                                    REAL half, REAL most, REAL at[2])
 {
     REAL part[2][9], k[9], l[9], w[3], off[2], across, aa, bb, all = 0.0;
     const REAL *const f = part[0], *const g = part[1];
@@ -112,13 +112,13 @@ FOOTPOINT_FN int footpoint_detail_KIND_part(footpoint_detail_KIND_view *s, REAL 
     const REAL near = half / 16.0, promise = 0.99 * ALONG_PROMISE;
     REAL at[2], *to = s->found[s->n];
     int i;
-    const int told = footpoint_detail_KIND_about(s, u, v, half, 1e-4, at);
+    const int told = footpoint_detail_KIND_line_about(s, u, v, half, 1e-4, at);
     if (told != 1)
         return told == 0;
     to[0] = at[0];
     to[1] = at[1];
     to[2] = near < 3.0 * ALONG_PROMISE ||
-            footpoint_detail_KIND_about(s, at[0], at[1], near, promise / near, to) != 1;
+            footpoint_detail_KIND_line_about(s, at[0], at[1], near, promise / near, to) != 1;
     for (i = 0; i < s->n && !(to[2] > 0.0); i++)
         if (fabs(s->found[i][0] - to[0]) <= 2.0 * ALONG_PROMISE &&
             fabs(s->found[i][1] - to[1]) <= 2.0 * ALONG_PROMISE)

@@ -122,9 +122,10 @@ FOOTPOINT_PART REAL footpoint_detail_root(REAL a, REAL b, REAL c, REAL slope)
 
 /* The highest bit of what it returns is set unless a solution is proved to lie within the promise of (xi,eta), with J of the sign of
  * `slope`: there tangents take the place of c1 and c2, and xS - r that of d. */
-FOOTPOINT_FN REAL_BITS footpoint_detail_quad4_near(const REAL c1[3], const REAL c2[3],
-                                                   const REAL c3[3], const REAL d[3],
-                                                   const REAL p[3], REAL xi, REAL eta, REAL slope)
+FOOTPOINT_FN REAL_BITS footpoint_detail_quad4_line_near(const REAL c1[3], const REAL c2[3],
+                                                        const REAL c3[3], const REAL d[3],
+                                                        const REAL p[3], REAL xi, REAL eta,
+                                                        REAL slope)
 {
     const REAL wide = 1.0 + footpoint_detail_excess(xi) + footpoint_detail_excess(eta);
     const REAL over = footpoint_detail_manhattan(p) * (wide * wide) *
@@ -176,8 +177,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_solve(const REAL c1[3], const REAL c2[3]
             continue;
         }
         found++;
-        proved[i] =
-            !(footpoint_detail_quad4_near(c1, c2, c3, d, p, z[i][0], z[i][1], slope) >> REAL_TOP);
+        proved[i] = !(footpoint_detail_quad4_line_near(c1, c2, c3, d, p, z[i][0], z[i][1], slope) >>
+                      REAL_TOP);
     }
     return found ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN;
 }
