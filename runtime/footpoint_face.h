@@ -34,7 +34,9 @@ enum footpoint_face {
 int footpoint_face_nodes(enum footpoint_face face);
 
 /** Foot point of a slave node.  FOOTPOINT_OK: a minimum of the distance to the whole surface is proved to lie within 1e-12 (tri6:
- *  1e-10) of xi and eta, or of |xi| or |eta| times that if it is greater than 1; it need not be the closest point of the face.
+ *  1e-10) of xi and eta, or of |xi| or |eta| times that if it is greater than 1.  Of curved faces no point of the face is nearer,
+ *  by more than 1e-10 of the largest difference of coordinates, if loc is in the face; if it is not, the closest point lies on an
+ *  edge or a corner.  Of tri3 and quad4 it need not be the closest point of the face.
  *  @param[out] loc  {xi, eta}; not clamped to the face
  *  @param[out] gap  mesh length, along the face's unit normal there; > 0 open
  *  @return FOOTPOINT_OK, FOOTPOINT_UNPROVED (outputs are written, nothing is proved), FOOTPOINT_ERR_NOT_FINITE,
@@ -52,19 +54,18 @@ int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[
 size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                                    const int *slave, double *loc, double *gap, int *status);
 
-/** The closest point of the face, its edges and corners included, as NAME_closest of generated/: of quad4 it is proved;
- *  of other kinds points of edges are right to the rounding of their distances, and inside it is the foot point, unless
- *  one of an edge is nearer.
+/** Finds the closest point of the face, its edges and corners included, as NAME_closest of generated/.  It is proved, but of
+ *  tri3, for which it is exact to rounding.
  *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face, see "Signs" in footpoint.h
  *  @param[out] region    where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; of a triangle
  *                        1 to 3 and 4 to 6
- *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long; of quad4 with all
+ *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long; of all but tri3 with all
  *          written FOOTPOINT_NOT_UNIQUE (another point is as near) and FOOTPOINT_UNPROVED (the nearest point found) */
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
 /** Finds the closest point of the face with certainty, whatever the face and the slave node: of tri3 in closed form, of
- *  quad4 by footpoint_robust.  Of a curved face, Newton's method leads from the answer of footpoint_face_locate to a minimum
- *  of the distance.  Bounds over the whole face, or over ever smaller parts of it, then prove that no point is nearer, or
+ *  quad4 by footpoint_robust.  Of a curved face, the header proves its foot point, or its closest point.  If it does not,
+ *  Newton's method leads to a minimum of the distance.  Bounds over the whole face, or over ever smaller parts of it, then prove that no point is nearer, or
  *  find one to go on from.
  *  The distance is right to 1e-10 of the largest difference of a coordinate of xS and a node's, rounding included, with
  *  and without fused operations: loc is a point that far away, and no point of the face is nearer by more.

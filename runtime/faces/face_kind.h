@@ -1,9 +1,10 @@
 /* The functions of one kind of face, out of its generated headers: a table that faces.c chooses from.  A file of each kind
  * includes its headers and this one, and says KIND(quad8, full, 8, locate): the kind, its most accurate search, how many
- * nodes, and the search that footpoint_face_robust begins with. */
+ * nodes, and the search that footpoint_face_robust begins with; or CURVED_KIND(quad8, full, 8, FOOTPOINT_QUAD8_FULL_PROMISE). */
 #ifndef FOOTPOINT_FACE_KIND_H
 #define FOOTPOINT_FACE_KIND_H
 
+#include "curved.h"
 #include "face_table.h"
 #include "pair_blocks.h"
 
@@ -18,8 +19,36 @@
 #define PROMISE 0.0
 #endif
 
+#ifndef IS_CLOSEST
+#define IS_CLOSEST NULL
+#endif
+
 #define KIND(kind, tier, count, start)                                                                                 \
     SEARCH(locate, kind, tier, count)                                                                                  \
+    REST(kind, tier, count, start)
+
+/* PROMISE of a curved face is that of its search. */
+#define CURVED_KIND(kind, tier, count, promise)                                                                        \
+    SEARCH(search, kind, tier, count)                                                                                  \
+    static int closest(const double *const *x, const double *s, double *loc, double *distance, int *region);           \
+    static int is_closest(const double *const *x, const double *s, const double *loc)                                  \
+    {                                                                                                                  \
+        const double *const all[] = {X##count, s};                                                                     \
+        return !(footpoint_detail_##kind##_closest_at(all, promise, loc) >> 63);                                       \
+    }                                                                                                                  \
+    static const struct curved curved = {count, search, closest, is_closest};                                          \
+    static int locate(const double *const *x, const double *s, double *loc, double *gap)                               \
+    {                                                                                                                  \
+        return footpoint_curved_locate(&curved, x, s, loc, gap);                                                       \
+    }                                                                                                                  \
+    static void locate_block(const double *const *columns, double *xi, double *eta, double *gap, int *status)          \
+    {                                                                                                                  \
+        search_block(columns, xi, eta, gap, status);                                                                   \
+        footpoint_curved_check(&curved, columns, xi, eta, status);                                                     \
+    }                                                                                                                  \
+    REST(kind, tier, count, search)
+
+#define REST(kind, tier, count, start)                                                                                 \
     static int closest(const double *const *x, const double *s, double *loc, double *distance, int *region)            \
     {                                                                                                                  \
         return footpoint_##kind##_##tier##_closest(X##count, s, loc, distance, region);                                \
@@ -57,6 +86,7 @@
     const struct face footpoint_face_##kind = {{count, 0, locate, locate_block},                                       \
                                                {count, 0, start, start##_block},                                       \
                                                PROMISE,                                                                \
+                                               IS_CLOSEST,                                                             \
                                                closest,                                                                \
                                                nearest,                                                                \
                                                behind,                                                                 \

@@ -2,6 +2,7 @@
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad8_derivatives.h"
 
+#define IS_CLOSEST is_closest
 #include "face_kind.h"
 
-KIND(quad8, full, 8, locate)
+CURVED_KIND(quad8, full, 8, FOOTPOINT_QUAD8_FULL_PROMISE)

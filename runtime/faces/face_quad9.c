@@ -2,6 +2,7 @@
 #include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_quad9_derivatives.h"
 
+#define IS_CLOSEST is_closest
 #include "face_kind.h"
 
-KIND(quad9, full, 9, locate)
+CURVED_KIND(quad9, full, 9, FOOTPOINT_QUAD9_FULL_PROMISE)

@@ -8,6 +8,8 @@ struct face {
     struct pairs_kind pairs;
     struct pairs_kind start; /* the search that footpoint_face_robust begins with */
     double promise;          /* of a plane face: NAME_PROMISE of that search, or 0: it proves nothing */
+    int (*is_closest)(const double *const *x, const double *s,
+                      const double *loc); /* see curved.h; NULL: it is not curved */
     int (*closest)(const double *const *x, const double *s, double *loc, double *distance, int *region);
     /* Of n faces, the nodes of which x has one face after the other. */
     int (*nearest)(size_t n, const double *const *x, const double *s, double *loc, double *distance, int *region,

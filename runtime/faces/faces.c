@@ -97,11 +97,21 @@ static int closest_of_triangle(const struct face *f, const double *x, const stru
     return FOOTPOINT_OK;
 }
 
+/* The header's foot point if it is proved to be the closest point, its closest point if that is proved, or a certain search. */
 static int closest_of_curved(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
                              double *distance)
 {
     const double middle = f->pairs.nodes == 6 ? 1.0 / 3.0 : 0.0, from[2] = {middle, middle};
-    int boxes = MOST_BOXES;
+    const struct rows r = rows_of(f, x);
+    double at[2] = {start->loc[0], start->loc[1]}, away = start->gap;
+    int boxes = MOST_BOXES, region;
+    if ((start->status == FOOTPOINT_OK && f->is_closest(r.x, r.s, at)) ||
+        f->closest(r.x, r.s, at, &away, &region) == FOOTPOINT_OK) {
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *distance = fabs(away);
+        return FOOTPOINT_OK;
+    }
     return footpoint_quadratic_closest(f->pairs.nodes, x, start->status >= FOOTPOINT_OK ? start->loc : from, loc,
                                        distance, &boxes);
 }

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -141,9 +142,9 @@ static int region_of(int corners, double xi, double eta, double *margin)
     return on[edges];
 }
 
-/* Of footpoint_face_robust: answers by status; of footpoint_face_closest: answers that are longer. */
+/* Of footpoint_face_robust: answers by status; of footpoint_face_closest and footpoint_face_locate: those that are OK and longer. */
 struct robust {
-    long status[FOOTPOINT_STATUS_MOST + 1], wrong, apart, closest;
+    long status[FOOTPOINT_STATUS_MOST + 1], wrong, apart, closest, located;
     double longer;
 };
 
@@ -152,6 +153,11 @@ struct tally {
     long answers, far, wrong, regions, sides;
     double off, longer, coarse;
 };
+
+static bool is_in(int corners, const double loc[2])
+{
+    return corners == 3 ? loc[0] >= 0 && loc[1] >= 0 && loc[0] + loc[1] <= 1 : fabs(loc[0]) <= 1 && fabs(loc[1]) <= 1;
+}
 
 /* The distance is that of loc, and longer than the certain one by 1e-10 of the largest difference of coordinates at most;
  * what is said to be the only closest point is. */
@@ -177,8 +183,10 @@ static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, c
     const int claims = region_of(k->corners, loc[0], loc[1], &margin);
     double there[2], other;
     int part;
-    t->closest +=
-        footpoint_face_closest(k->face, all, there, &other, &part) >= FOOTPOINT_OK && fabs(other) - least > 1e-8 * span;
+    t->closest += footpoint_face_closest(k->face, all, there, &other, &part) == FOOTPOINT_OK &&
+                  fabs(other) - least > 1e-10 * span;
+    t->located += footpoint_face_locate(k->face, all, there, &other) == FOOTPOINT_OK && is_in(k->corners, there) &&
+                  fabs(other) - least > 2e-10 * span;
     t->apart += status <= FOOTPOINT_OUTSIDE && apart > 1e-4 * span;
     t->longer = status == FOOTPOINT_UNPROVED ? t->longer : fmax(t->longer, longer);
     if ((status == FOOTPOINT_UNPROVED || longer <= 1e-10) && fabs(sqrt(off) - fabs(dist)) <= 1e-12 * span &&
@@ -193,9 +201,9 @@ static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, c
 static void print_robust(const struct kind *k, const char *of, const struct robust *t)
 {
     printf("# %s, robust%s: %ld inside, %ld outside, %ld not unique, %ld unproved; %ld wrong, %ld not the only one; "
-           "distance longer by %.1e, on %ld by more than 1e-8 that of footpoint_face_closest\n",
+           "distance longer by %.1e; %ld of footpoint_face_closest, %ld of footpoint_face_locate are OK and longer\n",
            k->scene, of, t->status[FOOTPOINT_OK], t->status[FOOTPOINT_OUTSIDE], t->status[FOOTPOINT_NOT_UNIQUE],
-           t->status[FOOTPOINT_UNPROVED], t->wrong, t->apart, t->longer, t->closest);
+           t->status[FOOTPOINT_UNPROVED], t->wrong, t->apart, t->longer, t->closest, t->located);
 }
 
 static void ask_closest(const struct kind *k, struct question *q, gsl_rng *stream, void *to)
@@ -214,6 +222,8 @@ static void ask_closest(const struct kind *k, struct question *q, gsl_rng *strea
         assert_true(least > q->longest * (1 - 1e-9) && loc[0] == 7 && dist == 7 && region == 77);
         return;
     }
+    if (status == FOOTPOINT_UNPROVED)
+        return;
     assert_int_equal(status, FOOTPOINT_OK);
     t->answers++;
     const double longer = (fabs(dist) - least) / q->longest;
@@ -248,6 +258,7 @@ static void closest_points_are_right(void **state)
                kinds[k].scene, t.answers, t.far, t.wrong, t.regions, t.sides, t.off, t.longer, t.coarse);
         print_robust(&kinds[k], "", &t.robust);
         assert_true(t.wrong == 0 && t.regions == 0 && t.sides == 0 && t.answers > samples() * 9 / 10);
+        assert_true(t.robust.closest == 0 && t.robust.located == 0);
         assert_true(t.robust.wrong == 0 && t.robust.apart == 0 && t.robust.status[FOOTPOINT_UNPROVED] == 0);
     }
 }
@@ -328,7 +339,8 @@ static void strongly_curved_faces(void **state)
             ask_robust(&kinds[k], x, xs, &f, certain, least, &t);
         }
         print_robust(&kinds[k], ", strongly curved", &t);
-        assert_true(t.wrong == 0 && t.apart == 0 && t.status[FOOTPOINT_UNPROVED] <= count / 100);
+        assert_true(t.wrong == 0 && t.apart == 0 && t.closest == 0 && t.located == 0 &&
+                    t.status[FOOTPOINT_UNPROVED] <= count / 100);
     }
     gsl_rng_free(stream);
 }

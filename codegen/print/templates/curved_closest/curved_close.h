@@ -107,6 +107,23 @@ FOOTPOINT_PART int footpoint_detail_KIND_is_inside(const REAL at[2])
     return !(footpoint_detail_bits(room - 1e-15) >> REAL_TOP);
 }
 
+/* The highest bit of the result is not set if the closest point of the face is proved to lie within `promise` of (xi,eta), which is
+ * inside. */
+FOOTPOINT_FN REAL_BITS footpoint_detail_KIND_closest_at(const REAL *const *x, REAL promise,
+                                                        const REAL at[2])
+{
+    footpoint_detail_KIND_terms of;
+    footpoint_detail_KIND_anchor z;
+    REAL whole[CORNERS][2];
+    if (!footpoint_detail_KIND_is_inside(at))
+        return (REAL_BITS)1 << REAL_TOP;
+    footpoint_detail_KIND_expand(x, &of);
+    footpoint_detail_KIND_anchor_at(&of, at, 0, &z);
+    footpoint_detail_KIND_whole(whole);
+    return footpoint_detail_KIND_sole_of(&z, whole, footpoint_detail_KIND_needed(&z, promise)) |
+           footpoint_detail_outside(z.far * z.far * (z.far * z.far));
+}
+
 /* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved.  `bare` steps come
  * before the first that is tested. */
 FOOTPOINT_FN int footpoint_detail_KIND_close(const REAL *const *x, REAL promise, int bare,
