@@ -62,15 +62,17 @@ static double usual_error(const struct function *f)
     return said && measure_errors_read(said, e) ? fmax(e[0].p99, e[1].p99) : INFINITY;
 }
 
-/* A step of third order takes an error of less than this, or so, to its cube; in float, one of second order to its square. */
-#define NEAR 0.02
-#define NEARLY 20.0
-#define NEARLY_SINGLE 0.5
-
-/* True if a step from an error of e ends below `promise`. */
+/* True if one step takes an error of e below `promise`, or so: a step of third order to the cube, in float one of second order to
+ * the square. */
 static bool one_step_does(const struct unit *u, double e, double promise)
 {
-    return single(u) ? e * e < NEARLY_SINGLE * promise : e * e * e < NEARLY * promise;
+    return single(u) ? e < 0.005 && e * e < 0.5 * promise : e < 0.02 && e * e * e < 20.0 * promise;
+}
+
+/* True if it does so but for a few in a hundred. */
+static bool one_step_suffices(const struct unit *u, double e, double promise)
+{
+    return e < 0.004 && one_step_does(u, e, (single(u) ? 0.02 : 0.015) * promise);
 }
 
 /* What NAME begins with: the cheapest function from which one step is most often enough. */
@@ -81,22 +83,22 @@ static const struct function *start_of(const struct unit *u, const struct functi
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *other = &u->function[i];
         const double e = usual_error(other);
+<<<<<<< HEAD
         if (e < NEAR && one_step_does(u, e, name_promise(u, f)) &&
+=======
+        if (one_step_does(u, e, promise_of(u, f)) &&
+>>>>>>> 8270bde1 (Begin proofs in float where one step suffices)
             (!start || operations_cost(&other->code.ops, model) < operations_cost(&start->code.ops, model)))
             start = other;
     }
     return start ? start : f;
 }
 
-/* Promises over those that all but a few in a hundred samples meet by one step. */
-#define FEW 0.015
-
 /* How many steps f takes in a loop over arrays, where all pairs take as many, if the segment is bilinear; the few that need more are
  * done again behind it. */
 static int fixed_steps(const struct unit *u, const struct function *f)
 {
-    const double e = usual_error(start_of(u, f));
-    return e < 0.2 * NEAR && one_step_does(u, e, FEW * name_promise(u, f)) ? 1 : 2;
+    return one_step_suffices(u, usual_error(start_of(u, f)), name_promise(u, f)) ? 1 : 2;
 }
 
 /* The promise that needs steps of third order. */
@@ -153,7 +155,13 @@ static int curved_steps(const struct unit *u, double promise)
 /* How many steps NAME takes in a loop over arrays. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
+<<<<<<< HEAD
     return promise_kind_of(u) == PROMISE_CURVED ? curved_steps(u, promise_of(u, f)) : fixed_steps(u, f);
+=======
+    if (promise_kind_of(u) == PROMISE_CURVED)
+        return curved_steps(u, promise_of(u, f));
+    return one_step_suffices(u, usual_error(start_of(u, f)), promise_of(u, f)) ? 1 : 2;
+>>>>>>> 8270bde1 (Begin proofs in float where one step suffices)
 }
 
 static bool is_start(const struct unit *u, const struct function *f)

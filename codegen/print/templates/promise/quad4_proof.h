@@ -104,8 +104,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_newton(const REAL *const *x, REA
     h *= (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off);
     *xi += s;
     *eta += t;
-    room = (0.999 * promise - 2.0 * REAL_UNIT) *
-               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+    room = 0.999 * promise - 2.0 * REAL_UNIT;
+    room = footpoint_detail_greater(room, room * footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
            (0.8 * h * step + 1.3 * off);
     return footpoint_detail_bits(room) | footpoint_detail_bits(0.249 - h) |
            footpoint_detail_bits(0.05 - tilt) | footpoint_detail_bits(0.1 - (step + 2.0 * off)) |
