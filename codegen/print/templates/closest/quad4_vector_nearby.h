@@ -5,7 +5,7 @@ FOOTPOINT_PART int NAME_detail_nearby(const REAL *const *x, int lanes, REAL zero
                                       int *region)
 {
     const REAL unit = footpoint_detail_leading(footpoint_detail_relative(x, 4)), per = 1.0 / unit;
-    const REAL_BITS doubt = footpoint_detail_above(unit, 1e18) | footpoint_detail_above(per, 1e18);
+    const REAL_BITS doubt = footpoint_detail_above(unit, 1e12) | footpoint_detail_above(per, 1e12);
     REAL y[VECTORS][3], xi, eta;
     int i, status;
     FOOTPOINT_UNROLL
