@@ -126,7 +126,7 @@ double promise_of(const struct unit *u, const struct function *f)
 static char *promise_text(const struct unit *u, const struct function *f)
 {
     if (promise_of(u, f) == 0.0)
-        return new_format("0.0");
+        return new_format(single(u) ? "-1.0f" : "0.0");
     char *capitals = new_capitals(f->name), *name = new_format("%s_PROMISE", capitals);
     free(capitals);
     return name;

@@ -6,6 +6,12 @@
 typedef REAL_BITS footpoint_detail_search(const REAL *const *x, int way, REAL zero, REAL *xi,
                                           REAL *eta, REAL *gap);
 
+/* A status, but FOOTPOINT_UNPROVED instead of FOOTPOINT_OK of functions that prove nothing, which have promise < 0. */
+FOOTPOINT_PART int footpoint_detail_claim(int status, REAL promise)
+{
+    return promise < 0.0 && status == FOOTPOINT_OK ? FOOTPOINT_UNPROVED : status;
+}
+
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
  * long; with nodes = 0 not. */
 FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const REAL *const *x,

@@ -55,5 +55,6 @@ FOOTPOINT_PART void footpoint_detail_KIND_checked_n(footpoint_detail_search *sea
             const REAL *const row[VECTORS] = {ROWS};
             footpoint_detail_KIND_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
                                        &status[i]);
-        }
+        } else
+            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }

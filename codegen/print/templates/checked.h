@@ -46,5 +46,5 @@ FOOTPOINT_FN int NAME(NODE_PARAMETERS, REAL loc[2], REAL *gap)
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
-    return FOOTPOINT_OK;
+    return footpoint_detail_claim(FOOTPOINT_OK, PROMISE);
 }

@@ -31,5 +31,6 @@ footpoint_detail_KIND_over_n(footpoint_detail_search *search, const REAL *const 
             const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
             footpoint_detail_KIND_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
                                        &status[i]);
-        }
+        } else
+            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }

@@ -13,7 +13,8 @@ FOOTPOINT_FN int NAME_closest(NODE_PARAMETERS, REAL loc[2], REAL *dist, int *reg
     REAL at[3];
     int where;
     const int status = footpoint_detail_KIND_closest(NAME_detail_closest, x, SCALABLE, at, &where);
-    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+    return footpoint_detail_claim(
+        footpoint_detail_closest_answer(status, at, where, loc, dist, region), PROMISE);
 }
 
 FOOTPOINT_LOOP void NAME_closest_n(size_t n, const REAL *const x[COORDINATES],
@@ -21,13 +22,18 @@ FOOTPOINT_LOOP void NAME_closest_n(size_t n, const REAL *const x[COORDINATES],
                                    REAL *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                    int *FOOTPOINT_RESTRICT status)
 {
+    size_t i;
     footpoint_detail_KIND_closest_n(NAME_detail_closest, n, x, SCALABLE, xi, eta, dist, region,
                                     status);
+    for (i = 0; PROMISE < 0.0 && i < n; i++)
+        status[i] = footpoint_detail_claim(status[i], PROMISE);
 }
 
 FOOTPOINT_FN int NAME_closest_of(size_t n, const REAL *const *x, const REAL xS[3], REAL loc[2],
                                  REAL *dist, int *region, size_t *which)
 {
-    return footpoint_detail_KIND_closest_of(NAME_detail_closest, n, x, xS, SCALABLE, loc, dist,
-                                            region, which);
+    return footpoint_detail_claim(footpoint_detail_KIND_closest_of(NAME_detail_closest, n, x, xS,
+                                                                   SCALABLE, loc, dist, region,
+                                                                   which),
+                                  PROMISE);
 }

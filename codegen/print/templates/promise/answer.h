@@ -5,6 +5,6 @@ FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
                                                 REAL loc[2], REAL *gap)
 {
-    (void)promise;
-    return footpoint_detail_again(search, x, nodes, VECTORS, loc, gap);
+    return footpoint_detail_claim(footpoint_detail_again(search, x, nodes, VECTORS, loc, gap),
+                                  promise);
 }

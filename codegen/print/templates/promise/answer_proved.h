@@ -1,6 +1,6 @@
 /* Answers that are proved, or repaired: where the quick way does not tell. */
 
-/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised.  The search once more, as a loop takes fewer
+/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
  * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
 FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
@@ -11,7 +11,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
     const REAL *z[VECTORS];
     REAL_BITS doubt;
     if (!(promise > 0.0))
-        return footpoint_detail_again(search, x, nodes, VECTORS, loc, gap);
+        return footpoint_detail_claim(footpoint_detail_again(search, x, nodes, VECTORS, loc, gap),
+                                      promise);
     status = footpoint_detail_scale(x, NODES, VECTORS, y, &exponent);
     if (status != FOOTPOINT_OK)
         return status;
