@@ -93,7 +93,7 @@ static void axes_of(const double along[3], exact e[2][3])
     }
 }
 
-/* Where the line is in the plane of the axes, seen from the surface. */
+/* The surface in the plane of the axes, where the line is 0. */
 static void plane_at(int nodes, double (*x)[3], const double xs[3], exact e[2][3], const exact loc[2], exact f[2])
 {
     exact r[3];
@@ -104,25 +104,23 @@ static void plane_at(int nodes, double (*x)[3], const double xs[3], exact e[2][3
 
 double line_points_error(int nodes, double (*x)[3], const double xs[3], const double along[3], const double loc[2])
 {
-    exact e[2][3], at[2] = {loc[0], loc[1]};
+    exact e[2][3], at[2] = {loc[0], loc[1]}, slope[2][2];
     double step = INFINITY;
     axes_of(along, e);
-    for (int k = 0; k < 12 && step > 1e-22; k++) {
-        exact f[3][2], move[2];
-        plane_at(nodes, x, xs, e, at, f[2]);
-        for (int i = 0; i < 2; i++) { /* slopes of a polynomial of degree 2 */
-            const exact more[2] = {at[0] + (i == 0), at[1] + (i == 1)}, less[2] = {at[0] - (i == 0), at[1] - (i == 1)};
-            exact high[2];
-            plane_at(nodes, x, xs, e, more, high);
-            plane_at(nodes, x, xs, e, less, f[i]);
-            for (int c = 0; c < 2; c++)
-                f[i][c] = (high[c] - f[i][c]) / 2;
-        }
-        const exact turn = f[0][0] * f[1][1] - f[0][1] * f[1][0];
-        if (turn == 0)
-            return INFINITY;
-        move[0] = (f[1][0] * f[2][1] - f[1][1] * f[2][0]) / turn;
-        move[1] = (f[0][1] * f[2][0] - f[0][0] * f[2][1]) / turn;
+    for (int i = 0; i < 2; i++) { /* of a polynomial of degree 2 */
+        const exact high[2] = {at[0] + (i == 0), at[1] + (i == 1)}, low[2] = {at[0] - (i == 0), at[1] - (i == 1)};
+        exact f[2];
+        plane_at(nodes, x, xs, e, high, slope[i]);
+        plane_at(nodes, x, xs, e, low, f);
+        for (int c = 0; c < 2; c++)
+            slope[i][c] = (slope[i][c] - f[c]) / 2;
+    }
+    const exact turn = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
+    for (int k = 0; k < 12 && step > 1e-16 && turn != 0; k++) {
+        exact f[2], move[2];
+        plane_at(nodes, x, xs, e, at, f);
+        move[0] = (slope[1][0] * f[1] - slope[1][1] * f[0]) / turn;
+        move[1] = (slope[0][1] * f[0] - slope[0][0] * f[1]) / turn;
         at[0] += move[0];
         at[1] += move[1];
         step = fmax(fabs((double)move[0]), fabs((double)move[1]));

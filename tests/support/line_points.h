@@ -23,8 +23,8 @@ struct line_points {
 void line_points_find(int nodes, double (*x)[3], const double xs[3], const double along[3], double over,
                       struct line_points *found);
 
-/** Returns how far loc = {xi, eta} lies from the point to which Newton's steps lead from there, in quadruple precision: the larger
- *  difference; infinite if they lead to none. */
+/** Returns how far loc = {xi, eta} lies from the point to which Newton's steps lead from there, with the slopes there, in
+ *  quadruple precision: the larger difference; infinite if they lead to none. */
 double line_points_error(int nodes, double (*x)[3], const double xs[3], const double along[3], const double loc[2]);
 
 /** Writes r(xi,eta) - xs; mesh length. */
