@@ -83,11 +83,7 @@ static const struct function *start_of(const struct unit *u, const struct functi
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *other = &u->function[i];
         const double e = usual_error(other);
-<<<<<<< HEAD
-        if (e < NEAR && one_step_does(u, e, name_promise(u, f)) &&
-=======
-        if (one_step_does(u, e, promise_of(u, f)) &&
->>>>>>> 8270bde1 (Begin proofs in float where one step suffices)
+        if (one_step_does(u, e, name_promise(u, f)) &&
             (!start || operations_cost(&other->code.ops, model) < operations_cost(&start->code.ops, model)))
             start = other;
     }
@@ -155,13 +151,7 @@ static int curved_steps(const struct unit *u, double promise)
 /* How many steps NAME takes in a loop over arrays. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
-<<<<<<< HEAD
     return promise_kind_of(u) == PROMISE_CURVED ? curved_steps(u, promise_of(u, f)) : fixed_steps(u, f);
-=======
-    if (promise_kind_of(u) == PROMISE_CURVED)
-        return curved_steps(u, promise_of(u, f));
-    return one_step_suffices(u, usual_error(start_of(u, f)), promise_of(u, f)) ? 1 : 2;
->>>>>>> 8270bde1 (Begin proofs in float where one step suffices)
 }
 
 static bool is_start(const struct unit *u, const struct function *f)
