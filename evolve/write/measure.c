@@ -41,7 +41,7 @@ static bool measure_part(const struct genome_file *f, struct measured *m, int pa
     struct measurement all = measurement_open(f, m->t, m->output, m->n, p->count);
     double *worst = new_array(m->n, sizeof *worst);
     const bool good = take_part(&all, p, most, p->part == PART_HELDOUT_EVEN ? NULL : region, d);
-    for (size_t i = 0; i < m->n && good && outs == 2 && climb_can(p) && p->count <= most; i += outs)
+    for (size_t i = 0; i < m->n && good && outs == 2 && climb_can(p) && most == SIZE_MAX; i += outs)
         climb(p, &all, i, outs, worst + i);
     measurement_close(&all, found);
     for (size_t i = 0; i < m->n; i++)

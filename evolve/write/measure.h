@@ -18,8 +18,8 @@ struct measured {
     struct errors *found[HELDOUT_PARTS]; /* owned; indexed as t; NULL if the scene lacks the part */
 };
 
-/** Measures all genomes of a file that have `outs` outputs and adds the file's region.  If a genome has two outputs and all
- *  samples are measured, climbs from the worst of them (climb.h).
+/** Measures all genomes of a file that have `outs` outputs and adds the file's region.  Climbs from the worst samples
+ *  of each genome of two outputs (climb.h) if `most` is SIZE_MAX.
  *  @param[in] most  largest number of samples of a part
  *  @return false with *d filled; *m must be freed in either case */
 bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *heldout, size_t most, struct measured *m,

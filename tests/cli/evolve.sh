@@ -107,6 +107,10 @@ worse=$(awk '/->/ && $5 + 0 > $3 + 0' "$work/table")
 [ -z "$worse" ] && grep -q -- '->' "$work/table"; report $((! $?)) 'a second run makes nothing worse'
 "$BIN/footpoint-codegen" --effort 1 --allow-poles "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
     grep -q 'small_paper_at' "$work/small.h"; report $((! $?)) 'both frames end in a header'
+tr -s ' *\n' ' ' < "$work/small.h" | grep -q 'heldout: xi [^:]*, of [0-9]* samples and climbing'; report $((! $?)) 'whose banner has errors of climbing, too'
+run 1 --seed 6 --start "$work/r1.gen" --generations 0 -o "$work/other.gen" > /dev/null
+grep '^note heldout' "$work/r1.gen" | grep -qvxF -f "$work/other.gen" && grep -v '^note heldout\|^require\|^range' "$work/other.gen" | grep -qvxF -f "$work/r1.gen"
+[ $? -eq 1 ]; report $((! $?)) 'another seed holds out other samples, and changes no expression'
 
 sed 's/^xi = .*/xi = + p/' "$work/r1.gen" > "$work/bad.gen"
 expect 'malformed start file' 1 '' '*' "$evolve" --scene "$work/small.scene" --start "$work/bad.gen" -o "$work/o.gen"
@@ -127,6 +131,7 @@ interrupted() { # by SIGTERM, soon after it is listened to (bit 15 of those caug
 }
 expect 'interrupted' 143 '*' '*' interrupted
 "$BIN/footpoint-codegen" --effort 0 --allow-poles --count "$work/part.gen" > /dev/null 2>&1 && ! ls "$work" | grep -q tmp; report $((! $?)) 'genomes are there, nothing half-written'
+! grep -q climbing "$work/part.gen"; report $((! $?)) 'measured in a hurry, without climbing'
 
 # Without frame and tiers they follow from the segments; where a value of the frame is exact, nothing is evolved.
 sed 's/taper = 0.2; warp = "10 deg"/taper = 0; warp = "0 deg"/; /^reference/d; /^frame/,$d' tests/scenes/small.scene \
