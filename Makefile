@@ -297,7 +297,7 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 
 # The headers' functions for the tests, all of them in one file each: no optimisation changes a result of theirs, but for
 # fused multiply-add, which takes one.
-of_headers := test_headers test_digits test_promise test_promise_curved header_functions headers_long
+of_headers := test_headers test_digits test_promise test_promise_curved test_promise_patches header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
 $(foreach file,header_functions headers_long test_closest test_closest_curved test_closest_promise test_curved test_exceptions test_from test_joined test_patch_place test_place test_sides,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
@@ -374,7 +374,7 @@ $(BIN)/tests/test_digits: $(OBJ)/tests/generated/headers_long.o $(OBJ)/tests/gen
 $(BIN)/tests/test_headers: $(OBJ)/tests/generated/header_functions.o
 $(BIN)/tests/test_promise: $(OBJ)/tests/generated/header_functions.o
 $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)))
-$(BIN)/tests/test_promise_curved: $(OBJ)/tests/generated/header_functions.o
+$(foreach test,curved patches,$(eval $(BIN)/tests/test_promise_$(test): $(OBJ)/tests/generated/header_functions.o $(OBJ)/tests/hard/draw.o))
 $(BIN)/tests/test_promise_curved $(BIN)/tests/test_closest_curved: $(OBJ)/tests/generated/curved_cases.o $(OBJ)/tests/hard/draw.o
 $(BIN)/tests/test_from: $(patsubst %,$(OBJ)/tests/%.o,generated/judged_faces hard/draw)
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)

@@ -42,7 +42,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
-        *) files="$files answer" ;;
+        bezier) files="$files patch_net patch_bezier patch_proof patch_repair" ;;
+        gregory) files="$files patch_gregory patch_proof patch_repair" ;;
         esac
         files="$files arrays over"
         case $nearest in
@@ -64,7 +65,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         *) calls="$calls closest_calls" ;;
         esac
         if [ $kind = face ]; then # functions at a place of it
-            files='place_detail place_calls place_joined' calls=
+            files='answer place_detail place_calls place_joined' calls=
             for word in ROW SET_ROW REQUIRE GAP_LAST GAP_AMONG_ROWS; do echo "#define WITH_$word"; echo "#define END_$word"; done
             printf '#define %s\n' 'VECTOR_LIST const REAL *const xS = x[4];' 'STATEMENTS' 'ROW gap' 'ROW_NUMBER 0' 'ROW_COUNT 1' \
                 'ROW_NAMES gap' 'ROW_PLACES gap + i' 'ROW_PARAMETERS REAL gap[1]' 'ROW_COLUMNS REAL *FOOTPOINT_RESTRICT gap' 'GAP xi * eta' \
@@ -74,15 +75,16 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             echo 'REAL_BITS face_search_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi, REAL *eta, REAL *gap);'
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
         else
-            for word in PROMISE EXACT_PROMISE CURVED SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
+            for word in PROMISE EXACT_PROMISE CURVED PATCH SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
             echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"
             echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
             printf '#define %s\n' "VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)c; (void)x$others;" 'SIZE 1' \
                 'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' 'SCALED_ROWS y[0], y[1], y[2], y[3], y[4]' "START_detail_prove ${kind}_start" \
                 "EXACT_prove ${kind}_exact" "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail"
             words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST SCALED_ROWS"
-            words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_PATCH END_PATCH WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
+            case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             case $kind in tri6 | quad8 | quad9) ;; *) echo "REAL_BITS footpoint_detail_${kind}_curved(const REAL *const *x, REAL promise, int bare, int fixed, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
             echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"
@@ -95,7 +97,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract contract_closest contract_closest_promise contract_promise contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in contract contract_closest contract_closest_promise contract_patch contract_promise contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

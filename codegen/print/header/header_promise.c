@@ -13,12 +13,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What functions are called for what they promise; others are right to rounding. */
+/* What functions of faces, and of patches, are called for what they promise; others are right to rounding. */
 static const struct {
     const char *name;
-    double promise;
-} promises[] = {{"fast", 1e-1},     {"coarse", 1e-1}, {"gauss2", 1e-2},  {"medium", 1e-2},
-                {"balanced", 1e-3}, {"fine", 1e-5},   {"precise", 1e-7}, {"accurate", 1e-10}};
+    double promise[2];
+} promises[] = {{"fast", {1e-1, 1e-1}},     {"coarse", {1e-1, 1e-1}},    {"facet", {1e-1, 1e-1}},
+                {"gauss2", {1e-2, 1e-2}},   {"medium", {1e-2, 1e-2}},    {"normals", {1e-2, 1e-2}},
+                {"balanced", {1e-3, 1e-3}}, {"smooth", {1e-3, 1e-3}},    {"fine", {1e-5, 1e-5}},
+                {"weighted", {1e-5, 1e-5}}, {"corrected", {1e-5, 1e-5}}, {"precise", {1e-7, 1e-7}},
+                {"exact", {1e-12, 1e-10}},  {"accurate", {1e-10, 1e-10}}};
 static const double finest[] = {[PRECISION_DOUBLE] = 1e-12, [PRECISION_FLOAT] = 1e-5};
 
 static bool single(const struct unit *u)
@@ -30,8 +33,10 @@ enum promise_kind promise_kind_of(const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
     const bool any = u->file->order == CORNERS_ANY;
-    if (*k->normals || (single(u) && !k->bilinear))
+    if (single(u) && !k->bilinear)
         return PROMISE_NONE;
+    if (*k->normals)
+        return PROMISE_PATCH;
     if (!lines_straight(u))
         return PROMISE_CURVED;
     return !any ? PROMISE_NONE : k->bilinear ? PROMISE_BILINEAR : PROMISE_LINEAR;
@@ -48,7 +53,7 @@ static double name_promise(const struct unit *u, const struct function *f)
     const double least = finest[u->options.precision];
     for (size_t i = 0; i < sizeof promises / sizeof *promises; i++)
         if (promise_kind_of(u) != PROMISE_LINEAR && strcmp(promises[i].name, f->genome->name) == 0)
-            return fmax(promises[i].promise, least);
+            return fmax(promises[i].promise[promise_kind_of(u) == PROMISE_PATCH], least);
     return least;
 }
 
@@ -88,6 +93,37 @@ static const struct function *start_of(const struct unit *u, const struct functi
             start = other;
     }
     return start ? start : f;
+}
+
+/* The error from which steps on a patch converge. */
+#define NEAR 0.02
+
+/* On a patch: how many steps of Newton, each of which leaves an error's square, come before one that is proved, from NEAR and within some
+ * ten times that; and about what a step costs. */
+enum { PATCH_STEPS = 4, PATCH_STEP_COST = 500 };
+static int patch_steps(const struct function *start, double promise)
+{
+    int steps = 0;
+    for (double e = usual_error(start); steps < PATCH_STEPS && !(e < NEAR && 10.0 * e * e < promise); steps++)
+        e *= e;
+    return steps;
+}
+
+/* The function from which the way to a proof on a patch is the cheapest. */
+static const struct function *patch_start(const struct unit *u, const struct function *f)
+{
+    const struct function *start = f;
+    double least = INFINITY;
+    for (size_t i = 0; i < u->file->genomes; i++) {
+        const struct function *other = &u->function[i];
+        const double cost = operations_cost(&other->code.ops, &u->options.compile.cost) +
+                            PATCH_STEP_COST * patch_steps(other, name_promise(u, f));
+        if (cost < least) {
+            least = cost;
+            start = other;
+        }
+    }
+    return start;
 }
 
 /* How many steps f takes in a loop over arrays, where all pairs take as many, if the segment is bilinear; the few that need more are
@@ -139,7 +175,8 @@ void promise_define(const struct unit *u, const struct function *f, FILE *out)
 
 const struct function *promise_start(const struct unit *u, const struct function *f)
 {
-    return promise_kind_of(u) == PROMISE_BILINEAR ? start_of(u, f) : f;
+    const enum promise_kind kind = promise_kind_of(u);
+    return kind == PROMISE_BILINEAR ? start_of(u, f) : kind == PROMISE_PATCH ? patch_start(u, f) : f;
 }
 
 /* How many steps of a curved face come before the first that is proved: from there on most are. */
@@ -151,7 +188,14 @@ static int curved_steps(const struct unit *u, double promise)
 /* How many steps NAME takes in a loop over arrays. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
-    return promise_kind_of(u) == PROMISE_CURVED ? curved_steps(u, promise_of(u, f)) : fixed_steps(u, f);
+    switch (promise_kind_of(u)) {
+    case PROMISE_CURVED:
+        return curved_steps(u, promise_of(u, f));
+    case PROMISE_PATCH:
+        return patch_steps(patch_start(u, f), promise_of(u, f));
+    default:
+        return fixed_steps(u, f);
+    }
 }
 
 static bool is_start(const struct unit *u, const struct function *f)

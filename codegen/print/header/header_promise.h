@@ -6,8 +6,8 @@
 
 /* How functions of a unit prove their answers, in double: of plane triangles, which are exact but for rounding; of bilinear
  * segments with corners in any order, by steps from what bred programs find; of faces of six to nine nodes, by steps of
- * their polynomial surface.  Others prove nothing. */
-enum promise_kind { PROMISE_NONE, PROMISE_LINEAR, PROMISE_BILINEAR, PROMISE_CURVED };
+ * their polynomial surface; of patches, by steps on them from what bred programs find.  Others prove nothing. */
+enum promise_kind { PROMISE_NONE, PROMISE_LINEAR, PROMISE_BILINEAR, PROMISE_CURVED, PROMISE_PATCH };
 
 enum promise_kind promise_kind_of(const struct unit *u);
 

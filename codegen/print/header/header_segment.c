@@ -78,7 +78,9 @@ static void print_sure(const struct unit *u, const struct function *f, const cha
 void search_print_contract(const struct unit *u, FILE *out)
 {
     lines_print_templates(u, NULL, NULL, (const char *const[]){"contract", NULL}, out);
-    if (promise_kind_of(u) != PROMISE_NONE)
+    if (promise_kind_of(u) == PROMISE_PATCH)
+        lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_patch", NULL}, out);
+    else if (promise_kind_of(u) != PROMISE_NONE)
         lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_promise", NULL}, out);
     if (promise_follows(u))
         lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_from", NULL}, out);
@@ -100,10 +102,11 @@ void search_print_bare(const struct unit *u, const struct function *f, FILE *out
 void search_print(const struct unit *u, const struct function *f, FILE *out)
 {
     const enum promise_kind promise = promise_kind_of(u);
-    const bool steps = promise == PROMISE_BILINEAR || promise == PROMISE_CURVED,
+    const bool steps = promise == PROMISE_BILINEAR || promise == PROMISE_CURVED || promise == PROMISE_PATCH,
                shares = !steps && vectors_shared(u, f);
     const struct block blocks[] = {{"PROMISE", promise == PROMISE_BILINEAR, NULL},
                                    {"CURVED", promise == PROMISE_CURVED, NULL},
+                                   {"PATCH", promise == PROMISE_PATCH, NULL},
                                    {"EXACT_PROMISE", promise == PROMISE_LINEAR, NULL},
                                    {"SHARED_GAP", shares, NULL},
                                    {"OWN_GAP", !steps && !shares, NULL},

@@ -9,6 +9,11 @@ FOOTPOINT_PART REAL_BITS NAME_detail_checked(const REAL *const *x, int way, REAL
         return footpoint_detail_KIND_curved(x, PROMISE, STEPS, !way, LEAST_SIZE, xi, eta, gap);
     END_CURVED
     flaw = SEARCH_CALL;
+    WITH_PATCH
+    if (way != 1)
+        return footpoint_detail_KIND_patch(x, PROMISE, STEPS, LEAST_SIZE, xi, eta, gap);
+    return flaw | footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
+    END_PATCH
     WITH_EXACT_PROMISE
     if (way != 1)
         flaw |= EXACT_prove(x, PROMISE, xi, eta);

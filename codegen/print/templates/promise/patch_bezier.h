@@ -1,0 +1,33 @@
+/* The Bezier patch near a point of it: its net and nothing else. */
+
+typedef struct {
+    footpoint_detail_net net;
+} footpoint_detail_bezier_terms;
+
+FOOTPOINT_PART void footpoint_detail_bezier_expand(const REAL *const *x,
+                                                   footpoint_detail_bezier_terms *t)
+{
+    footpoint_detail_bent bent[4];
+    footpoint_detail_net_expand(x, bent, &t->net);
+}
+
+FOOTPOINT_PART void footpoint_detail_bezier_local(const footpoint_detail_bezier_terms *t, REAL p,
+                                                  REAL q, footpoint_detail_local *l)
+{
+    footpoint_detail_net_local(&t->net, p, q, l);
+}
+
+/* What third derivatives are greater by inside, beside the net's bounds; on edges by nothing. */
+FOOTPOINT_PART REAL footpoint_detail_bezier_inner(const footpoint_detail_bezier_terms *t, REAL p,
+                                                  REAL q)
+{
+    (void)t, (void)p, (void)q;
+    return 0.0;
+}
+
+/* Where that holds: up to so far from (p,q). */
+FOOTPOINT_PART REAL footpoint_detail_bezier_ball(REAL p, REAL q)
+{
+    (void)p, (void)q;
+    return 0.125;
+}

@@ -1,0 +1,192 @@
+/* The Gregory patch near a point of it: a net, and what its inner points are off from those of that. */
+
+/* Corner c adds f(x) f(y) (x y side + x^2 y / (x + y) twist), f(x) = (1 - x)^2, where x and y are halves of the ways along xi and
+ * eta from the corner: nine times what the edge along eta makes of the inner point, less the net's, and what the other edge does more
+ * than it.  twists: sums of the absolute coordinates. */
+typedef struct {
+    footpoint_detail_net net;
+    REAL side[4][3], twist[4][3], twists[4];
+} footpoint_detail_gregory_terms;
+
+/* Which of AB, DC, AD, BC handle m of corner c lies along. */
+FOOTPOINT_PART int footpoint_detail_gregory_edge(int c, int m)
+{
+    return m ? (c == 0 || c == 3 ? 2 : 3) : c / 2;
+}
+
+/* Handles b[c][0] along xi and b[c][1] along eta of the corners. */
+FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent bent[4],
+                                                     REAL b[4][2][3])
+{
+    const REAL third = 1.0 / 3.0, rise = 8.0 / 3.0;
+    int c, m, i;
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        FOOTPOINT_UNROLL
+        for (m = 0; m < 2; m++) {
+            const footpoint_detail_bent *const t = &bent[footpoint_detail_gregory_edge(c, m)];
+            const int ends = m ? c > 1 : c == 1 || c == 2;
+            FOOTPOINT_UNROLL
+            for (i = 0; i < 3; i++)
+                b[c][m][i] = ends ? rise * t->end[i] - third * t->edge[i]
+                                  : third * t->edge[i] - rise * t->begin[i];
+        }
+    }
+}
+
+/* Of unit normals handle b[c][1 - m] is k[c][m] n x b[c][m] + l[c][m] b[c][m].  turn: n x b.  The largest square of an edge
+ * over that of a handle along it. */
+FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *x,
+                                                   const footpoint_detail_bent bent[4],
+                                                   REAL b[4][2][3], REAL turn[4][2][3],
+                                                   REAL k[4][2], REAL l[4][2])
+{
+    REAL most = 0.0, square[4];
+    int c, m;
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++)
+        square[c] = footpoint_detail_dot(bent[c].edge, bent[c].edge);
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        const REAL along = footpoint_detail_dot(b[c][0], b[c][1]);
+        const REAL s = footpoint_detail_dot(b[c][0], b[c][0]);
+        const REAL t = footpoint_detail_dot(b[c][1], b[c][1]), per = 1.0 / (s * t);
+        FOOTPOINT_UNROLL
+        for (m = 0; m < 2; m++) {
+            const REAL inverse = per * (m ? s : t);
+            footpoint_detail_cross(x[4 + c], b[c][m], turn[c][m]);
+            k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
+            l[c][m] = along * inverse;
+            most = footpoint_detail_greater(most,
+                                            square[footpoint_detail_gregory_edge(c, m)] * inverse);
+        }
+    }
+    return most;
+}
+
+/* Rounding, of d* the longest edge and w the largest quotient of an edge and a handle along it: handles are off by 2.9 u d*, k b and l b
+ * by 5.3 u w d*, what edges make of inner points by 8.2 u w^2 d*, of which 18 and 60 w^2 d* are the sums in d and in tangents. */
+FOOTPOINT_PART void footpoint_detail_gregory_expand(const REAL *const *x,
+                                                    footpoint_detail_gregory_terms *t)
+{
+    footpoint_detail_bent bent[4];
+    REAL b[4][2][3], turn[4][2][3], k[4][2], l[4][2], most, longest = 0.0;
+    int c, m, i;
+    footpoint_detail_net_expand(x, bent, &t->net);
+    footpoint_detail_gregory_handles(bent, b);
+    most = footpoint_detail_gregory_parts(x, bent, b, turn, k, l);
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        REAL made[2][3], sides;
+        FOOTPOINT_UNROLL
+        for (m = 0; m < 2; m++) {
+            const int o = m ? 3 - c : c ^ 1;
+            const REAL sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m];
+            FOOTPOINT_UNROLL
+            for (i = 0; i < 3; i++) {
+                const REAL middle = (x[o][i] - x[c][i]) + (b[o][m][i] - b[c][m][i]);
+                made[m][i] = 3.0 * (sum * turn[c][m][i] - k[c][m] * turn[o][m][i] +
+                                    (twice * middle - l[o][m] * b[c][m][i])) -
+                             9.0 * b[c][1 - m][i];
+            }
+        }
+        FOOTPOINT_UNROLL
+        for (i = 0; i < 3; i++) {
+            t->side[c][i] = made[1][i];
+            t->twist[c][i] = made[0][i] - made[1][i];
+        }
+        sides = 2.2 * footpoint_detail_sum(t->side[c]);
+        t->twists[c] = footpoint_detail_sum(t->twist[c]);
+        t->net.third[0] += sides;
+        t->net.third[1] += sides;
+        longest = footpoint_detail_greater(longest, footpoint_detail_sum(bent[c].edge));
+    }
+    most *= longest;
+    t->net.place += 18.0 * most;
+    t->net.turn += 60.0 * most;
+    t->net.far += 2.5 * most;
+}
+
+/* 1 / (x + y) of the corners, kept from infinity. */
+FOOTPOINT_PART void footpoint_detail_gregory_near(REAL p, REAL q, REAL near[4])
+{
+    const REAL up = 0.5 * (p + q), down = 0.5 * (p - q), tiny = 1e-30;
+    const REAL a = 1.0 + up + tiny, c = 1.0 - up + tiny, b = 1.0 - down + tiny,
+               d = 1.0 + down + tiny;
+    const REAL ac = a * c, bd = b * d, per = 1.0 / (ac * bd);
+    near[0] = per * c * bd;
+    near[1] = per * d * ac;
+    near[2] = per * a * bd;
+    near[3] = per * b * ac;
+}
+
+/* What the corner adds, see above, as factors of side[] and of twist[]: values, first and second derivatives by xi and eta. */
+FOOTPOINT_PART void footpoint_detail_gregory_corner(REAL along, REAL across, REAL p, REAL q,
+                                                    REAL near, REAL side[6], REAL twist[6])
+{
+    const REAL sx = 0.5 * along, sy = 0.5 * across, x = 0.5 + sx * p, y = 0.5 + sy * q;
+    const REAL X = 1.0 - x, Y = 1.0 - y, f = X * X, g = Y * Y, a = x * near, b = y * near;
+    const REAL m = x * f, n = y * g, m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
+    const REAL h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
+    const REAL f1 = -2.0 * X, g1 = -2.0 * Y, fg = f * g, fg1 = f * g1, f1g = f1 * g;
+    side[0] = m * n;
+    side[1] = m1 * n;
+    side[2] = m * n1;
+    side[3] = (1.5 * x - 1.0) * n;
+    side[4] = m1 * n1;
+    side[5] = (1.5 * y - 1.0) * m;
+    twist[0] = fg * h;
+    twist[1] = sx * (f1g * h + fg * hx);
+    twist[2] = sy * (fg1 * h + fg * hy);
+    twist[3] = 0.5 * (g * h + f1g * hx + fg * (b * b * b));
+    twist[4] = sx * sy * (f1 * g1 * h + f1g * hy + fg1 * hx + fg * (a * a * (3.0 - (a + a))));
+    twist[5] = 0.5 * (f * h + fg1 * hy - fg * (a * a * a));
+}
+
+/* Tangents and second derivatives at (p,q), and d = xS - r. */
+FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregory_terms *t, REAL p,
+                                                   REAL q, footpoint_detail_local *l)
+{
+    REAL near[4];
+    int c, i;
+    footpoint_detail_net_local(&t->net, p, q, l);
+    footpoint_detail_gregory_near(p, q, near);
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        REAL s[6], w[6];
+        footpoint_detail_gregory_corner(c == 1 || c == 2 ? -1.0 : 1.0, c > 1 ? -1.0 : 1.0, p, q,
+                                        near[c], s, w);
+        FOOTPOINT_UNROLL
+        for (i = 0; i < 3; i++) {
+            const REAL y = t->side[c][i], z = t->twist[c][i];
+            l->d[i] -= s[0] * y + w[0] * z;
+            l->u[i] += s[1] * y + w[1] * z;
+            l->v[i] += s[2] * y + w[2] * z;
+            l->uu[i] += s[3] * y + w[3] * z;
+            l->uv[i] += s[4] * y + w[4] * z;
+            l->vv[i] += s[5] * y + w[5] * z;
+        }
+    }
+}
+
+/* What third derivatives are greater by inside, beside the net's bounds: the twists' are less than 16.5 + 2.92 / (x + y) times
+ * those, within a quarter of x + y.  On edges they are nothing. */
+FOOTPOINT_PART REAL footpoint_detail_gregory_inner(const footpoint_detail_gregory_terms *t, REAL p,
+                                                   REAL q)
+{
+    REAL near[4], sum = 0.0;
+    int c;
+    footpoint_detail_gregory_near(p, q, near);
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++)
+        sum += t->twists[c] * (16.5 + 2.92 * near[c]);
+    return sum;
+}
+
+/* Where that holds: up to so far from (p,q), not nearer to a corner than x + y = 0.01, where rounding takes the digits of second
+ * derivatives. */
+FOOTPOINT_PART REAL footpoint_detail_gregory_ball(REAL p, REAL q)
+{
+    const REAL most = 0.2475 - 0.125 * (fabs(p) + fabs(q));
+    return most < 0.125 ? most : 0.125;
+}

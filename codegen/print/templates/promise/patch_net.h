@@ -1,0 +1,113 @@
+/* Bicubic patches whose edges start at right angles to the normals at their ends, as polynomials about the middle. */
+
+/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is (1 - p^2)
+ * (p x1 - x0), X, y and Y likewise: x bends the mean of the edges AB and DC, X is what DC bends more than AB.  d = xS - r0.
+ *
+ * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch.  base: the sum of the edges'
+ * absolute coordinates; tilt: the largest square of a normal.  Rounding, in units of u = 1.11e-16, if tilt <= 1.01: coordinates of d
+ * are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q <= 2.5 far. */
+typedef struct {
+    REAL e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
+    REAL third[2], base, tilt, place, turn, far;
+} footpoint_detail_net;
+
+/* An edge, and an eighth of its parts along the normals at its ends. */
+typedef struct {
+    REAL edge[3], begin[3], end[3];
+} footpoint_detail_bent;
+
+FOOTPOINT_PART void footpoint_detail_bend(const REAL a[3], const REAL b[3], const REAL m[3],
+                                          const REAL n[3], footpoint_detail_bent *t)
+{
+    REAL first, second;
+    int i;
+    footpoint_detail_from(a, b, t->edge);
+    first = 0.125 * footpoint_detail_dot(t->edge, m);
+    second = 0.125 * footpoint_detail_dot(t->edge, n);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        t->begin[i] = first * m[i];
+        t->end[i] = second * n[i];
+    }
+}
+
+/* The bounds of a net with its vectors. */
+FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *x, footpoint_detail_net *t)
+{
+    const REAL X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
+    const REAL Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
+    const REAL m = footpoint_detail_sum(t->m);
+    t->third[0] =
+        6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
+    t->third[1] =
+        6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
+    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(x[4], x[4]),
+                                                                footpoint_detail_dot(x[5], x[5])),
+                                       footpoint_detail_greater(footpoint_detail_dot(x[6], x[6]),
+                                                                footpoint_detail_dot(x[7], x[7])));
+    t->place = 29.0 * t->base;
+    t->turn = 35.0 * t->base;
+    t->far = t->base;
+}
+
+/* bent: AB, DC, AD, BC. */
+FOOTPOINT_PART void footpoint_detail_net_expand(const REAL *const *x, footpoint_detail_bent bent[4],
+                                                footpoint_detail_net *t)
+{
+    const footpoint_detail_bent *const ab = &bent[0], *const dc = &bent[1], *const ad = &bent[2],
+                                       *const bc = &bent[3];
+    int i;
+    footpoint_detail_bend(x[0], x[1], x[4], x[5], &bent[0]);
+    footpoint_detail_bend(x[3], x[2], x[7], x[6], &bent[1]);
+    footpoint_detail_bend(x[0], x[3], x[4], x[7], &bent[2]);
+    footpoint_detail_bend(x[1], x[2], x[5], x[6], &bent[3]);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL s = ab->begin[i] + ab->end[i], l = ab->begin[i] - ab->end[i];
+        const REAL S = dc->begin[i] + dc->end[i], L = dc->begin[i] - dc->end[i];
+        const REAL o = ad->begin[i] + ad->end[i], k = ad->begin[i] - ad->end[i];
+        const REAL O = bc->begin[i] + bc->end[i], K = bc->begin[i] - bc->end[i];
+        t->e[i] = 0.25 * (ab->edge[i] + dc->edge[i]);
+        t->f[i] = 0.25 * (ad->edge[i] + bc->edge[i]);
+        t->m[i] = 0.5 * (dc->edge[i] - ab->edge[i]);
+        t->x1[i] = 0.5 * (s + S);
+        t->x0[i] = 0.5 * (l + L);
+        t->X1[i] = S - s;
+        t->X0[i] = L - l;
+        t->y1[i] = 0.5 * (o + O);
+        t->y0[i] = 0.5 * (k + K);
+        t->Y1[i] = (O - o) - 0.5 * t->m[i];
+        t->Y0[i] = K - k;
+        t->d[i] = 0.25 * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
+                          ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
+    }
+    t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
+              (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
+    footpoint_detail_net_bounds(x, t);
+}
+
+/* Tangents and second derivatives at (p,q), and d = xS - r. */
+FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, REAL p, REAL q,
+                                               footpoint_detail_local *l)
+{
+    const REAL w = 1.0 - p * p, a = p * w, a1 = 1.0 - 3.0 * (p * p), p2 = p + p, p6 = 6.0 * p;
+    const REAL z = 1.0 - q * q, c = q * z, c1 = 1.0 - 3.0 * (q * q), q2 = q + q, q6 = 6.0 * q;
+    const REAL b = p * (0.5 + 0.25 * w), b1 = 0.75 * w, b2 = -1.5 * p;
+    const REAL g = q * (0.5 + 0.25 * z), g1 = 0.75 * z, g2 = -1.5 * q;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL X = p * t->m[i] + a * t->X1[i] - w * t->X0[i];
+        const REAL X1 = t->m[i] + a1 * t->X1[i] + p2 * t->X0[i];
+        const REAL X2 = 2.0 * t->X0[i] - p6 * t->X1[i];
+        const REAL Y = c * t->Y1[i] - z * t->Y0[i], Y1 = c1 * t->Y1[i] + q2 * t->Y0[i];
+        const REAL Y2 = 2.0 * t->Y0[i] - q6 * t->Y1[i];
+        l->d[i] = t->d[i] - p * t->e[i] - q * t->f[i] - (a * t->x1[i] - w * t->x0[i] + g * X) -
+                  (c * t->y1[i] - z * t->y0[i] + b * Y);
+        l->u[i] = t->e[i] + (a1 * t->x1[i] + p2 * t->x0[i]) + g * X1 + b1 * Y;
+        l->v[i] = t->f[i] + (c1 * t->y1[i] + q2 * t->y0[i]) + b * Y1 + g1 * X;
+        l->uu[i] = 2.0 * t->x0[i] - p6 * t->x1[i] + g * X2 + b2 * Y;
+        l->uv[i] = g1 * X1 + b1 * Y1;
+        l->vv[i] = 2.0 * t->y0[i] - q6 * t->y1[i] + b * Y2 + g2 * X;
+    }
+}

@@ -1,0 +1,118 @@
+/* Newton's steps on patches, and the proof of the last. */
+
+/* Kept in the patch. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
+{
+    const REAL most = p < 1.0 ? p : 1.0;
+    return most > -1.0 ? most : -1.0;
+}
+
+/* By how much rounding may change (r_xi . D, r_eta . D), and per step, see footpoint_detail_net; dot products and Cramer's rule count
+ * as 9 u |r_i| |D|, and a step as much more as entries of the Hessian are off by. */
+FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REAL u, REAL v, REAL d,
+                                              REAL step, REAL off[2])
+{
+    const REAL unit = 1.12e-16, place = unit * (t->place + 18.0 * d), far = d + t->far;
+    const REAL turn = unit * (t->turn * d + 2000.0 * step * (far * far));
+    off[0] = place * u + turn;
+    off[1] = place * v + turn;
+}
+
+/* A step from (*p,*q) to the foot point, kept in the patch, without a proof. */
+FOOTPOINT_PART void footpoint_detail_KIND_bare(const footpoint_detail_KIND_terms *of, REAL *p,
+                                               REAL *q)
+{
+    footpoint_detail_local r;
+    footpoint_detail_newton n;
+    footpoint_detail_KIND_local(of, *p, *q, &r);
+    footpoint_detail_newton_of(&r, &n);
+    *p = footpoint_detail_KIND_kept(*p + n.s);
+    *q = footpoint_detail_KIND_kept(*q + n.t);
+}
+
+/* The same, of a point in the patch, where r is the surface.  The highest bit of the result is not set if a minimum of the distance is
+ * proved to lie within `promise` of the answer, on the patch or on the surface that its polynomials make beside it.
+ *
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11 r12; r12 r22];
+ * `step` = |H^-1 F|.  Row i of the derivatives of H adds up to l_i = R_i A + 2 R A_i + |D| T_i at most, where R_i = |r_i|,
+ * A_i = |r_i1| + |r_i2|, T_i = |r_i11| + 2 |r_i12| + |r_i22|, R and A being sums over i, each the largest in `ball`.  Let w =
+ * max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|.  If h = w step <= 1/4, then there is a
+ * root within 1.2 step of x, it is within 0.7 h step of where the step ends, and H is positive definite all the way there.
+ *
+ * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far; that and what l_i are off by take 7000 u far^2 |H^-1| of
+ * what is allowed to h.  The weak inequality of `det` keeps the rounding errors of w and of the step below what 0.72, 0.249 and 0.999
+ * leave. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_terms *of,
+                                                    const footpoint_detail_local *r, REAL promise,
+                                                    REAL *p, REAL *q)
+{
+    const REAL u = footpoint_detail_sum(r->u), v = footpoint_detail_sum(r->v);
+    const REAL d = footpoint_detail_sum(r->d), far = d + of->net.far, x = *p, y = *q;
+    const REAL inner = footpoint_detail_KIND_inner(of, x, y);
+    footpoint_detail_newton n;
+    REAL mixed, step, s, t, rows[2], off, ball, h, room, other;
+    footpoint_detail_newton_of(r, &n);
+    mixed = fabs(n.r12);
+    step = footpoint_detail_greater(fabs(n.s), fabs(n.t));
+    s = x + n.s;
+    t = y + n.t;
+    *p = footpoint_detail_KIND_kept(s);
+    *q = footpoint_detail_KIND_kept(t);
+    footpoint_detail_KIND_off(&of->net, u, v, d, step, rows);
+    off = n.per * footpoint_detail_greater(n.r22 * rows[0] + mixed * rows[1],
+                                           n.r11 * rows[1] + mixed * rows[0]);
+    ball = 1.25 * (step + off);
+    {
+        const REAL uv = footpoint_detail_sum(r->uv);
+        const REAL third = of->net.third[0] + inner, fourth = of->net.third[1] + inner;
+        const REAL a1 = footpoint_detail_sum(r->uu) + uv + ball * third;
+        const REAL a2 = footpoint_detail_sum(r->vv) + uv + ball * fourth, a = a1 + a2;
+        const REAL r1 = u + ball * a1, r2 = v + ball * a2, both = r1 + r2, away = d + ball * both;
+        const REAL l1 = r1 * a + 2.0 * both * a1 + away * third;
+        const REAL l2 = r2 * a + 2.0 * both * a2 + away * fourth;
+        h = footpoint_detail_greater(n.r22 * l1 + mixed * l2, mixed * l1 + n.r11 * l2) * n.per *
+            (step + 2.0 * off);
+    }
+    room = footpoint_detail_greater(fabs(s - *p), fabs(t - *q)) + (0.72 * h * step + 1.2 * off);
+    room = 0.999 * promise - room;
+    other =
+        7000.0 * 1.12e-16 * n.per * (far * far) * (footpoint_detail_greater(n.r11, n.r22) + mixed);
+    other = 0.249 - (h + other);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
+           footpoint_detail_bits(footpoint_detail_KIND_ball(x, y) - ball) |
+           footpoint_detail_bits(1.01 - of->net.tilt) | footpoint_detail_bits(n.r11) |
+           footpoint_detail_bits(n.det * (1.0 - 1e-6) - 1e-6 * (n.r12 * n.r12)) |
+           footpoint_detail_infinite(room + other) | footpoint_detail_fast();
+}
+
+/* xi, eta and the gap (9) from where a search ended, by `bare` steps and one that is proved.  The gap, and the normal along which it is,
+ * follow from the values of the last step to its second order. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL promise, int bare,
+                                                     REAL least, REAL *xi, REAL *eta, REAL *gap)
+{
+    footpoint_detail_KIND_terms of;
+    footpoint_detail_local r;
+    REAL_BITS doubt;
+    REAL p = *xi, q = *eta, s, t, size;
+    int k;
+    footpoint_detail_KIND_expand(x, &of);
+    FOOTPOINT_UNROLL
+    for (k = 0; k < bare; k++)
+        footpoint_detail_KIND_bare(&of, &p, &q);
+    footpoint_detail_KIND_local(&of, p, q, &r);
+    *xi = p;
+    *eta = q;
+    doubt = footpoint_detail_KIND_step(&of, &r, promise, xi, eta);
+    s = *xi - p;
+    t = *eta - q;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 3; k++) {
+        const REAL u = s * r.uu[k] + t * r.uv[k], v = s * r.uv[k] + t * r.vv[k];
+        r.d[k] -= s * (r.u[k] + 0.5 * u) + t * (r.v[k] + 0.5 * v);
+        r.u[k] += u;
+        r.v[k] += v;
+    }
+    size = of.net.base * of.net.base;
+    return doubt | footpoint_detail_normal_gap(r.u, r.v, r.d, size, size, 0.0625 * size, least,
+                                               *xi + *eta, gap);
+}
