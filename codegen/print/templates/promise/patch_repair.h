@@ -127,14 +127,34 @@ FOOTPOINT_COLD int footpoint_detail_KIND_steps(const footpoint_detail_KIND_terms
     return FOOTPOINT_UNPROVED;
 }
 
-/* The answer where a search is not good beyond doubt, in a unit of length in which the segment is about 1 long: steps from where the
- * search ends, and from the middle. */
+/* Steps from where the search ends, and from the middle. */
+FOOTPOINT_COLD int footpoint_detail_KIND_repair(footpoint_detail_search *search,
+                                                const REAL *const *x, REAL promise, REAL at[2])
+{
+    footpoint_detail_KIND_terms of;
+    REAL from[2] = {0.0, 0.0}, g;
+    int i, status;
+    footpoint_detail_KIND_expand(x, &of);
+    (void)search(x, 1, 0.0, &at[0], &at[1], &g);
+    for (i = 0; i < 2; i++)
+        at[i] =
+            footpoint_detail_infinite(at[i]) >> REAL_TOP ? 0.0 : footpoint_detail_KIND_kept(at[i]);
+    status = footpoint_detail_KIND_steps(&of, promise, at);
+    if (status == FOOTPOINT_UNPROVED) {
+        status = footpoint_detail_KIND_steps(&of, promise, from);
+        for (i = 0; i < 2 && status != FOOTPOINT_UNPROVED; i++)
+            at[i] = from[i];
+    }
+    return status;
+}
+
+/* The answer where a search is not good beyond doubt: the search once more, in a unit of length in which the segment is about 1 long,
+ * then repair. */
 FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
                                                 REAL loc[2], REAL *gap)
 {
-    footpoint_detail_KIND_terms of;
-    REAL y[VECTORS][3], at[2], from[2], g;
+    REAL y[VECTORS][3], at[2], g;
     const REAL *z[VECTORS];
     int exponent = 0, i, status = footpoint_detail_scale(x, NODES, VECTORS, y, &exponent);
     (void)nodes;
@@ -142,20 +162,11 @@ FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
         return status;
     for (i = 0; i < VECTORS; i++)
         z[i] = y[i];
-    footpoint_detail_KIND_expand(z, &of);
-    (void)search(z, 1, 0.0, &at[0], &at[1], &g);
-    for (i = 0; i < 2; i++)
-        at[i] =
-            footpoint_detail_infinite(at[i]) >> REAL_TOP ? 0.0 : footpoint_detail_KIND_kept(at[i]);
-    status = footpoint_detail_KIND_steps(&of, promise, at);
-    if (status == FOOTPOINT_UNPROVED) {
-        from[0] = from[1] = 0.0;
-        status = footpoint_detail_KIND_steps(&of, promise, from);
-        for (i = 0; i < 2 && status != FOOTPOINT_UNPROVED; i++)
-            at[i] = from[i];
+    if (search(z, 2, 0.0, &at[0], &at[1], &g) >> REAL_TOP) {
+        status = footpoint_detail_KIND_repair(search, z, promise, at);
+        if (footpoint_detail_KIND_gap(z, at[0], at[1], 1e-6, &g) >> REAL_TOP)
+            return FOOTPOINT_ERR_DEGENERATE;
     }
-    if (footpoint_detail_KIND_gap(z, at[0], at[1], 1e-6, &g) >> REAL_TOP)
-        return FOOTPOINT_ERR_DEGENERATE;
     g = ldexp(g, exponent);
     if (footpoint_detail_infinite(g) >> REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
