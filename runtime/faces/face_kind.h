@@ -1,6 +1,7 @@
 /* The functions of one kind of face, out of its generated headers: a table that faces.c chooses from.  A file of each kind
  * includes its headers and this one, and says KIND(quad8, full, 8, locate): the kind, its most accurate search, how many
- * nodes, and the search that footpoint_face_robust begins with; or CURVED_KIND(quad8, full, 8, FOOTPOINT_QUAD8_FULL_PROMISE). */
+ * nodes, and the search that footpoint_face_robust begins with; or CURVED_KIND(quad8, full, 8, FOOTPOINT_QUAD8_FULL_PROMISE);
+ * before that TRACK. */
 #ifndef FOOTPOINT_FACE_KIND_H
 #define FOOTPOINT_FACE_KIND_H
 
@@ -83,8 +84,9 @@
     {                                                                                                                  \
         return footpoint_##kind##_hessian(X##count, s, loc, gap, d_xi, d_eta, d_gap, d_normal, second);                \
     }                                                                                                                  \
-    const struct face footpoint_face_##kind = {{count, 0, locate, locate_block},                                       \
-                                               {count, 0, start, start##_block},                                       \
+    const struct face footpoint_face_##kind = {{count, 0, locate, locate_block, 0},                                    \
+                                               {count, 0, start, start##_block, 0},                                    \
+                                               {count, 0, track, track_block, 1},                                      \
                                                PROMISE,                                                                \
                                                IS_CLOSEST,                                                             \
                                                closest,                                                                \

@@ -5,4 +5,5 @@
 #include "face_kind.h"
 
 SEARCH(start, quad4, accurate, 4)
+TRACK(quad4, accurate, 4)
 KIND(quad4, full, 4, start)

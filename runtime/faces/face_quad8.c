@@ -5,4 +5,5 @@
 #define IS_CLOSEST is_closest
 #include "face_kind.h"
 
+TRACK(quad8, full, 8)
 CURVED_KIND(quad8, full, 8, FOOTPOINT_QUAD8_FULL_PROMISE)

@@ -5,4 +5,5 @@
 #define IS_CLOSEST is_closest
 #include "face_kind.h"
 
+TRACK(quad9, full, 9)
 CURVED_KIND(quad9, full, 9, FOOTPOINT_QUAD9_FULL_PROMISE)

@@ -7,6 +7,7 @@
 struct face {
     struct pairs_kind pairs;
     struct pairs_kind start; /* the search that footpoint_face_robust begins with */
+    struct pairs_kind track; /* from last answers */
     double promise;          /* of a plane face: NAME_PROMISE of that search, or 0: it proves nothing */
     int (*is_closest)(const double *const *x, const double *s,
                       const double *loc); /* see curved.h; NULL: it is not curved */

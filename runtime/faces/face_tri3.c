@@ -7,4 +7,5 @@
 #endif
 #include "face_kind.h"
 
+SEARCH(track, tri3, exact, 3)
 KIND(tri3, exact, 3, locate)

@@ -5,4 +5,5 @@
 #define IS_CLOSEST is_closest
 #include "face_kind.h"
 
+TRACK(tri6, accurate, 6)
 CURVED_KIND(tri6, accurate, 6, FOOTPOINT_TRI6_ACCURATE_PROMISE)

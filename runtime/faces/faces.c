@@ -53,6 +53,15 @@ int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[
     return f->pairs.locate(r.x, r.s, loc, gap);
 }
 
+int footpoint_track(enum footpoint_face face, const double *x, double loc[2], double *gap)
+{
+    const struct face *const f = face_of(face);
+    if (!f)
+        return FOOTPOINT_ERR_ARGUMENT;
+    const struct rows r = rows_of(f, x);
+    return f->track.locate(r.x, r.s, loc, gap);
+}
+
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region)
 {
     const struct face *const f = face_of(face);
@@ -254,6 +263,14 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
     const struct face *const f = face_of(face);
     const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
     return footpoint_pairs_locate(f ? &f->pairs : NULL, &pairs, loc, gap, status);
+}
+
+size_t footpoint_track_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
+                             const int *slave, double *loc, double *gap, int *status)
+{
+    const struct face *const f = face_of(face);
+    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
+    return footpoint_pairs_locate(f ? &f->track : NULL, &pairs, loc, gap, status);
 }
 
 struct robust_answers {

@@ -1,15 +1,16 @@
 /* Blocks of pairs by the machine's own instructions, as batch/batch_lanes.c has them: SEARCH(locate, quad8, full, 8)
- * makes locate(), of one pair, and locate_block(), out of footpoint_quad8_full_checked_n. */
+ * makes locate(), of one pair, and locate_block(), out of footpoint_quad8_full_checked_n; TRACK(quad8, full, 8) likewise
+ * track() and track_block(), from last answers. */
 #ifndef FOOTPOINT_PAIR_BLOCKS_H
 #define FOOTPOINT_PAIR_BLOCKS_H
 
 #include "pairs.h"
 
-#define BLOCK_OF(name, kind, tier, set, attributes)                                                                    \
+#define BLOCK_OF(name, loop, set, attributes)                                                                          \
     attributes static void name##_block_##set(const double *const *columns, double *xi, double *eta, double *gap,      \
                                               int *status)                                                             \
     {                                                                                                                  \
-        footpoint_##kind##_##tier##_checked_n(PAIRS_BLOCK, columns, xi, eta, gap, status);                             \
+        loop(PAIRS_BLOCK, columns, xi, eta, gap, status);                                                              \
     }
 
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -21,9 +22,9 @@
 #define AVX2 __attribute__((flatten, target("avx2,fma")))
 
 /* Machines with neither do one pair at a time. */
-#define BLOCKS_OF(name, kind, tier)                                                                                    \
-    BLOCK_OF(name, kind, tier, avx2, AVX2)                                                                             \
-    BLOCK_OF(name, kind, tier, avx512, AVX512)                                                                         \
+#define BLOCKS_OF(name, loop)                                                                                          \
+    BLOCK_OF(name, loop, avx2, AVX2)                                                                                   \
+    BLOCK_OF(name, loop, avx512, AVX512)                                                                               \
     static void name##_block(const double *const *columns, double *xi, double *eta, double *gap, int *status)          \
     {                                                                                                                  \
         if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))                                  \
@@ -35,8 +36,8 @@
                 status[i] = FOOTPOINT_ERR_UNPROVED;                                                                    \
     }
 #else
-#define BLOCKS_OF(name, kind, tier)                                                                                    \
-    BLOCK_OF(name, kind, tier, plain, )                                                                                \
+#define BLOCKS_OF(name, loop)                                                                                          \
+    BLOCK_OF(name, loop, plain, )                                                                                      \
     static void name##_block(const double *const *columns, double *xi, double *eta, double *gap, int *status)          \
     {                                                                                                                  \
         name##_block_plain(columns, xi, eta, gap, status);                                                             \
@@ -48,6 +49,13 @@
     {                                                                                                                  \
         return footpoint_##kind##_##tier(X##vectors, s, loc, gap);                                                     \
     }                                                                                                                  \
-    BLOCKS_OF(name, kind, tier)
+    BLOCKS_OF(name, footpoint_##kind##_##tier##_checked_n)
+
+#define TRACK(kind, tier, vectors)                                                                                     \
+    static int track(const double *const *x, const double *s, double *loc, double *gap)                                \
+    {                                                                                                                  \
+        return footpoint_##kind##_##tier##_from(X##vectors, s, loc, gap);                                              \
+    }                                                                                                                  \
+    BLOCKS_OF(track, footpoint_##kind##_##tier##_from_n)
 
 #endif

@@ -14,15 +14,17 @@ static const double *vector_of(const struct pairs_kind *kind, const struct pairs
     return index < 0 || (size_t)index >= p->nodes ? NULL : (is_normal ? p->normals : p->xyz) + 3 * (size_t)index;
 }
 
-/* Searches a block from pair `first` on; copies of the last of `count` pairs fill it. */
+/* Searches a block from pair `first` on; copies of the last of `count` pairs fill it.  last: answers by pair, or NULL. */
 static void locate_block(const struct pairs_kind *kind, const struct pairs *p, size_t first, size_t count,
-                         struct columns *c)
+                         const double *last, struct columns *c)
 {
     const int vectors = kind->nodes + kind->normals;
     const double *column[3 * PAIRS_MOST_VECTORS];
     for (size_t i = 0; i < PAIRS_BLOCK; i++) {
         const size_t pair = first + (i < count ? i : count - 1);
         c->valid[i] = 1;
+        c->xi[i] = last ? last[2 * pair] : 0.0;
+        c->eta[i] = last ? last[2 * pair + 1] : 0.0;
         for (int k = 0; k <= vectors; k++) {
             const double *const x = vector_of(kind, p, pair, k);
             c->valid[i] = c->valid[i] && x;
@@ -69,7 +71,7 @@ size_t footpoint_pairs_locate(const struct pairs_kind *kind, const struct pairs 
     for (size_t first = 0; first < p->n; first += PAIRS_BLOCK) {
         const size_t count = p->n - first < PAIRS_BLOCK ? p->n - first : PAIRS_BLOCK;
         struct columns c;
-        locate_block(kind, p, first, count, &c);
+        locate_block(kind, p, first, count, kind->tracks ? loc : NULL, &c);
         for (size_t i = 0; i < count; i++) {
             const size_t at = first + i;
             double y[PAIRS_MOST_VECTORS][3];
@@ -100,7 +102,7 @@ size_t footpoint_pairs_finish(const struct pairs_kind *kind, const struct pairs 
     for (size_t first = 0; first < p->n; first += PAIRS_BLOCK) {
         const size_t count = p->n - first < PAIRS_BLOCK ? p->n - first : PAIRS_BLOCK;
         struct columns c;
-        locate_block(kind, p, first, count, &c);
+        locate_block(kind, p, first, count, NULL, &c);
         for (size_t i = 0; i < count; i++) {
             double y[PAIRS_MOST_VECTORS][3], loc[2] = {c.xi[i], c.eta[i]}, gap = c.gap[i];
             int outcome = FOOTPOINT_ERR_ARGUMENT;

@@ -12,6 +12,7 @@ struct pairs_kind {
     int (*locate)(const double *const *x, const double *s, double *loc, double *gap);
     /* PAIRS_BLOCK pairs; coordinate i of vector k, the slave node being the last, in column 3 k + i. */
     void (*block)(const double *const *columns, double *xi, double *eta, double *gap, int *status);
+    int tracks; /* loc, xi and eta are last answers on entry */
 };
 
 struct pairs {

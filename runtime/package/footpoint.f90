@@ -202,6 +202,25 @@ module footpoint
       integer(c_size_t) :: failed
     end function
 
+    function footpoint_track(face, x, loc, gap) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *)
+      real(c_double), intent(inout) :: loc(2), gap
+      integer(c_int) :: status
+    end function
+
+    function footpoint_track_pairs(face, n, xyz, nodes, seg, slave, loc, gap, status) bind(C) result(failed)
+      import :: c_int, c_size_t, c_double
+      integer(c_int), value :: face
+      integer(c_size_t), value :: n, nodes
+      real(c_double), intent(in) :: xyz(3, *)
+      integer(c_int), intent(in) :: seg(*), slave(*)
+      real(c_double), intent(inout) :: loc(2, *), gap(*)
+      integer(c_int), intent(inout) :: status(*)
+      integer(c_size_t) :: failed
+    end function
+
     function footpoint_face_closest(face, x, loc, distance, region) bind(C) result(status)
       import :: c_int, c_double
       integer(c_int), value :: face

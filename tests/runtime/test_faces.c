@@ -244,6 +244,45 @@ static void robust_pairs_are_single_ones(void **state)
     }
 }
 
+/* From answers that are off by up to 0.3, from none, and with what has no answer. */
+static void tracked_pairs_are_located_ones(void **state)
+{
+    static struct mesh m;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const int nodes = footpoint_face_nodes(face);
+        double loc[2 * PAIRS], gap[PAIRS], tracked[2 * PAIRS], height[PAIRS];
+        int status[PAIRS], again[PAIRS];
+        fill(&m, face);
+        m.seg[nodes * 3 + 1] = -1;
+        m.xyz[3 * m.seg[nodes * 5] + 2] = (double)NAN;
+        for (int i = 0; i < PAIRS; i++)
+            loc[2 * i] = loc[2 * i + 1] = tracked[2 * i] = tracked[2 * i + 1] = (double)NAN;
+        const size_t failed =
+            footpoint_face_locate_pairs(face, PAIRS, m.xyz, m.nodes, m.seg, m.slave, loc, gap, status);
+        for (int moved = 0; moved < 4; moved++) {
+            assert_int_equal(footpoint_track_pairs(face, PAIRS, m.xyz, m.nodes, m.seg, m.slave, tracked, height, again),
+                             failed);
+            for (int i = 0; i < PAIRS; i++) {
+                assert_int_equal(again[i], status[i]);
+                for (int k = 0; k < 2 && status[i] == FOOTPOINT_OK; k++) {
+                    assert_true(fabs(tracked[2 * i + k] - loc[2 * i + k]) < 4e-10);
+                    tracked[2 * i + k] += 0.003 * moved * moved * moved * (i % 7 - 3);
+                }
+                if (status[i] == FOOTPOINT_OK)
+                    assert_true(fabs(height[i] - gap[i]) < 1e-12);
+                else
+                    assert_true(tracked[2 * i] != tracked[2 * i]); /* untouched */
+            }
+        }
+        double x[C], one[2] = {(double)NAN, 0.0}, d = 0.0;
+        for (int k = 0; k <= nodes; k++)
+            memcpy(x + 3 * k, m.xyz + 3 * (k < nodes ? m.seg[k] : m.slave[0]), 3 * sizeof *x);
+        assert_int_equal(footpoint_track(face, x, one, &d), FOOTPOINT_OK);
+        assert_true(fabs(one[0] - loc[0]) < 2e-10 && fabs(one[1] - loc[1]) < 2e-10 && fabs(d - gap[0]) < 1e-12);
+    }
+}
+
 static void the_nearest_face_is_chosen(void **state)
 {
     static struct mesh m;
@@ -413,6 +452,8 @@ static void statuses(void **state)
         assert_int_equal(footpoint_face_hessian(no, x, loc, NULL, NULL, NULL, NULL, NULL, x), FOOTPOINT_ERR_ARGUMENT);
         assert_int_equal(footpoint_face_locate_pairs(no, 1, x, 2, none, none, loc, &gap, &status), 1);
         assert_int_equal(status, FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_track(no, x, loc, &gap), FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_track_pairs(no, 1, x, 2, none, none, loc, &gap, &status), 1);
         assert_int_equal(footpoint_face_robust_pairs(no, 1, x, 2, none, none, loc, &gap, NULL, &status), 1);
         assert_int_equal(status, FOOTPOINT_ERR_ARGUMENT);
     }
@@ -465,6 +506,7 @@ int main(void)
         cmocka_unit_test(robust_is_closest),
         cmocka_unit_test(robust_is_sure_or_says_so),
         cmocka_unit_test(robust_pairs_are_single_ones),
+        cmocka_unit_test(tracked_pairs_are_located_ones),
         cmocka_unit_test(statuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
