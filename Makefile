@@ -418,9 +418,6 @@ bench: bench-program ## speed against error of every method on held-out samples:
 bench-record: bench-program ## measure quad4 into tests/report/machines, for README.md: ISAS=
 	$(Q)sh tests/report/record.sh $(BIN)/footpoint-bench $(ISAS)
 
-figures: ## make README.md's table anew, of headers, genomes and tests/report/machines
-	$(Q)sh tests/report/figures.sh README.md > $(BIN)/README.new && cp $(BIN)/README.new README.md && rm $(BIN)/README.new
-
 PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --iterations 100
 
 perceptrons: paper-programs codegen ## train the perceptrons of the bench again, tests/paper/perceptron.gen, and emit them
@@ -438,6 +435,9 @@ rivals: runtime ## beside other libraries: table, and pictures in build/rivals/i
 # The committed set and its scores, or with COUNT= another set.
 queries: runtime ## the public set of queries and the scores on it; with SEED= COUNT= another set, build/queries/queries.txt
 	$(Q)BIN=$(BIN) CC=$(CC) sh tests/queries/queries.sh $(if $(COUNT),set $(SEED) $(COUNT),fill)
+
+figures: $(if $(RECORD),runtime) ## the figures of READMEs, between markers, from headers and recorded tables: RECORD=1 records the hard cases first
+	$(Q)BIN=$(BIN) CC=$(CC) sh tests/report/figures.sh $(if $(RECORD),--record)
 
 report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report/report.sh build/report

@@ -7,6 +7,9 @@ expect 'the hard cases judge by what the check vouches for' 0 "$(sed -n 's/^#def
 LIBRARY="$BIN/libfootpoint_ccx.a $BIN/libfootpoint.a"
 hard_build "$work/hard" "${CC:-gcc}" -O1 -ffp-contract=off
 hard_check 'families' "$work/hard" 100
+columns() { awk -F, '!/^#/ && NF { print $1, $2, $3, $10, $11 }' "$1"; }
+columns tests/hard/hard.csv > "$work/recorded"
+expect 'as many are wrong as is recorded (make figures RECORD=1)' 0 "$(cat "$work/recorded")" '' columns "$work/table"
 later 'hard: a million calls of each certain function, not 5,000'
 hard_check '5,000 calls of each certain function' "$work/hard" --certain 5000
 expect 'a table of all families' 0 36 '' sh -c "'$work/hard' 1 | grep -c ',robust,'"

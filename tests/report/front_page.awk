@@ -1,5 +1,5 @@
 # The table "Which function" of README.md:
-#     awk -f figures.awk generated/footpoint_quad4.h evolve/genomes/quad4.gen MACHINE.csv...
+#     awk -f front_page.awk generated/footpoint_quad4.h evolve/genomes/quad4.gen MACHINE.csv...
 # Promises are those of the header, errors those of the genome, times those that `make bench-record` measured: how many times
 # quicker than the faster of two Newton iterations (a closest point: than four triangles), with the range over machines.
 BEGIN {
