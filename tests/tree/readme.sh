@@ -99,11 +99,11 @@ for document in $documents; do
 done > "$work/wrong"
 check 'links and pictures' "$(cat "$work/wrong")"
 
-cat runtime/*.h runtime/*/*.h runtime/replace/*.hpp generated/*.h > "$work/declared"
+cat runtime/*.h runtime/*/*.h runtime/replace/*.hpp generated/*.h | grep -oE '\<footpoint_[a-z0-9_]+\>' | sort -u > "$work/declared"
 { quoted $documents; cat $documents | awk '/^```/ { on = !on; next } on'; } | grep -oE '\<footpoint_[a-z0-9_]+\>' | sort -u |
-    grep -vE '^footpoint_(example|mine|plates|ccx)' | while read -r name; do
+    grep -vE '^footpoint_(example|mine|plates|ccx)' | comm -23 - "$work/declared" | while read -r name; do
     joined=$(echo "$name" | sed -E 's/_(place|gradients|hessian)(_n)?$//') # a search that FOOTPOINT_KIND_..._OF joins
-    grep -q -e "\\<$name\\>" -e "\\<$joined\\>(" "$work/declared" || [ -e "generated/$name.h" ] || [ -e "runtime/$name.h" ] || echo "$name"
+    grep -qx "$joined" "$work/declared" || [ -e "generated/$name.h" ] || [ -e "runtime/$name.h" ] || echo "$name"
 done > "$work/wrong"
 check 'functions' "$(cat "$work/wrong")"
 
