@@ -44,7 +44,7 @@ example,2,1,2,0,1' '' "$BIN/footpoint-codegen" --count "$work/example.gen"
 tools=$(cd "$BIN" && pwd)
 blocks codegen/README.md sh | grep '^build/footpoint-codegen' | sed 's/#.*//' > "$work/lines"
 while read -r program options; do
-    (cd "$work" && "$tools/${program#build/}" $options) > "$work/log" 2>&1
+    (cd "$work" && "$tools/${program#build/}" --effort 0 $options) > "$work/log" 2>&1
     report $((! $?)) "footpoint-codegen $options"
 done < "$work/lines"
 
