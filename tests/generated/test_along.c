@@ -234,11 +234,10 @@ static bool is_nowhere(const struct kind *k, struct line *l)
 
 /* A point lies within the promise of the answer, and no other one on the face; `found` reach 0.1 beyond it. */
 static bool is_proved(const struct kind *k, struct line *l, const struct answer *a, const struct line_points *found,
-                      struct tally *t)
+                      double *error_of)
 {
     struct line_points face = *found;
-    const double error = line_points_error(k->nodes, l->x, l->x[k->nodes], l->p, a->loc);
-    t->error = fmax(t->error, error);
+    const double error = *error_of = line_points_error(k->nodes, l->x, l->x[k->nodes], l->p, a->loc);
     if (!(error <= FOOTPOINT_ALONG_PROMISE) || beyond_of(k, a->loc) > 1e-15)
         return false;
     for (double over = 0.005; over > CLEAR && !face.clear;
@@ -285,12 +284,14 @@ static bool is_right(const struct kind *k, struct line *l, const struct answer *
     struct line_points all;
     const struct line_point *best = NULL;
     const double span = span_of(k, l);
+    double error = 0;
     int inside = 0;
     if (a->status == FOOTPOINT_ERR_DEGENERATE)
         return is_flat(k, l);
     line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, 0.1, &all);
-    if (a->status == FOOTPOINT_OK && !is_proved(k, l, a, &all, t))
+    if (a->status == FOOTPOINT_OK && !is_proved(k, l, a, &all, &error))
         return false;
+    t->error = fmax(t->error, error);
     bool clear = all.clear;
     for (int i = 0; i < all.count; i++) {
         const struct line_point *const p = &all.point[i];
@@ -312,7 +313,7 @@ static bool is_right(const struct kind *k, struct line *l, const struct answer *
     t->nowhere += a->status == FOOTPOINT_ERR_DOMAIN;
     return is_counted(k, l, a, inside) &&
            (inside == 0 || a->status == FOOTPOINT_UNPROVED ||
-            fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread) * span);
+            fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread + 2 * error) * span);
 }
 
 static void count(long number, const struct line *l, const struct answer *a, struct tally *t)

@@ -91,10 +91,9 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL 
     at[1] = v;
     at[2] = moved;
     wide = 1.002 * footpoint_detail_larger(footpoint_detail_larger(fabs(u), fabs(v)), reach);
-    s = footpoint_detail_KIND_bounds(k, reach, wide, f);
-    t = footpoint_detail_KIND_bounds(l, reach, wide, g);
-    *hit = footpoint_detail_bits(fabs(k[0]) - s - off[0]) &
-           footpoint_detail_bits(fabs(l[0]) - t - off[1]);
+    s = fabs(k[0]) - footpoint_detail_KIND_bounds(k, reach, wide, f) - off[0];
+    t = fabs(l[0]) - footpoint_detail_KIND_bounds(l, reach, wide, g) - off[1];
+    *hit = (footpoint_detail_bits(s) & footpoint_detail_bits(t)) | footpoint_detail_infinite(s + t);
     wide = footpoint_detail_larger(1.0, wide);
     wide *= wide;
     wide *= wide;

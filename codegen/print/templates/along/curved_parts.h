@@ -74,7 +74,7 @@ FOOTPOINT_FN int footpoint_detail_KIND_misses(REAL q[2][9], REAL off)
 FOOTPOINT_COLD int footpoint_detail_KIND_line_about(footpoint_detail_KIND_view *s, REAL u, REAL v,
                                                     REAL half, REAL most, REAL at[2])
 {
-    REAL part[2][9], k[9], l[9], w[3], off[2], across, aa, bb, all = 0.0;
+    REAL part[2][9], k[9], l[9], w[3], off[2], across, aa, bb;
     const REAL *const f = part[0], *const g = part[1];
     REAL_BITS doubt, hit;
     int i;
@@ -90,12 +90,11 @@ FOOTPOINT_COLD int footpoint_detail_KIND_line_about(footpoint_detail_KIND_view *
     for (i = 0; i < 9; i++) {
         k[i] = (g[2] * f[i] - f[2] * g[i]) / across;
         l[i] = (f[1] * g[i] - g[1] * f[i]) / across;
-        all += k[i] + l[i];
     }
     off[0] = (fabs(f[2]) + fabs(g[2])) / fabs(across) * s->off;
     off[1] = (fabs(f[1]) + fabs(g[1])) / fabs(across) * s->off;
     doubt = footpoint_detail_KIND_meet(k, l, off, 1.0, most, w, &hit);
-    if (!((hit | footpoint_detail_infinite(all)) >> REAL_TOP))
+    if (!(hit >> REAL_TOP))
         return 0;
     if (doubt >> REAL_TOP)
         return 2;
