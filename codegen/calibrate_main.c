@@ -1,10 +1,9 @@
-/* footpoint-calibrate: what operations cost on this machine, as a cost file (cost.h).
+/* footpoint-calibrate: measures the costs of operations on this machine and writes a cost file (cost.h).
  *
  * Each operation runs in a loop, in double and in float: STEPS times on each of LENGTH numbers, which stay in the first
- * cache and are independent of each other, so that the compiler makes vectors of them.  All loops take turns, ROUNDS
- * times.  A cost is the median over the rounds of a loop's time over that of the additions in the same round: what else
- * the machine does falls on both.
- */
+ * cache and are independent, so that the compiler vectorises. All loops alternate, ROUNDS times. A cost is the median
+ * over the rounds of a loop's time over the time of additions in the same round, so that other activity of the machine
+ * affects both. */
 #include "base/options.h"
 #include "base/outfile.h"
 
@@ -36,14 +35,14 @@ enum operation { MUL, ADD, DIV, SQRT, COMPARE, OPERATIONS };
 static const char *const precision_name[PRECISIONS] = {"double", "float"};
 static const char *const operation_name[OPERATIONS] = {"mul", "add", "div", "sqrt", "compare"};
 
-/* Second operands: what one step does, the next one undoes, so that no value leaves the usual range.  Minima take
- * theirs from arrays; of the minima of one value with two others, each time the same, compilers find a shorter form. */
+/* Second operands. Each step undoes the previous one, so that values stay in the usual range. Minima take theirs from
+ * arrays: if they were fixed, compilers would find a shorter form. */
 static const double operand[OPERATIONS][2] = {
     [MUL] = {1.37, 1 / 1.37}, [ADD] = {1.37, -1.37}, [DIV] = {1.37, 1 / 1.37}, [SQRT] = {1.37, 1.37}};
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* The loops of one precision.  Where they are called the operation is a constant, so that one expression is left. */
+/* The loops of a precision. At each call the operation is constant, so a single expression remains. */
 #define DEFINE_LOOPS(real, root)                                                                                       \
     struct numbers_##real {                                                                                            \
         real x[LENGTH], y[LENGTH], least[STEPS][LENGTH], operand[2];                                                   \
@@ -67,7 +66,7 @@ static const double operand[OPERATIONS][2] = {
     {                                                                                                                  \
         for (int pass = 0; pass < PASSES; pass++) {                                                                    \
             throughput_##real(o, n);                                                                                   \
-            __asm__ volatile("" : : "r"(n) : "memory"); /* as if all of *n were read and written here */               \
+            __asm__ volatile("" : : "r"(n) : "memory"); /* pretends that all of *n is read and written here */         \
         }                                                                                                              \
     }                                                                                                                  \
     static void run_##real(enum operation o, struct numbers_##real *n)                                                 \
@@ -198,9 +197,8 @@ static const struct option_row rows[] = {
     {"output", 'o', OPTION_TEXT, AT(output), "FILE", .help = "file to write (default: standard output)"}};
 static const struct option_table table = {
     .program = "footpoint-calibrate",
-    .usage =
-        "usage: footpoint-calibrate [-o FILE]\n"
-        "Measures what operations cost on this machine, in about a second; writes a cost file for footpoint-codegen.\n",
+    .usage = "usage: footpoint-calibrate [-o FILE]\nMeasures the costs of operations on this machine, in about a "
+             "second, and writes a cost file for footpoint-codegen.\n",
     .notes = "Exit status: 0 done, 2 usage, 3 I/O.\n",
     .row = rows,
     .rows = sizeof rows / sizeof *rows,

@@ -56,7 +56,7 @@ bool stdout_written(struct diag *d)
     errno = 0;
     if (fflush(stdout) == 0 && !ferror(stdout))
         return true;
-    if (errno == 0) /* it failed before, when there was more than a buffer holds */
+    if (errno == 0) /* it failed earlier, when the buffer overflowed */
         errno = EIO;
     return diag_system(d, "standard output", "cannot write");
 }

@@ -15,7 +15,7 @@ double seconds_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* mpirun hands its ranks a pipe: what counts is where mpirun itself writes, if it is on this host. */
+/* mpirun connects its ranks by pipes, so the terminal is mpirun's own, if it runs on this host. */
 int console_find(void)
 {
     char path[64];

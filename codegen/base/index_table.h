@@ -1,4 +1,4 @@
-/* A hash table of the elements of an array, by their numbers.  The owner of the array compares elements:
+/* A hash table of the elements of an array, by index. The owner of the array compares elements:
  *
  *     size_t probe = 0;
  *     for (int i; (i = index_next(&table, hash, &probe)) >= 0;)
@@ -6,7 +6,7 @@
  *             return i;
  *     index_add(&table, hash, n);
  *
- * Open addressing, no more than half full.  Clearing the table takes no time: it begins a new round. */
+ * Open addressing, at most half full. Clearing the table only starts a new round. */
 #ifndef FOOTPOINT_INDEX_TABLE_H
 #define FOOTPOINT_INDEX_TABLE_H
 
@@ -18,7 +18,7 @@
 
 struct index_slot {
     uint64_t hash;
-    unsigned round; /* of the table when the slot was filled; another one: the slot is empty */
+    unsigned round; /* round in which the slot was filled; empty if it is not the table's */
     int index;
 };
 
@@ -29,7 +29,7 @@ struct index_table {
     unsigned round;
 };
 
-/** Returns the next element of that hash, or -1.  *probe must be 0 at first. */
+/** Returns the next element with this hash, or -1. *probe must be 0 at first. */
 static inline int index_next(const struct index_table *t, uint64_t hash, size_t *probe)
 {
     while (t->slots > 0) {
@@ -78,7 +78,8 @@ static inline void index_grow(struct index_table *t)
     free(old.slot);
 }
 
-/** @param[in] hash  bits without pattern, the lowest ones above all */
+/** Adds an element.
+ *  @param[in] hash  well-mixed bits, especially the lowest */
 static inline void index_add(struct index_table *t, uint64_t hash, int index)
 {
     if (2 * (t->used + 1) > t->slots)

@@ -24,10 +24,10 @@ bool options_refuse(const struct option_table *t, struct diag *d, const char *se
 
 bool options_need(const struct option_table *t, const char *name, const char *value, struct diag *d)
 {
-    return value || options_refuse(t, d, "error: --%s is missing; see --help", name);
+    return value || options_refuse(t, d, "error: --%s is missing; try --help", name);
 }
 
-/* A sentence of the table's, or else the usual one, of what is wrong. */
+/* Reports an error by the table's own sentence or the usual sentence. */
 static enum options_outcome refuse_argument(const struct option_table *t, struct diag *d, const char *own,
                                             const char *usual, const char *argument)
 {
@@ -63,7 +63,7 @@ static bool read_part(const struct option_table *t, const struct option_row *r, 
            options_refuse(t, d, "error: --%s %s is out of range (0 to %g)", r->name, text, r->high);
 }
 
-/* Seconds, M:SS or H:MM:SS. */
+/* Reads seconds, M:SS or H:MM:SS. */
 static bool read_time(const struct option_table *t, const struct option_row *r, const char *text, double *value,
                       struct diag *d)
 {
@@ -115,7 +115,7 @@ bool option_set(const struct option_table *t, const struct option_row *r, const 
         return read_time(t, r, text, member, d);
     case OPTION_CHOICE:
         *(int *)member = text_word(text, r->choice);
-        return *(int *)member >= 0 || refuse_value(t, r, d, "error: --%s knows no '%s'", text);
+        return *(int *)member >= 0 || refuse_value(t, r, d, "error: --%s has no choice '%s'", text);
     default:
         return r->read(t, r, text, values, d);
     }
@@ -172,7 +172,7 @@ size_t option_find(const struct option_table *t, const char *name)
     return t->rows;
 }
 
-/* What getopt_long wants of the table; its codes are FIRST and the row. */
+/* Builds the tables for getopt_long; its codes are FIRST and the row. */
 static void describe(const struct option_table *t, struct option options[MOST + 1], char letters[2 * MOST])
 {
     size_t n = 0, k = (size_t)snprintf(letters, 2 * MOST, ":h");
@@ -216,7 +216,7 @@ enum options_outcome options_read(const struct option_table *t, int argc, char *
     const size_t operand = row_of_operand(t);
     describe(t, options, letters);
     opterr = 0;
-    optind = 0; /* GNU: start anew */
+    optind = 0; /* GNU: restarts */
     for (int code; (code = getopt_long(argc, argv, letters, options, NULL)) != -1;) {
         if (code == 'h')
             return OPTIONS_HELP;
@@ -225,7 +225,7 @@ enum options_outcome options_read(const struct option_table *t, int argc, char *
         if (code == ':')
             return refuse_argument(t, d, t->lacking, "error: %s needs an argument", argv[optind - 1]);
         if (code == '?')
-            return refuse_argument(t, d, t->unknown, "error: unknown option '%s'; see --help", argv[optind - 1]);
+            return refuse_argument(t, d, t->unknown, "error: unknown option '%s'; try --help", argv[optind - 1]);
         const size_t i = row_of_code(t, code);
         if (!option_set(t, &t->row[i], optarg, values, d))
             return OPTIONS_WRONG;
@@ -233,7 +233,7 @@ enum options_outcome options_read(const struct option_table *t, int argc, char *
             given[i] = true;
     }
     if (optind + (operand < t->rows ? 1 : 0) < argc)
-        return refuse_argument(t, d, t->surplus, "error: '%s' is no option; see --help", argv[optind]);
+        return refuse_argument(t, d, t->surplus, "error: '%s' is not an option; try --help", argv[optind]);
     return optind == argc || option_set(t, &t->row[operand], argv[optind], values, d) ? OPTIONS_READ : OPTIONS_WRONG;
 }
 
@@ -258,7 +258,7 @@ void options_tell(const struct option_table *t, enum options_outcome asked)
 {
     static const struct option_row help = {.name = "help", .letter = 'h', .help = "this text"},
                                    version = {.name = "version", .help = "version"};
-    static char buffer[1 << 16]; /* written at once, so that what stops it is known to who closes it */
+    static char buffer[1 << 16]; /* written at once, so that whoever closes the stream sees the error */
     setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     if (asked == OPTIONS_VERSION) {
         printf("%s " FOOTPOINT_VERSION "\n", t->program);

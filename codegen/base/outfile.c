@@ -10,7 +10,7 @@
 
 enum { LINKS = 40 };
 
-/* The open file that a path such as /dev/fd/3 stands for; -1: it is no such path. */
+/* Returns the open file behind a path such as /dev/fd/3, or -1 for other paths. */
 static int descriptor_of(const char *path)
 {
     static const char *const folder[] = {"/dev/fd/", "/proc/self/fd/"};
@@ -23,8 +23,8 @@ static int descriptor_of(const char *path)
     return -1;
 }
 
-/* What a path finally names: links are followed, the last one even where nothing is there yet.  Returns false with
- * errno. */
+/* Finds the final target of a path. Links are followed, the last one even if its target does not exist yet. Returns
+ * false with errno. */
 static bool follow(const char *path, char target[OUTFILE_PATH])
 {
     char link[OUTFILE_PATH];
@@ -46,7 +46,7 @@ static bool follow(const char *path, char target[OUTFILE_PATH])
     return false;
 }
 
-/* A new file beside the target, with the permissions of *old, or those of any new file. */
+/* Opens a new file beside the target, with the permissions of *old, or default permissions. */
 static int open_aside(struct outfile *f, const struct stat *old)
 {
     if (old && access(f->target, W_OK) != 0)
@@ -57,7 +57,7 @@ static int open_aside(struct outfile *f, const struct stat *old)
         return -1;
     const mode_t mask = umask(0);
     umask(mask);
-    /* Owner and group stay, too, where that is allowed; another group gets no more than anybody. */
+    /* Keeps owner and group if permitted; a different group gets no more rights than others. */
     const bool same_group =
         old && (fchown(file, old->st_uid, old->st_gid) == 0 || fchown(file, (uid_t)-1, old->st_gid) == 0);
     const mode_t mode = old ? old->st_mode & (same_group ? 0777 : 0707) : 0666 & ~mask;
@@ -119,7 +119,7 @@ bool outfile_probe(const char *path, struct diag *d)
     struct stat s;
     if (!path)
         return true;
-    /* Opening a pipe would wait for its reader, and closing it would end what that reads. */
+    /* Opening a pipe would wait for its reader, and closing it would end the reader. */
     if (stat(path, &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode))
         return access(path, W_OK) == 0 || diag_system(d, path, "cannot write");
     if (!outfile_open(&f, path, d))
@@ -128,7 +128,7 @@ bool outfile_probe(const char *path, struct diag *d)
     return true;
 }
 
-/* Of a file that is not there yet: its folder, and its name in it. */
+/* For a file that does not exist yet: returns its name and finds its folder. */
 static const char *folder_of(const char *target, struct stat *s)
 {
     char folder[OUTFILE_PATH];
@@ -137,7 +137,7 @@ static const char *folder_of(const char *target, struct stat *s)
     return stat(folder, s) == 0 ? slash ? slash + 1 : target : NULL;
 }
 
-/* Whether two paths name one regular file; where neither is there yet, one that both would make. */
+/* Returns true if two paths name one regular file or, if neither exists, would create the same file. */
 static bool same_file(const char *a, const char *b, bool both_written)
 {
     char first[OUTFILE_PATH], second[OUTFILE_PATH];

@@ -1,16 +1,16 @@
-/* Loops compiled for several widths of vector registers, of which the widest that the machine has is taken.  Nothing is
- * reassociated or contracted, so all give the same bits. */
+/* Loops compiled for several widths of vector registers; the widest that the machine has is used. Operations are
+ * neither reassociated nor contracted, so all widths give the same bits. */
 #ifndef FOOTPOINT_SIMD_H
 #define FOOTPOINT_SIMD_H
 
-#if defined WIDE /* given to the compiler, to try one width alone */
+#if defined WIDE /* set by compiler options to test a single width */
 #elif defined __x86_64__ && defined __gnu_linux__ && !defined __clang__
 #define WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define WIDE
 #endif
 
-/** A function that is compiled anew inside each WIDE one. */
+/** A function that is compiled again inside each WIDE function. */
 #define IN_WIDE static inline __attribute__((always_inline))
 
 /** Row i of a sum of products goes to lane i mod WIDE_LANES. */

@@ -1,4 +1,4 @@
-/* Formatted, collected and broken text; see text.h. */
+/* Formatted, collected and wrapped text; see text.h. */
 #include "text.h"
 
 #include <ctype.h>

@@ -1,16 +1,16 @@
-/* Text under construction, for everything that prints code. */
+/* Text under construction, for all code that prints. */
 #ifndef FOOTPOINT_TEXT_H
 #define FOOTPOINT_TEXT_H
 
 #include "base.h"
 
-/** Formatted text. Caller frees. */
+/** Returns formatted text. The caller frees it. */
 char *new_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/** In capital letters. Caller frees. */
+/** Returns the text in capital letters. The caller frees it. */
 char *new_capitals(const char *text);
 
-/** a, b and c, one after another. Caller frees. */
+/** Returns a, b and c concatenated. The caller frees it. */
 char *new_joined(const char *a, const char *b, const char *c);
 
 /** Text that grows at its end; NULL while it is empty. */
@@ -27,12 +27,11 @@ struct memory {
     size_t size;
 };
 struct memory *memory_open(void);
-/** Closes the stream and returns its text. Caller frees. */
+/** Closes the stream and returns its text. The caller frees it. */
 char *memory_close(struct memory *m);
 
-/** Prints text that is to go on at column `column`, broken at blanks before column `width`: `broken` ends a line and
- *  begins the next, a word too long for a line is broken by `inside` (NULL: left long).  Returns the number of breaks.
- */
+/** Prints text that starts at column `column`, broken at blanks before column `width`. `broken` ends a line and begins
+ *  the next; `inside` breaks a word too long for a line (NULL: left long). Returns the number of breaks. */
 size_t print_broken(const char *text, size_t column, size_t width, const char *broken, const char *inside, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* The pipeline of passes for one genome; see compile.h. */
+/* The pipeline of passes for a genome; see compile.h. */
 #include "compile.h"
 
 #include "../base/text.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 enum { WRITTEN = 2 };             /* shapes as written that are searched in full */
-static const double BEHIND = 1.5; /* how dear a shape may be at first, in terms of the genome as written */
+static const double BEHIND = 1.5; /* largest initial cost of a shape, relative to the genome as written */
 
 struct compile_options compile_defaults(void)
 {
@@ -20,7 +20,7 @@ struct compile_options compile_defaults(void)
     return o;
 }
 
-/* The genome as written.  Where differences come first, the cheapest of many ways to put the vectors together. */
+/* Adds the genome as written. If differences come first, uses the cheapest of many ways to compute the vectors. */
 static void add_written(struct form_search *s, const struct genome_file *f, struct dag *g, const char *what)
 {
     enum { WAYS = 32 };
@@ -34,7 +34,7 @@ static void add_written(struct form_search *s, const struct genome_file *f, stru
         search_add(s, g, BEHIND, what);
 }
 
-/* What multiplying out, with or without common denominators, and factoring makes of the genome as written. */
+/* Adds the genome multiplied out, with and without common denominators, and factored. */
 static void add_factored(struct form_search *s)
 {
     const struct policy all = {.dissolve = 1, .combine = 1};
@@ -56,7 +56,7 @@ static void add_factored(struct form_search *s)
     }
 }
 
-/* What is proved from now on is the program that the text says, which is the one that was lowered. */
+/* Prints the text and reads it back. From here on, the program to prove is defined by the text. */
 static bool print_and_read(const struct genome_file *f, const struct genome *genome, const struct lowered *l,
                            struct compiled *c, struct diag *d)
 {
@@ -70,7 +70,9 @@ static bool print_and_read(const struct genome_file *f, const struct genome *gen
     const bool read = c->program != NULL;
     compiled_free(c);
     *c = (struct compiled){0};
-    return read && diag_at(d, f->path, genome->line, 1, "internal error: the code of genome '%s' reads otherwise",
+    return read && diag_at(d, f->path, genome->line, 1,
+                           "internal error: the code of genome '%s' reads back "
+                           "differently",
                            genome->name);
 }
 
@@ -99,7 +101,7 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
     search_free(s);
     const bool good = best.out_of_range
                           ? diag_at(d, f->path, genome->line, 1,
-                                    "genome '%s' needs a constant out of the range of double", genome->name)
+                                    "genome '%s' has a constant outside the range of double", genome->name)
                           : print_and_read(f, genome, &best, c, d);
     program_free(best.program);
     return good;

@@ -1,4 +1,4 @@
-/* From genomes to proved functions; see compiled_file.h. */
+/* Compiles genomes to proved functions; see compiled_file.h. */
 #include "compiled_file.h"
 
 #include "../base/console.h"
@@ -40,13 +40,13 @@ char *function_cancelled(const struct function *f)
 double unit_threshold(const struct unit *u, const struct denominator *d)
 {
     if (u->file->region || u->file->face)
-        return 0; /* faces are of many sizes */
+        return 0; /* faces have many sizes */
     const bool single = u->options.precision == PRECISION_FLOAT;
-    const double least = (1 + 1e-4) * d->threshold; /* not less when printed with five digits */
+    const double least = (1 + 1e-4) * d->threshold; /* not smaller when printed with five digits */
     return least >= (single ? (double)FLT_MIN : DBL_MIN) ? least : 0.0;
 }
 
-/* Do the ranges say that A = (0,0,0) and B = (1,0,0)? */
+/* Returns true if the ranges fix A = (0,0,0) and B = (1,0,0). */
 static bool has_unit_edge(const struct genome_file *f)
 {
     for (size_t i = 0; i < 6; i++) {
@@ -67,7 +67,7 @@ int unit_degree(const struct unit *u, const struct function *f, const struct den
     return degree;
 }
 
-/* Names that headers take for what is no function of a genome: helpers, macros, inputs and outputs. */
+/* Returns true for names that headers use for helpers, macros, inputs and outputs. */
 static bool is_taken(const struct genome_file *f, const char *name)
 {
     if (strncmp(name, "footpoint_detail_", 17) == 0 || strncmp(name, "FOOTPOINT_", 10) == 0)
@@ -95,9 +95,10 @@ static char *new_name(const struct genome_file *f, const struct unit_options *o,
     return name;
 }
 
-/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_over_n,
- * NAME_sure, NAME_closest, NAME_closest_n and NAME_closest_of; along and along_n are none of a genome.  Parts of
- * functions over a face are called NAME_detail, NAME_detail_checked and so on: genomes must not contain the word. */
+/* Checks for name conflicts. A genome NAME takes NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n,
+ * NAME_over_n, NAME_sure, NAME_closest, NAME_closest_n and NAME_closest_of; along and along_n belong to no genome.
+ * Parts of functions over a face are called NAME_detail, NAME_detail_checked and so on, so genomes must not contain
+ * that word. */
 static bool check_names(const struct genome_file *f, const struct unit_options *o, struct diag *d)
 {
     const char *const prefix = o->prefix;
@@ -113,16 +114,21 @@ static bool check_names(const struct genome_file *f, const struct unit_options *
         free(own);
         if (taken)
             return diag_at(d, f->path, f->genome[k].line, 1,
-                           "genome '%s' takes a name of the header's own, with prefix %s", f->genome[k].name, prefix);
+                           "genome '%s' conflicts with a name of the header itself, with prefix %s", f->genome[k].name,
+                           prefix);
         if (f->segment && (strcmp(f->genome[k].name, "along") == 0 || strcmp(f->genome[k].name, "along_n") == 0))
-            return diag_at(d, f->path, f->genome[k].line, 1, "genome '%s' takes the name of another function",
+            return diag_at(d, f->path, f->genome[k].line, 1,
+                           "genome '%s' conflicts with the name of another "
+                           "function",
                            f->genome[k].name);
         for (size_t s = 0; s < (f->segment ? sizeof suffix / sizeof *suffix : 2); s++) {
             const char *name = f->genome[k].name;
             const size_t n = strlen(name), tail = strlen(suffix[s]);
             for (size_t i = 0; n > tail && strcmp(name + n - tail, suffix[s]) == 0 && i < f->genomes; i++)
                 if (strlen(f->genome[i].name) == n - tail && memcmp(f->genome[i].name, name, n - tail) == 0)
-                    return diag_at(d, f->path, f->genome[k].line, 1, "genome '%s' takes the name of a function of '%s'",
+                    return diag_at(d, f->path, f->genome[k].line, 1,
+                                   "genome '%s' conflicts with a function of "
+                                   "'%s'",
                                    name, f->genome[i].name);
         }
     }
@@ -143,7 +149,7 @@ static bool check_poles(const struct genome_file *f, const struct function *func
     return true;
 }
 
-/* Constants must be normal numbers in float, too. */
+/* Checks that constants are also normal numbers in float. */
 static bool check_float(const struct genome_file *f, const struct function *function, struct diag *d)
 {
     const struct program *p = function->program;
@@ -151,12 +157,12 @@ static bool check_float(const struct genome_file *f, const struct function *func
         const double c = fabs(fmpq_get_d(&p->constant[i]));
         if (!fmpq_is_zero(&p->constant[i]) && !(c >= FLT_MIN && c <= FLT_MAX))
             return diag_at(d, f->path, function->genome->line, 1,
-                           "genome '%s' needs a constant out of the range of float", function->genome->name);
+                           "genome '%s' has a constant outside the range of float", function->genome->name);
     }
     return true;
 }
 
-/* Hash of a genome with all that stands before it in its file, and nothing of the genomes beside it. */
+/* Hashes a genome and everything before it in its file, except other genomes. */
 static void hash_genome(const struct genome_file *f, size_t k, char sha256[65])
 {
     struct genome_file alone = *f;
@@ -169,7 +175,7 @@ static void hash_genome(const struct genome_file *f, size_t k, char sha256[65])
     free(text);
 }
 
-/* All genomes are compiled, then evidence is found of all: two steps a genome. */
+/* Shows progress. All genomes are compiled, then all are examined: two steps a genome. */
 static void tell(const struct steps *s, const struct genome_file *f, size_t k, bool compiled)
 {
     char what[200];
@@ -198,7 +204,7 @@ static void warn_of_cancelled(const struct genome_file *f, const struct function
     free(cancelled);
 }
 
-/* The cheapest program of a genome, proved equal to it. */
+/* Compiles a genome to its cheapest program and proves it equal. */
 static bool compile(struct unit *u, size_t k, const struct unit_options *o, struct steps *s, struct diag *d)
 {
     const struct genome_file *f = u->file;
@@ -223,7 +229,7 @@ static const struct arithmetic *arithmetic_of(const struct function *function, c
                                             : &arithmetic_single;
 }
 
-/* The errors of all functions at the same points.  Caller frees. */
+/* Samples the errors of all functions at the same points. The caller frees the result. */
 static struct sampled_errors *sample(const struct unit *u, const struct unit_options *o)
 {
     const struct genome_file *f = u->file;
@@ -249,7 +255,7 @@ static bool find_evidence(struct unit *u, size_t k, const struct sampled_errors 
     function->evidence = evidence_new(f, function->genome, function->program, &options);
     if (function->evidence->empty)
         return diag_at(d, f->path, (f->requires > 0 ? f : f->region)->require[0].line, 1,
-                       "no inputs in the ranges have all requires > 0");
+                       "no inputs in the ranges satisfy all requires");
     hash_genome(f, k, function->sha256);
     if (o->samples) {
         function->measured = new_array(1, sizeof *function->measured);
@@ -281,7 +287,7 @@ struct unit *unit_new(const struct genome_file *f, const char sha256[65], const 
     *u = (struct unit){.file = f, .options = *o};
     memcpy(u->sha256, sha256, sizeof u->sha256);
     u->function = new_array(f->genomes, sizeof *u->function);
-    bool good = f->genomes > 0 || diag_at(d, f->path, 0, 0, "the file holds no genome");
+    bool good = f->genomes > 0 || diag_at(d, f->path, 0, 0, "the file contains no genome");
     good = good && check_names(f, o, d);
     struct steps steps = steps_start(!o->quiet && !o->compile.explain, 2 * f->genomes);
     for (size_t k = 0; good && k < f->genomes; k++)

@@ -1,4 +1,4 @@
-/* Graphs as counts and in infix; see explain.h. */
+/* Prints graphs as counts and in infix; see explain.h. */
 #include "explain.h"
 
 #include "../base/text.h"
@@ -31,7 +31,7 @@ bool explain_knows(const char *text)
 
 /* ---- infix ---- */
 
-/* How tightly a text holds together. */
+/* How tightly a text binds. */
 enum hold { HOLD_SUM, HOLD_PRODUCT, HOLD_ATOM };
 
 struct infix {
@@ -49,7 +49,7 @@ static void add_operand(const struct infix *w, struct growing *to, int n, enum h
     growing_add(to, bare ? "" : ")");
 }
 
-/* |coef| node */
+/* Writes |coef| node. */
 static void add_multiple(const struct infix *w, struct growing *to, rational coef, int n)
 {
     if (coef == ONE && n != 0) {

@@ -1,5 +1,5 @@
-/* Seeded local search; see search.h.  Each shape is tried with a few random preferences; the best of what results is
- * improved by overruling one of Horner's choices at a time, keeping what is not worse.  Work is counted, not timed, so
+/* Seeded local search; see search.h. Each shape is tried with a few random preferences. The best results are improved
+ * by overriding Horner's choices, one at a time, keeping changes that are not worse. Work is counted, not timed, so
  * that the result does not depend on the machine. */
 #include "search.h"
 
@@ -20,25 +20,25 @@
 enum {
     BEAM = 4,
     FORMS = 24,
-    KEEPING = 6, /* the first of them, which leave quotients as they are */
+    KEEPING = 6, /* the first policies, which leave quotients unchanged */
     WRITTEN = 2, /* shapes that are the genome as written; others may be far from it */
     RANDOM_TRIES = 200,
-    UNIT = 1500, /* nodes and edges handled in about a millisecond */
-    PAIRS = 50,  /* pairs of operands looked at in the time of a node */
+    UNIT = 1500, /* nodes and edges processed in about a millisecond */
+    PAIRS = 50,  /* pairs of operands examined in the time of a node */
     FREE_PAIRS = 20000000,
     SCALES = 12,     /* work of searching a node's scale, in nodes */
     FIRST = 2000,    /* units for the starting points, whatever the effort */
     SLACK = 2,       /* multiplications that a search of scales may make up for */
-    FREE_DEGREE = 64 /* common denominators may raise the degree up to this; of a segment's functions, whose scale is
+    FREE_DEGREE = 64 /* common denominators may raise the degree up to this; in a segment's functions, whose scale is
                       * any length, never beyond the genome's own */
 };
 
-static const double TIE = 1e-3; /* what a multiplication counts between shapes of one cost */
-static const double HOT = 0.5;  /* multiplications by which annealing may go up at first */
+static const double TIE = 1e-3; /* weight of a multiplication between shapes of equal cost */
+static const double HOT = 0.5;  /* multiplications by which annealing may rise at first */
 
 struct shape {
     struct dag *dag; /* owned */
-    double behind;   /* given up if it costs so many times the first one */
+    double behind;   /* dropped if it costs this many times the first shape */
     const char *what;
 };
 
@@ -55,21 +55,22 @@ struct form_search {
     const struct compile_options *options;
     struct shape *shape; /* owned */
     size_t shapes, shape_room;
-    struct candidate beam[BEAM + 1]; /* sorted by cost; the last place is for the one under trial */
+    struct candidate beam[BEAM + 1]; /* sorted by cost; the last place is for the current trial */
     size_t n;
-    struct lowered best;     /* owned program; NULL until there is one */
-    struct candidate winner; /* that it came from */
+    struct lowered best;     /* owned program; NULL at first */
+    struct candidate winner; /* its origin */
     double least;
     double guide;                     /* least cost of the programs that steer the search */
-    struct removed removing, removed; /* singularities: by the passes under way, by the winner's */
+    struct removed removing, removed; /* singularities removed by the current passes, and by the winner's */
     struct scales_memo *memo;         /* owned */
     uint64_t random;
-    int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
+    int degree, most_degree, least_degree; /* degree of the current graph; its upper limit; the limit that always
+                                            * applies */
     double work, limit;
-    bool differences; /* those of two inputs stay whole */
-    bool relative;    /* the first form takes differences of coordinates alone, and so do the others */
-    bool starting;    /* the starting points are under way */
-    bool explaining;  /* the passes print what they made */
+    bool differences; /* differences of two inputs stay whole */
+    bool relative;    /* the first form uses only differences of coordinates, so the others must, too */
+    bool starting;    /* processing the starting points */
+    bool explaining;  /* the passes print their results */
 };
 
 struct form_search *search_new(const struct genome_file *f, const struct compile_options *o)
@@ -125,14 +126,14 @@ static void count_work(struct form_search *s, const struct dag *g)
         s->work += 1 + (double)g->node[i].edges;
 }
 
-/* Comparisons of pairs are counted only where they are so many that they take longer than what is counted else. */
+/* Counts comparisons of pairs only if they take longer than the work counted otherwise. */
 static void count_dear(struct form_search *s, double pairs)
 {
     if (pairs > FREE_PAIRS)
         s->work += (pairs - FREE_PAIRS) / PAIRS;
 }
 
-/* One pass done: its result takes the place of the graph that it was made from. */
+/* Completes a pass: its result replaces the graph from which it was made. */
 static void step(struct form_search *s, struct dag **g, struct dag *made, const char *pass)
 {
     count_work(s, made);
@@ -185,8 +186,8 @@ static struct dag *run_passes(struct form_search *s, const struct candidate *c, 
     return g;
 }
 
-/* Lowers a scheduled graph; the program is kept if it is the cheapest so far.  Returns the cost.  Programs that do not
- * steer the search leave no trace where they do not win. */
+/* Lowers a scheduled graph and keeps the program if it is the cheapest so far. Returns the cost. Programs that do not
+ * steer the search leave no trace unless they win. */
 static double lower_schedule(struct form_search *s, const struct schedule *schedule, const struct candidate *from,
                              bool steers)
 {
@@ -211,7 +212,7 @@ static double lower_schedule(struct form_search *s, const struct schedule *sched
     return cost;
 }
 
-/* Once more with multiples of values shared, if that may be the cheapest. */
+/* Lowers again with multiples of values shared, if that may be the cheapest. */
 static void lower_multiples(struct form_search *s, const struct schedule *schedule, const struct candidate *from,
                             double cost)
 {
@@ -225,7 +226,7 @@ static void lower_multiples(struct form_search *s, const struct schedule *schedu
     dag_free(g);
 }
 
-/* Lowers a graph, in its own scales or in those that a search finds; returns the cost. */
+/* Lowers a graph, in its own scales or in scales from a search; returns the cost. */
 static double lower_graph(struct form_search *s, const struct dag *g, const struct candidate *from,
                           enum scale_search scales)
 {
@@ -243,8 +244,8 @@ static double lower_graph(struct form_search *s, const struct dag *g, const stru
     return cost;
 }
 
-/* Lowers the candidate; the program is kept if it is the cheapest so far.  One whose estimate is beyond `limit` is not
- * looked at any further. */
+/* Lowers the candidate and keeps the program if it is the cheapest so far. A candidate with an estimate beyond `limit`
+ * is skipped. */
 static void evaluate(struct form_search *s, struct candidate *c, struct record *record, double limit)
 {
     rational_take_overflow();
@@ -278,7 +279,7 @@ static void evaluate(struct form_search *s, struct candidate *c, struct record *
     dag_free(g);
 }
 
-/* Puts the candidate under trial in its place of the beam. */
+/* Inserts the current trial into the beam. */
 static void enter_beam(struct form_search *s)
 {
     const struct candidate c = s->beam[BEAM];
@@ -303,7 +304,7 @@ static struct policy starting_policy(const struct form_search *s, int form)
                            .differences = s->differences};
 }
 
-/* What has been found so far is forgotten. */
+/* Forgets everything found so far. */
 static void start_again(struct form_search *s, double work)
 {
     program_free(s->best.program);
@@ -312,7 +313,7 @@ static void start_again(struct form_search *s, double work)
     s->work = work;
 }
 
-/* Least cost of a shape without choices, then fewest multiplications. */
+/* Returns the least cost of a shape without choices; ties are broken by multiplications. */
 static double first_cost(struct form_search *s, size_t shape)
 {
     const double work = s->work;
@@ -340,8 +341,8 @@ void search_select(struct form_search *s, size_t n)
     free(cost);
 }
 
-/* Gives up shapes that are far behind the first one from the beginning, unless trying them is dear.  That is not
- * counted as work, so that they leave no trace. */
+/* Drops shapes that start far behind the first, unless trying them is expensive. This does not count as work, so that
+ * they leave no trace. */
 static void drop_shapes(struct form_search *s)
 {
     const double work = s->work;
@@ -373,9 +374,9 @@ static void try_policy(struct form_search *s, size_t shape, const struct policy 
     enter_beam(s);
 }
 
-/* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
- * or not, in all mixtures; then with random preferences.  Multiplying out is not tried again on a shape where it is dear.
- */
+/* Tries the starting points: as written, multiplied out, with common denominators, one division for several, factored
+ * or not, in all combinations; then with random preferences. If multiplying out is expensive for a shape, it is tried
+ * once. */
 static void try_first(struct form_search *s)
 {
     static const double preference[] = {0.9, 3, 1000};
@@ -408,7 +409,7 @@ static void try_first(struct form_search *s)
     }
 }
 
-/* One choice of the candidate under trial overruled. */
+/* Overrides a choice of the current trial. */
 static void mutate(struct form_search *s, struct candidate *c, const struct record *record)
 {
     if (c->policy.choices > 0 && random_next(&s->random) % 8 == 0) {
@@ -422,7 +423,7 @@ static void mutate(struct form_search *s, struct candidate *c, const struct reco
     policy_choose(&c->policy, (struct choice){d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
 }
 
-/* Simulated annealing from a candidate until so much work is done; it becomes the best that was met. */
+/* Anneals a candidate until this much work is done; the candidate becomes the best found. */
 static void anneal(struct form_search *s, struct candidate *best, double hot, double until)
 {
     struct record record = {0}, next = {0};
@@ -450,7 +451,7 @@ static void anneal(struct form_search *s, struct candidate *best, double hot, do
     record_clear(&next);
 }
 
-/* The last shape from all starting points that keep quotients. */
+/* Tries the last shape from all starting points that keep quotients. */
 static void try_keeping(struct form_search *s)
 {
     const double before = s->work;
@@ -462,7 +463,8 @@ static void try_keeping(struct form_search *s)
     s->starting = false;
 }
 
-/* The winner's shape, with the vectors of a segment by the fewest differences, under its own choices, too; last. */
+/* Tries, at the end, the winner's shape with the vectors of a segment by the fewest differences, also under its own
+ * choices. */
 static void try_differences(struct form_search *s)
 {
     struct candidate c = {0};
@@ -480,7 +482,7 @@ static void try_differences(struct form_search *s)
     try_keeping(s);
 }
 
-/* How the result came about: the winner's passes once more. */
+/* Explains the result by repeating the winner's passes. */
 static void explain(struct form_search *s)
 {
     FILE *out = s->options->explain;

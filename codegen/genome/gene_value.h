@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/** Of two numbers, or of a alone. */
+/** Returns the value of a gene; a unary gene ignores b. */
 __attribute__((no_sanitize("float-divide-by-zero"))) static inline double gene_value(int gene, double a, double b)
 {
 #define RETURN(name, text, value, ...)                                                                                 \

@@ -1,5 +1,5 @@
-/* The genome text's data structure; the grammar is in genome.h, the reader in genome_read.c, the printer in
- * genome_print.c. */
+/* The data structure of genome text. genome.h defines the grammar, genome_read.c the reader, genome_print.c the
+ * printer. */
 #include "genome.h"
 
 #include "../base/text.h"

@@ -1,18 +1,19 @@
-/* Derivatives of values, in genome text: each let that a value is made of and that depends on a symbol gets a let more, its
- * derivative by the rules of calculus; see genome_reader.h.  Zeros are left out; all else the graph simplifies. */
+/* Derivatives of values, in genome text. For each let that a value uses and that depends on the variable, a further let
+ * is added, its derivative by the rules of calculus; see genome_reader.h. Zeros are omitted here; the graph simplifies
+ * the rest. */
 #include "../base/text.h"
 #include "genome_reader.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* The derivative of an expression; of no genes where it is 0. */
+/* The derivative of an expression; without genes if it is 0. */
 struct text {
     int *gene; /* owned */
     size_t n, room;
 };
 
-/* An expression on the stack: its genes, and its derivative. */
+/* An expression on the stack: its genes and its derivative. */
 struct operand {
     const int *gene; /* not owned */
     size_t length;
@@ -21,9 +22,9 @@ struct operand {
 
 struct derivation {
     struct genome_reader *r;
-    const char *target; /* not owned: the name that hidden lets begin with */
+    const char *target; /* not owned: prefix of the names of hidden lets */
     int by, line;
-    int *slope; /* owned: by let, the gene of its derivative; 0 where that is 0 */
+    int *slope; /* owned: indexed by let, the gene of its derivative; 0 if that is 0 */
 };
 
 static void put(struct text *t, int gene)
@@ -37,7 +38,7 @@ static void put_all(struct text *t, const int *gene, size_t n)
         put(t, gene[i]);
 }
 
-/* What an operation of x and y owes to the derivative of one of them, `of`, by the text of genes.h. */
+/* Appends the contribution of operand `of`, x or y, to the derivative of an operation, by the text of genes.h. */
 static void put_derivative(const struct derivation *v, struct text *t, const char *text, const struct operand *x,
                            const struct operand *y, const struct operand *of)
 {
@@ -55,7 +56,7 @@ static void put_derivative(const struct derivation *v, struct text *t, const cha
     }
 }
 
-/* The derivative of an operation, of which one operand at least has one. */
+/* Derives an operation; at least one operand must have a derivative. */
 static bool derive_operation(const struct derivation *v, int gene, const struct operand *x, const struct operand *y,
                              struct text *t)
 {
@@ -64,7 +65,7 @@ static bool derive_operation(const struct derivation *v, int gene, const struct 
     static const char *const by[GENE_OPERATORS][2] = {GENES_OF_TWO(OF_TWO) GENES_OF_ONE(OF_ONE)};
     const char *by_x = by[gene][0], *by_y = by[gene][1];
     if (!by_x)
-        return diag_at(v->r->d, v->r->file->path, v->line, 1, "'%s' has no derivative everywhere", gene_name(gene));
+        return diag_at(v->r->d, v->r->file->path, v->line, 1, "'%s' is not differentiable everywhere", gene_name(gene));
     if (gene == GENE_DIV)
         put(t, GENE_DIV);
     if (x->slope.n && y->slope.n) {
@@ -81,7 +82,7 @@ static bool derive_operation(const struct derivation *v, int gene, const struct 
     return true;
 }
 
-/* The gene of a symbol's derivative, 0 where that is 0. */
+/* Returns the gene of a symbol's derivative, or 0 if that is 0. */
 static int slope_of(const struct derivation *v, int gene)
 {
     const struct genome_file *f = v->r->file;
@@ -90,7 +91,7 @@ static int slope_of(const struct derivation *v, int gene)
     return gene < GENE_SYMBOL + (int)f->inputs ? 0 : v->slope[gene - GENE_SYMBOL - (int)f->inputs];
 }
 
-/* The derivative of an expression, to the reader's genes; from its end, as a stack machine. */
+/* Derives an expression into the reader's genes, from its end, as a stack machine. */
 static bool derive_expression(struct derivation *v, const struct genome_expr *e)
 {
     struct operand *stack = new_array(e->length, sizeof *stack);
@@ -119,7 +120,7 @@ static bool derive_expression(struct derivation *v, const struct genome_expr *e)
     return good;
 }
 
-/* By let: whether the last one needs it. */
+/* Returns an array indexed by let: the last let needs it. */
 static bool *needed_lets(const struct genome_file *f, size_t lets)
 {
     const int first = GENE_SYMBOL + (int)f->inputs;
@@ -133,7 +134,7 @@ static bool *needed_lets(const struct genome_file *f, size_t lets)
     return needed;
 }
 
-/* What is in the reader's genes, as one gene: of a let more, "TARGET.LET", unless it is a gene or, as 0, none. */
+/* Turns the reader's genes into a single gene: a new let "TARGET.LET", unless they are a single gene or empty (0). */
 static bool hide_slope(struct derivation *v, size_t let)
 {
     const char *name = v->r->file->let[let].name, *inner = strrchr(name, '.');

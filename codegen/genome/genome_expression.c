@@ -1,11 +1,11 @@
-/* Expressions of genome text: their types, and vectors as expressions of numbers; see genome_reader.h.  Without
- * recursion, since expressions may be a million operators deep. */
+/* Expressions of genome text: finds their types and expands vectors to expressions of numbers; see genome_reader.h. It
+ * uses no recursion, because expressions may be a million operators deep. */
 #include "genome_reader.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* The numbers that a vector operator stands for: component (c + digit) % 3 of its operands a and b. */
+/* Vector operators as operations on numbers: a digit means component (c + digit) % 3 of operand a or b. */
 static const char dot[] = "++*a0b0*a1b1*a2b2", cross[] = "-*a1b2*a2b1";
 
 bool read_gene(struct genome_reader *r, int *gene)
@@ -25,7 +25,7 @@ bool read_gene(struct genome_reader *r, int *gene)
         }
     }
     if (!n || n->kind == NAME_FUNCTION)
-        return reader_fail(r, n ? "function '%s' inside an expression" : "unknown gene '%s'");
+        return reader_fail(r, n ? "function '%s' must not be inside an expression" : "unknown gene '%s'");
     *gene = n->kind == NAME_VECTOR ? n->gene - GENE_SYMBOL + GENE_VECTOR : n->gene;
     return true;
 }
@@ -33,7 +33,7 @@ bool read_gene(struct genome_reader *r, int *gene)
 bool read_symbol(struct genome_reader *r, int *gene)
 {
     if (!next_word(r, true))
-        return reader_fail(r, "a value is missing here");
+        return reader_fail(r, "expected a value");
     if (!read_gene(r, gene))
         return false;
     return (*gene >= GENE_SYMBOL && *gene < GENE_VECTOR) || reader_fail(r, "'%s' is not a value");
@@ -41,7 +41,7 @@ bool read_symbol(struct genome_reader *r, int *gene)
 
 /* ---- types ---- */
 
-/* Whether the value is a vector; -1: there is no such operation. */
+/* Returns whether the value is a vector, or -1 if there is no such operation. */
 static int is_vector(int gene, bool a, bool b)
 {
     switch (gene) {
@@ -96,7 +96,7 @@ bool end_of_expression(struct genome_reader *r)
 {
     const struct words end = r->w;
     if (!next_is_comma(r) && next_word(r, true))
-        return reader_fail(r, "gene '%s' follows a complete expression");
+        return reader_fail(r, "unexpected gene '%s' after a complete expression");
     r->w = end;
     return true;
 }
@@ -109,7 +109,7 @@ bool read_expression(struct genome_reader *r, const char *name, bool more)
         if (!next_word(r, false) || word_is_keyword(&r->w, r->file->format) || word_is(&r->w, "=") ||
             word_is(&r->w, ","))
             return diag_at(r->d, r->file->path, r->w.word_line, r->w.word_column,
-                           "the expression of '%s' ends early: %ld operand%s missing", name, missing,
+                           "expression of '%s' is incomplete: %ld operand%s missing", name, missing,
                            missing == 1 ? " is" : "s are");
         struct node *n = &APPEND(r->node, r->nodes, r->node_room);
         *n = (struct node){.line = r->w.word_line, .column = r->w.word_column};
@@ -176,7 +176,7 @@ bool expand(struct genome_reader *r, int component)
         }
         if (r->genes > r->nodes && r->genes + r->total > GENOME_MOST)
             return diag_at(r->d, r->file->path, r->node[0].line, r->node[0].column,
-                           "the file expands to more than %d genes", GENOME_MOST);
+                           "expanded file must have at most %d genes", GENOME_MOST);
     }
     return true;
 }
@@ -184,6 +184,7 @@ bool expand(struct genome_reader *r, int component)
 bool expand_number(struct genome_reader *r, const char *name)
 {
     if (r->node[0].vector)
-        return diag_at(r->d, r->file->path, r->node[0].line, r->node[0].column, "'%s' is a vector, not a number", name);
+        return diag_at(r->d, r->file->path, r->node[0].line, r->node[0].column, "'%s' is a vector; it must be a number",
+                       name);
     return expand(r, 0);
 }

@@ -1,4 +1,4 @@
-/* Functions of genome text, kept as lets of numbers; see genome_reader.h. */
+/* Functions of genome text, stored as lets of numbers; see genome_reader.h. */
 #include "genome_reader.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@ static bool read_parameters(struct genome_reader *r, struct genome_function *x)
         struct target t = {.line = r->w.word_line, .column = r->w.word_column};
         const bool vector = word_is(&r->w, "vector");
         if (vector && !next_word(r, true))
-            return reader_fail(r, "'vector' without a name");
+            return reader_fail(r, "'vector' must be followed by a name");
         if (!read_name(r, t.name) || !add_name(r, &t, vector, x->first_let))
             return false;
         APPEND(x->parameter, x->parameters, x->parameter_room) = (struct genome_value){vector, x->first_let};
@@ -18,7 +18,7 @@ static bool read_parameters(struct genome_reader *r, struct genome_function *x)
     }
     if (!word_is(&r->w, "->"))
         return reader_fail_text(r, "expected '->' and the values of function '%s'", x->name, strlen(x->name));
-    return x->parameters > 0 || reader_fail(r, "function without parameters");
+    return x->parameters > 0 || reader_fail(r, "function needs parameters");
 }
 
 static bool read_body(struct genome_reader *r, const char *name)
@@ -31,20 +31,20 @@ static bool read_body(struct genome_reader *r, const char *name)
         if (!read_list(r, read_let))
             return false;
     }
-    return reader_fail_text(r, "the file ends inside function '%s'", name, strlen(name));
+    return reader_fail_text(r, "function '%s' has no 'end'", name, strlen(name));
 }
 
-/* The names behind "->", which the body has defined meanwhile. */
+/* Reads the names after "->", which the body has defined by then. */
 static bool read_results(struct genome_reader *r, struct genome_function *x)
 {
     char name[NAME_ROOM];
     while (next_word(r, true)) {
         const struct name *n = word_copy(&r->w, name, sizeof name) ? names_find(&r->function->names, name) : NULL;
         if (!n)
-            return reader_fail(r, "'%s' is no value of the function");
+            return reader_fail(r, "'%s' is not a value of the function");
         APPEND(x->result, x->results, x->result_room) = (struct genome_value){n->kind == NAME_VECTOR, n->gene};
     }
-    return x->results > 0 || reader_fail(r, "function without values");
+    return x->results > 0 || reader_fail(r, "function needs values");
 }
 
 static bool read_definitions(struct genome_reader *r, struct genome_function *x)
@@ -64,7 +64,7 @@ static bool read_definitions(struct genome_reader *r, struct genome_function *x)
     return end_of_line(r);
 }
 
-/* Version 1: the lets of the file that follow from two symbols are the body. */
+/* Version 1: copies the body, the lets of the file that depend on two symbols. */
 static void take_lets(const struct genome_file *f, const int from[2], const int to[2], struct genome_function *x)
 {
     int *local = new_array(f->inputs + f->lets, sizeof *local);
@@ -109,7 +109,7 @@ static bool read_function_of_lets(struct genome_reader *r, struct genome_functio
 static bool read_function_name(struct genome_reader *r, char name[NAME_ROOM])
 {
     if (!next_word(r, true))
-        return reader_fail(r, "function without a name");
+        return reader_fail(r, "function needs a name");
     if (!read_name(r, name))
         return false;
     const struct name *n = names_find(&r->file->names, name);
@@ -117,7 +117,7 @@ static bool read_function_name(struct genome_reader *r, char name[NAME_ROOM])
         return reader_fail(r, "function '%s' is defined already");
     if (n)
         return reader_fail(r, "name '%s' is defined already");
-    return r->file->functions < GENOME_FUNCTIONS || reader_fail(r, "function '%s' is one too many");
+    return r->file->functions < GENOME_FUNCTIONS || reader_fail(r, "too many functions at '%s'");
 }
 
 bool read_function(struct genome_reader *r)
@@ -127,7 +127,7 @@ bool read_function(struct genome_reader *r)
     const int line = r->w.word_line;
     char name[NAME_ROOM];
     if (f->genomes > 0 && f->format > 1 && !r->alone)
-        return reader_fail(r, "'function' must stand before the genomes");
+        return reader_fail(r, "'function' must precede the genomes");
     if (!read_function_name(r, name))
         return false;
     struct genome_function x = {.name = new_text(name, strlen(name)), .first_let = GENE_LOCAL};

@@ -1,6 +1,6 @@
-/* Infix expressions become prefix words (grammar: genome.h), so that everything after this step, statements that are kept
- * as text included, sees version 2 only; see genome_infix.h.  Operator precedence (Dijkstra's shunting yard) makes a tree
- * of each expression, without recursion, since expressions may be a million operators deep. */
+/* Translates infix expressions to prefix words (grammar: genome.h), so that all later steps, including statements
+ * stored as text, handle only version 2; see genome_infix.h. Operator precedence parsing (Dijkstra's shunting yard)
+ * makes a tree of each expression. It uses no recursion, because expressions may be a million operators deep. */
 #include "genome_infix.h"
 
 #include "../base/text.h"
@@ -18,7 +18,7 @@ struct term {
     size_t operand[2];
 };
 
-/* How tightly an operator holds its operands. */
+/* Precedence of operators. */
 enum binding { PARENTHESIS, SUM, PRODUCT, SIGN };
 
 /* An operator whose last operand is not complete, or an open parenthesis. */
@@ -41,11 +41,11 @@ struct infix {
     size_t operands, operand_room;
     struct pending *pending;
     size_t pendings, pending_room;
-    size_t parentheses; /* that are open */
+    size_t parentheses; /* number of open parentheses */
     bool in_genome;
 };
 
-static const char missing_parenthesis[] = "')' is missing at the end of the file";
+static const char missing_parenthesis[] = "expected ')' at the end of the file";
 
 static bool fail(struct infix *x, const char *format)
 {
@@ -65,7 +65,8 @@ static bool begins_number(const char *word, size_t length)
     return length > point && isdigit((unsigned char)word[point]);
 }
 
-/* A word ends before a blank, a comment or a mark, unless that is the sign of an exponent. */
+/* Returns the length of a part. A word ends before a blank, a comment or a mark, unless the mark is the sign of an
+ * exponent. */
 static size_t part_length(const char *word, size_t most)
 {
     const bool number = begins_number(word, most);
@@ -78,7 +79,7 @@ static size_t part_length(const char *word, size_t most)
     return n;
 }
 
-/* The next name, number or mark. */
+/* Reads the next name, number or mark. */
 static bool next_part(struct infix *x, bool same_line)
 {
     if (!words_find(&x->w, same_line))
@@ -88,7 +89,7 @@ static bool next_part(struct infix *x, bool same_line)
     return true;
 }
 
-/* Whether the mark comes next; it is read then. */
+/* Reads a mark if it comes next, and returns whether it did. */
 static bool next_is(struct infix *x, const char *mark)
 {
     const struct words before = x->w;
@@ -98,7 +99,7 @@ static bool next_is(struct infix *x, const char *mark)
     return false;
 }
 
-/* After a comma, a list may go on in the next line. */
+/* Skips newlines after a comma, where a list may continue. */
 static void skip_newlines(struct infix *x)
 {
     words_find(&x->w, false);
@@ -146,7 +147,7 @@ static void push_operator(struct infix *x, enum binding binding)
     APPEND(x->pending, x->pendings, x->pending_room) = (struct pending){.binding = binding, .term = new_term(x)};
 }
 
-/* Makes the last operands those of a term, which is an operand from then on. */
+/* Turns the last operands into those of a term, which becomes an operand itself. */
 static void complete_term(struct infix *x, size_t term, size_t operands)
 {
     x->operands -= operands;
@@ -156,7 +157,7 @@ static void complete_term(struct infix *x, size_t term, size_t operands)
     push_operand(x, term);
 }
 
-/* Completes the operators after the last open parenthesis that hold at least so tightly. */
+/* Completes the operators since the last open parenthesis that have at least this precedence. */
 static void complete_operators(struct infix *x, enum binding binding)
 {
     while (x->pendings > 0 && x->pending[x->pendings - 1].binding >= binding) {
@@ -175,13 +176,12 @@ static bool open_parenthesis(struct infix *x, size_t term, size_t operands)
 static bool close_parenthesis(struct infix *x)
 {
     if (x->parentheses == 0)
-        return fail(x, "'%s' without its '('");
+        return fail(x, "'%s' needs '('");
     complete_operators(x, SUM);
     const struct pending p = x->pending[--x->pendings];
     x->parentheses--;
     if (p.operands > 0 && p.operands != x->operands - p.before)
-        return fail(x,
-                    p.operands == 1 ? "one operand is expected before '%s'" : "two operands are expected before '%s'");
+        return fail(x, p.operands == 1 ? "expected one operand before '%s'" : "expected two operands before '%s'");
     if (p.operands > 0)
         complete_term(x, p.term, p.operands);
     return true;
@@ -190,10 +190,10 @@ static bool close_parenthesis(struct infix *x)
 static bool part_operands(struct infix *x)
 {
     complete_operators(x, SUM);
-    return x->pending[x->pendings - 1].operands > 0 || fail(x, "'%s' inside parentheses that group");
+    return x->pending[x->pendings - 1].operands > 0 || fail(x, "'%s' must not be inside grouping parentheses");
 }
 
-/* A name: a value, or a function and its parenthesis. */
+/* Begins with a name: a value, or a function and its parenthesis. */
 static bool begin_name(struct infix *x, bool *complete)
 {
     int gene;
@@ -205,17 +205,17 @@ static bool begin_name(struct infix *x, bool *complete)
         return open_parenthesis(x, term, (size_t)operator_arity(gene));
     x->w = name;
     if (call)
-        return fail(x, "'%s' is called inside an expression");
+        return fail(x, "'%s' must not be called inside an expression");
     if (function)
-        return fail(x, "'%s' without '(' and its operands");
+        return fail(x, "'%s' needs '(' and its operands");
     if (word_is_keyword(&x->w, GENOME_FORMAT))
-        return fail(x, "an operand is missing before '%s'");
+        return fail(x, "expected an operand before '%s'");
     push_operand(x, term);
     *complete = true;
     return true;
 }
 
-/* A sign is part of the number that follows it at once. */
+/* Begins with a sign, which belongs to a number that follows directly. */
 static void begin_sign(struct infix *x, bool *complete)
 {
     const struct words sign = x->w;
@@ -234,7 +234,7 @@ static void begin_sign(struct infix *x, bool *complete)
 static bool begin_operand(struct infix *x, bool *complete)
 {
     if (!next_part(x, false))
-        return fail(x, "an operand is missing at the end of the file");
+        return fail(x, "expected an operand at the end of the file");
     if (word_is(&x->w, "("))
         return open_parenthesis(x, 0, 0);
     if (word_is(&x->w, "-")) {
@@ -242,7 +242,7 @@ static bool begin_operand(struct infix *x, bool *complete)
         return true;
     }
     if (is_mark(*x->w.word))
-        return fail(x, "an operand is missing before '%s'");
+        return fail(x, "expected an operand before '%s'");
     if (!begins_number(x->w.word, x->w.length))
         return begin_name(x, complete);
     push_operand(x, new_term(x));
@@ -250,8 +250,8 @@ static bool begin_operand(struct infix *x, bool *complete)
     return true;
 }
 
-/* After an operand: an expression ends before the end of its line, or before a comma outside parentheses; an argument of
- * a function before a comma or the function's parenthesis. */
+/* Returns true if the expression ends after this operand: before the end of its line or a comma outside parentheses;
+ * for an argument, before a comma or the function's closing parenthesis. */
 static bool expression_ends(struct infix *x, bool argument)
 {
     const struct words before = x->w;
@@ -272,7 +272,7 @@ static bool continue_expression(struct infix *x, bool *complete)
         return part_operands(x);
     const bool sum = word_is(&x->w, "+") || word_is(&x->w, "-");
     if (!sum && !word_is(&x->w, "*") && !word_is(&x->w, "/") && !word_is(&x->w, "%"))
-        return fail(x, "an operator is missing before '%s'");
+        return fail(x, "expected an operator before '%s'");
     complete_operators(x, sum ? SUM : PRODUCT);
     push_operator(x, sum ? SUM : PRODUCT);
     return true;
@@ -322,7 +322,7 @@ static bool put_arguments(struct infix *x)
     return word_is(&x->w, ")") || fail(x, missing_parenthesis);
 }
 
-/* A function of the file or a derivative makes up all of the right side. */
+/* Reads a right side, which may be a call of a function of the file or a derivative. */
 static bool read_right_side(struct infix *x)
 {
     int gene;
@@ -338,7 +338,7 @@ static bool read_right_side(struct infix *x)
     return read_infix(x, false);
 }
 
-/* Names, "=" and the right side; the reader misses what is not there. */
+/* Reads names, "=" and the right side. The reader reports missing parts. */
 static bool read_definition(struct infix *x)
 {
     while (next_part(x, true)) {
@@ -369,7 +369,7 @@ static bool begins_output(struct infix *x)
     return begins;
 }
 
-/* The values of an output, or of the requires of a genome: up to the next output, whose name is still to be read. */
+/* Copies the values of an output, or of the requires of a genome, up to the next output, whose name stays unread. */
 static bool put_row(struct infix *x, bool *more)
 {
     do {
@@ -409,7 +409,7 @@ static bool put_note(struct infix *x)
     return true;
 }
 
-/* A line without expressions. */
+/* Copies a line without expressions. */
 static bool put_line(struct infix *x)
 {
     do {
@@ -441,7 +441,7 @@ static bool read_lines(struct infix *x)
         if (!read_line(x))
             return false;
         if (next_part(x, true))
-            return fail(x, "'%s' is too much here");
+            return fail(x, "unexpected '%s'");
         put_newline(x);
     }
     add_place(x->to, x->w.word_line, x->w.word_column);

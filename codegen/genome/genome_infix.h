@@ -1,20 +1,20 @@
-/* The third version of genome text: expressions in infix, which become the prefix words of version 2. */
+/* Version 3 of genome text: translates infix expressions to the prefix words of version 2. */
 #ifndef FOOTPOINT_GENOME_INFIX_H
 #define FOOTPOINT_GENOME_INFIX_H
 
 #include "../base/base.h"
 #include "words.h"
 
-/** Text of version 2, and where its words stand in the file that was read. */
+/** Text of version 2, and the positions of its words in the file. */
 struct prefix_text {
     char *text; /* owned */
     size_t size;
-    struct word_place *place; /* owned; in order, of each word and each newline */
+    struct word_place *place; /* owned; of each word and each newline, in order */
     size_t places, place_room;
 };
 
-/** Translates the lines of a file from `w` on, all that follows the line of its version.  The caller frees *to, also if
- *  an expression is malformed: then the result is false and *d tells file, line and column. */
+/** Translates the lines of a file that follow its version line, from `w` on. Returns false if an expression is
+ *  malformed; *d then names file, line and column. The caller frees *to in both cases. */
 bool infix_to_prefix(struct words w, const char *path, struct prefix_text *to, struct diag *d);
 void prefix_text_free(struct prefix_text *t);
 

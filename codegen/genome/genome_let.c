@@ -1,5 +1,5 @@
-/* Lets of genome text; see genome_reader.h.  A let of a function gets a copy of the function's lets, with the arguments in
- * the place of the parameters. */
+/* Lets of genome text; see genome_reader.h. A let that calls a function gets a copy of the function's lets, with
+ * arguments substituted for parameters. */
 #include "../base/text.h"
 #include "genome_reader.h"
 
@@ -34,7 +34,7 @@ bool add_name(struct genome_reader *r, const struct target *t, bool vector, int 
     return true;
 }
 
-/* An expression as the value of a name. */
+/* Defines a name by an expression. */
 static bool read_value(struct genome_reader *r, const struct target *t)
 {
     int gene = 0, first = 0;
@@ -51,11 +51,11 @@ static bool read_value(struct genome_reader *r, const struct target *t)
 
 /* ---- derivatives ---- */
 
-/* A symbol: the gene of a number or of a vector's first component. */
+/* Reads a symbol: the gene of a number or of a vector's first component. */
 static bool read_variable(struct genome_reader *r, int *gene, bool *vector)
 {
     if (!next_word(r, true))
-        return reader_fail(r, "a value is missing here");
+        return reader_fail(r, "expected a value");
     if (!read_gene(r, gene))
         return false;
     *vector = *gene >= GENE_VECTOR;
@@ -63,17 +63,18 @@ static bool read_variable(struct genome_reader *r, int *gene, bool *vector)
     return *gene >= GENE_SYMBOL || reader_fail(r, "'%s' is not a value");
 }
 
-/* derivative y x: of a vector by a number, or of a number by a vector, the vector of three derivatives. */
+/* Reads derivative y x: of a vector by a number, or of a number by a vector, which is the vector of three
+ * derivatives. */
 static bool read_derivative(struct genome_reader *r, const struct target *t)
 {
     int of, by, slope[3], gene = 0, first = 0;
     bool of_vector = false, by_vector = false, good = true;
     if (r->function)
-        return reader_fail(r, "'%s' inside a function");
+        return reader_fail(r, "'%s' must not be inside a function");
     if (!read_variable(r, &of, &of_vector) || !read_variable(r, &by, &by_vector))
         return false;
     if (of_vector && by_vector)
-        return reader_fail(r, "derivative of a vector by the vector '%s'");
+        return reader_fail(r, "a vector has no derivative by the vector '%s'");
     if (!end_of_item(r))
         return false;
     const int components = of_vector || by_vector ? 3 : 1;
@@ -92,11 +93,11 @@ static bool read_derivative(struct genome_reader *r, const struct target *t)
 
 /* ---- calls ---- */
 
-/* A call under construction.  By parameter and let of the function, component by component: */
+/* A call under construction. Arrays are indexed by the function's parameters and lets, component by component: */
 struct call {
     const struct genome_function *function; /* not owned */
     const struct targets *target;           /* not owned */
-    int *gene;                              /* owned: what stands for it here */
+    int *gene;                              /* owned: the gene that replaces it */
     size_t *owner;                          /* owned: 1 + the result that it is, or 0 */
     size_t genes;
 };
@@ -106,7 +107,7 @@ static size_t components(const struct genome_value *v)
     return v->vector ? 3 : 1;
 }
 
-/* A let of the body is the first result that it could be. */
+/* Finds the results that are lets of the body; the first of equal results owns the let. */
 static void find_owners(struct call *call)
 {
     const struct genome_function *x = call->function;
@@ -120,7 +121,7 @@ static void find_owners(struct call *call)
     }
 }
 
-/* The name of let i here: its result's, or "first-result.let". */
+/* Returns the name of let i here: its result's, or "first-result.let". */
 static char *name_of_let(const struct call *call, size_t i)
 {
     const struct genome_function *x = call->function;
@@ -178,7 +179,7 @@ static bool copy_body(struct genome_reader *r, struct call *call)
     return true;
 }
 
-/* A result that is no let of the body, or an earlier result, too, is a let of its own. */
+/* Names a result by a separate let if it is not a let of the body or repeats an earlier result. */
 static bool name_result(struct genome_reader *r, const struct call *call, size_t k)
 {
     const struct genome_value *result = &call->function->result[k];
@@ -216,7 +217,7 @@ static bool read_call(struct genome_reader *r, const struct genome_function *x, 
 
 /* ---- lets ---- */
 
-/* Names up to "=". */
+/* Reads names up to "=". */
 static bool read_targets(struct genome_reader *r, struct targets *t)
 {
     while (next_word(r, true) && !(t->n > 0 && word_is(&r->w, "="))) {
@@ -230,12 +231,12 @@ static bool read_targets(struct genome_reader *r, struct targets *t)
         t->n++;
     }
     if (t->n == 0)
-        return reader_fail(r, "let without a name");
+        return reader_fail(r, "let needs a name");
     const char *last = t->item[t->n - 1].name;
     return word_is(&r->w, "=") || reader_fail_text(r, "expected '=' after '%s'", last, strlen(last));
 }
 
-/* The function that the next word names, or NULL; then the word is still to be read. */
+/* Returns the function that the next word names and reads the word, or returns NULL. */
 static const struct genome_function *next_function(struct genome_reader *r)
 {
     char text[NAME_ROOM];
@@ -249,7 +250,7 @@ static const struct genome_function *next_function(struct genome_reader *r)
     return NULL;
 }
 
-/* Whether the next word is the keyword; it is read then. */
+/* Reads the keyword if it comes next, and returns whether it did. */
 static bool next_is_derivative(struct genome_reader *r)
 {
     const struct words before = r->w;
@@ -267,7 +268,7 @@ static bool read_definition(struct genome_reader *r, struct targets *t)
     if (x)
         return read_call(r, x, t);
     if (t->n > 1)
-        return reader_fail_text(r, "'%s' is one value too many", t->item[1].name, strlen(t->item[1].name));
+        return reader_fail_text(r, "unexpected value '%s'", t->item[1].name, strlen(t->item[1].name));
     if (next_is_derivative(r))
         return read_derivative(r, &t->item[0]);
     return read_expression(r, t->item[0].name, false) && read_value(r, &t->item[0]);
@@ -279,7 +280,7 @@ bool read_let(struct genome_reader *r)
     const int line = r->w.word_line;
     struct targets t = {0};
     if (r->file->genomes > 0 && !r->alone)
-        return reader_fail(r, "'let' must stand before the genomes");
+        return reader_fail(r, "'let' must precede the genomes");
     const bool good = read_definition(r, &t);
     if (good && !r->function)
         add_statement(r, "let", t.item[0].name, start, line);

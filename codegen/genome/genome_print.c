@@ -1,5 +1,5 @@
-/* Printer of genome text (grammar: genome.h): statements as they were written, or with other names, so that a frame can
- * stand in a program more than once; the rest from the data structure. */
+/* Printer of genome text (grammar: genome.h). Statements are printed as written, or with other names, so that a program
+ * can contain a frame more than once. The rest comes from the data structure. */
 #include "../base/text.h"
 #include "genome.h"
 #include "names.h"
@@ -10,7 +10,7 @@
 
 enum { PRINT_WIDTH = 118 };
 
-/* Words go on one line up to the width, then on indented ones. */
+/* Prints words on a line up to the width, then on indented lines. */
 static void print_line(const char *text, FILE *stream)
 {
     print_broken(text, 0, PRINT_WIDTH, "\n    ", NULL, stream);
@@ -23,7 +23,7 @@ static void print_notes(const struct genome_note *note, size_t n, FILE *stream)
         fprintf(stream, "note %s %s\n", note[i].key, note[i].text);
 }
 
-/* The vector that begins with input i. */
+/* Finds the vector that begins with input i. */
 static bool input_vector(const struct genome_file *f, size_t i, char name[NAME_ROOM])
 {
     const char *input = f->input[i];
@@ -51,8 +51,8 @@ static void print_inputs(const struct genome_file *f, FILE *stream)
     }
 }
 
-/* A keyword and its items, parted by commas, on as many lines as it takes: those that fit behind the one before share its
- * line.  Names before "->" and "=" are not broken: the reader wants it. */
+/* Prints a keyword and its items, separated by commas, on as many lines as needed. An item that fits shares its
+ * predecessor's line. Names before "->" and "=" are never split, as the reader requires. */
 static void print_items(const char *line, const char *indent, FILE *stream)
 {
     const int keyword = (int)strcspn(line, " ");
@@ -78,7 +78,7 @@ static void print_items(const char *line, const char *indent, FILE *stream)
     free(broken);
 }
 
-/* The lines of a text, which is empty then; the lets of a function's body stand further in. */
+/* Prints the lines of a text and empties it. The lets of a function's body are indented. */
 static void print_lines(struct growing *text, FILE *stream)
 {
     for (char *line = text->text, *next; line; line = next) {
@@ -91,7 +91,7 @@ static void print_lines(struct growing *text, FILE *stream)
     *text = (struct growing){NULL, 0, 0};
 }
 
-/* Statements that stand on one line go together, as far as they are needed (NULL: all are). */
+/* Prints statements, together if they share a line; `needed` selects statements, NULL selects all. */
 static void print_statements(const struct genome_file *f, const bool *needed, FILE *stream)
 {
     struct growing line = {NULL, 0, 0};
@@ -108,7 +108,7 @@ static void print_statements(const struct genome_file *f, const bool *needed, FI
     print_lines(&line, stream);
 }
 
-/* An item for each vector whose three ranges are given; lines of version 1 have one item each. */
+/* Prints an item per vector with three ranges; version 1 has an item per line. */
 static void print_ranges(const struct genome_file *f, FILE *stream)
 {
     const struct genome_range *r = f->range;
@@ -145,7 +145,7 @@ static void print_requires(const struct genome_file *f, FILE *stream)
     }
 }
 
-/* Outputs that one line holds share it; of those from the k-th on, returns the next. */
+/* Prints outputs from the k-th on that share a line; returns the next. */
 static size_t print_outputs(const struct genome_file *f, const struct genome *g, size_t k, FILE *stream)
 {
     struct growing line = {NULL, 0, 0};
@@ -165,7 +165,7 @@ static size_t print_outputs(const struct genome_file *f, const struct genome *g,
     return k;
 }
 
-/* Outputs from the k-th on that are elements of one row; returns the next. */
+/* Prints outputs from the k-th on that are elements of the same row; returns the next. */
 static size_t print_row(const struct genome_file *f, const struct genome *g, size_t k, FILE *stream)
 {
     const char *name = g->out[k].name;
@@ -201,7 +201,7 @@ static void need_symbols(const struct genome_file *f, const struct genome_expr *
             needed[genome_statement_of(f, (size_t)(e->gene[i] - GENE_SYMBOL))] = true;
 }
 
-/* By statement: genomes and requires depend on it. */
+/* Returns an array indexed by statement: genomes and requires depend on it. */
 static bool *needed_statements(const struct genome_file *f)
 {
     bool *needed = new_array(f->statements, sizeof *needed);
@@ -218,7 +218,7 @@ static bool *needed_statements(const struct genome_file *f)
 
 /* ---- files ---- */
 
-/* `needed`: the statements to print; NULL: all of them, and the exchanges. */
+/* Prints a file. needed: the statements to print; NULL: all statements and the exchanges. */
 static void print_file(const struct genome_file *f, const bool *needed, FILE *stream)
 {
     print_notes(f->note, f->notes, stream);
@@ -259,7 +259,8 @@ void genome_print_needed(const struct genome_file *f, FILE *stream)
 
 /* ---- statements with other names ---- */
 
-/* What statement k, or one that it needs, defines in the file; a function's own names stay as they are. */
+/* Returns the name in the file that statement k, or a statement that it needs, defines. A function's own names do not
+ * change. */
 static const struct name *find_defined(const struct genome_file *f, size_t k, const char *text)
 {
     const struct genome_statement *s = &f->statement[k];
@@ -270,7 +271,7 @@ static const struct name *find_defined(const struct genome_file *f, size_t k, co
     return defined ? n : NULL;
 }
 
-/* Of a component, the vector's name is the one that is changed. */
+/* For a component, the vector's name changes. */
 static bool is_component(const struct genome_file *f, size_t k, const struct name *n)
 {
     char *vector = new_text(n->text, strlen(n->text) - 1);

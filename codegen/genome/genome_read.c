@@ -1,5 +1,5 @@
-/* Reader of genome text (grammar: genome.h), line by line; see genome_reader.h.  One pass over words; every refusal says
- * file, line and column. */
+/* Reader of genome text (grammar: genome.h), line by line; see genome_reader.h. It makes a single pass over words;
+ * every error gives file, line and column. */
 #include "genome_infix.h"
 #include "genome_reader.h"
 
@@ -12,14 +12,14 @@
 static bool read_note(struct genome_reader *r, struct genome_note **note, size_t *n, size_t *room)
 {
     if (!next_word(r, true))
-        return reader_fail(r, "note without a key");
+        return reader_fail(r, "note needs a key");
     while (r->w.at < r->w.end && (*r->w.at == ' ' || *r->w.at == '\t'))
         r->w.at++;
     const char *text = r->w.at;
     while (r->w.at < r->w.end && *r->w.at != '\n')
         r->w.at++;
     if (memchr(r->w.word, '\0', (size_t)(r->w.at - r->w.word)))
-        return reader_fail(r, "note '%s' holds a NUL byte");
+        return reader_fail(r, "note '%s' must not contain a NUL byte");
     size_t length = (size_t)(r->w.at - text);
     while (length > 0 && isspace((unsigned char)text[length - 1]))
         length--;
@@ -30,11 +30,11 @@ static bool read_note(struct genome_reader *r, struct genome_note **note, size_t
 static bool read_order(struct genome_reader *r, const struct segment_kind *kind, enum corner_order *order)
 {
     if (!next_word(r, true))
-        return reader_fail(r, "segment without an order of corners");
+        return reader_fail(r, "segment needs an order of corners");
     for (*order = CORNERS_ANY; *order <= CORNERS_NEAREST_SHORTER; ++*order)
         if (word_is(&r->w, corner_order_name(*order)))
             return *order == CORNERS_ANY || kind->turns ||
-                   reader_fail(r, "corners of this segment are in the order 'any', not '%s'");
+                   reader_fail(r, "order of corners of this segment must be 'any', not '%s'");
     return reader_fail(r, "unknown order of corners '%s'");
 }
 
@@ -44,9 +44,9 @@ static const struct segment_kind *read_kind(struct genome_reader *r)
     if (f->segment)
         reader_fail(r, "a second 'segment' line");
     else if (f->format > 1 && f->inputs + f->statements + f->genomes > 0)
-        reader_fail(r, "'%s' must stand before the first 'input', 'let', 'function' or 'genome'");
+        reader_fail(r, "'%s' must precede the first 'input', 'let', 'function' or 'genome'");
     else if (!next_word(r, true))
-        reader_fail(r, "segment without a kind");
+        reader_fail(r, "segment needs a kind");
     else {
         char *name = new_text(r->w.word, r->w.length);
         const struct segment_kind *kind = segment_find(name);
@@ -56,7 +56,7 @@ static const struct segment_kind *read_kind(struct genome_reader *r)
     return NULL;
 }
 
-/* A segment and a place on it. */
+/* Reads a segment and a place on it. */
 static bool read_face(struct genome_reader *r)
 {
     const struct segment_kind *kind = r->file->format == 1 ? NULL : read_kind(r);
@@ -71,7 +71,7 @@ static bool read_face(struct genome_reader *r)
     return true;
 }
 
-/* In version 1 the inputs stand in lines of their own. */
+/* In version 1, inputs have lines of their own. */
 static bool read_segment(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
@@ -86,14 +86,14 @@ static bool read_segment(struct genome_reader *r)
     return true;
 }
 
-/* "NAME[3]" is an element of NAME. */
+/* Returns true if `output` is an element of a row, "NAME[3]". */
 static bool is_element(const char *output, const char *name)
 {
     const size_t n = strlen(name);
     return strncmp(output, name, n) == 0 && output[n] == '[';
 }
 
-/* Whether another value follows, on any line: no keyword, and no name of another row. */
+/* Returns true if another value follows, on any line: neither a keyword nor the name of another row. */
 static bool row_goes_on(struct genome_reader *r)
 {
     const struct words before = r->w;
@@ -103,7 +103,7 @@ static bool row_goes_on(struct genome_reader *r)
     return more;
 }
 
-/* The values of a row, vectors by their components. */
+/* Reads the values of a row, vectors by their components. */
 static bool read_row(struct genome_reader *r, struct genome *g, const char *name, int line)
 {
     for (size_t n = 0; n == 0 || row_goes_on(r);) {
@@ -140,7 +140,7 @@ static bool read_output(struct genome_reader *r, struct genome *g)
     g->out[g->outs - 1].line = line;
     if (!next_is_comma(r))
         return true;
-    return next_word(r, true) ? read_output(r, g) : reader_fail(r, "an output is missing behind the comma");
+    return next_word(r, true) ? read_output(r, g) : reader_fail(r, "expected an output after the comma");
 }
 
 static bool read_genome(struct genome_reader *r)
@@ -148,7 +148,7 @@ static bool read_genome(struct genome_reader *r)
     char name[NAME_ROOM];
     const int line = r->w.word_line;
     if (!next_word(r, true))
-        return reader_fail(r, "genome without a name");
+        return reader_fail(r, "genome needs a name");
     if (!read_name(r, name))
         return false;
     for (size_t i = 0; i < r->file->genomes; i++)
@@ -161,13 +161,13 @@ static bool read_genome(struct genome_reader *r)
     while (next_word(r, false)) {
         if (word_is(&r->w, "end")) {
             if (g->outs == 0)
-                return reader_fail_text(r, "genome '%s' has no output", name, strlen(name));
+                return reader_fail_text(r, "genome '%s' needs an output", name, strlen(name));
             return end_of_line(r);
         }
         if (word_is(&r->w, "note") ? !read_note(r, &g->note, &g->notes, &g->note_room) : !read_output(r, g))
             return false;
     }
-    return reader_fail_text(r, "the file ends inside genome '%s'", name, strlen(name));
+    return reader_fail_text(r, "genome '%s' has no 'end'", name, strlen(name));
 }
 
 static bool read_exchange(struct genome_reader *r)
@@ -184,7 +184,7 @@ static bool read_exchange(struct genome_reader *r)
     return end_of_item(r);
 }
 
-/* A number, or the components of a vector. */
+/* Adds a number, or the components of a vector. */
 static bool add_inputs(struct genome_reader *r, const char *name, bool vector)
 {
     const int gene = GENE_SYMBOL + (int)r->file->inputs;
@@ -204,15 +204,15 @@ static bool read_inputs(struct genome_reader *r)
 {
     char name[NAME_ROOM];
     if (r->file->segment && r->file->format > 1)
-        return reader_fail(r, "the inputs of a segment follow from its kind");
+        return reader_fail(r, "'input' must not be used with a segment, whose kind defines the inputs");
     if (r->file->lets + r->file->genomes > 0)
-        return reader_fail(r, "'input' must stand before the first 'let' or 'genome'");
+        return reader_fail(r, "'input' must precede the first 'let' or 'genome'");
     if (!next_word(r, true))
-        return reader_fail(r, "input without a name");
+        return reader_fail(r, "input needs a name");
     do {
         const bool vector = r->file->format > 1 && word_is(&r->w, "vector");
         if (vector && !next_word(r, true))
-            return reader_fail(r, "input without a name");
+            return reader_fail(r, "input needs a name");
         if (!read_new_name(r, name) || !add_inputs(r, name, vector))
             return false;
     } while (next_word(r, true));
@@ -224,7 +224,7 @@ static bool read_limit(struct genome_reader *r, const char *input, int *gene)
     if (!next_word(r, true))
         return reader_fail_text(r, "the range of '%s' needs two numbers", input, strlen(input));
     if (!looks_like_number(r))
-        return reader_fail(r, "'%s' is not a decimal number");
+        return reader_fail(r, "'%s' must be a decimal number");
     return read_number(r, gene);
 }
 
@@ -237,7 +237,7 @@ static bool read_interval(struct genome_reader *r, size_t input)
     if (!read_limit(r, f->input[input], &lo) || !read_limit(r, f->input[input], &hi))
         return false;
     if (!(f->constant[-1 - lo].value <= f->constant[-1 - hi].value))
-        return reader_fail(r, "the upper limit '%s' is below the lower one");
+        return reader_fail(r, "upper limit '%s' is below the lower limit");
     f->range[input] = (struct genome_range){true, (size_t)(-1 - lo), (size_t)(-1 - hi)};
     return true;
 }
@@ -246,7 +246,7 @@ static bool read_range(struct genome_reader *r)
 {
     char text[NAME_ROOM];
     if (!next_word(r, true))
-        return reader_fail(r, "range without an input");
+        return reader_fail(r, "range needs an input");
     const struct name *n = word_copy(&r->w, text, sizeof text) ? names_find(&r->file->names, text) : NULL;
     if (!n || n->statement != NO_STATEMENT)
         return reader_fail(r, "'%s' is not an input");
@@ -268,7 +268,7 @@ static bool read_require(struct genome_reader *r)
     return true;
 }
 
-/* Of a frame; a statement, so that it goes wherever the lets go. */
+/* Reads a `least` of a frame: a statement, so that it accompanies the lets. */
 static bool read_least(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
@@ -282,19 +282,19 @@ static bool read_least(struct genome_reader *r)
     return true;
 }
 
-/* Every input must be a value of the region. */
+/* Checks that every input is a value of the region. */
 static bool check_region(struct genome_reader *r, int line)
 {
     const struct genome_file *f = r->file;
     for (size_t i = 0; i < f->inputs; i++)
         if (genome_region_symbol(f, i) < 0)
-            return diag_at(r->d, f->path, line, 1, "the region does not say where '%s' is", f->input[i]);
+            return diag_at(r->d, f->path, line, 1, "region must define '%s'", f->input[i]);
     return true;
 }
 
 static bool read_line(struct genome_reader *r);
 
-/* A block of lines that are read as a file of their own. */
+/* Reads the region block as a file of its own. */
 static bool read_region(struct genome_reader *r)
 {
     const int line = r->w.word_line;
@@ -316,7 +316,7 @@ static bool read_region(struct genome_reader *r)
     r->w = inner.w;
     reader_free(&inner);
     if (good && !ended)
-        return diag_at(r->d, f->path, line, 1, "the file ends inside the region");
+        return diag_at(r->d, f->path, line, 1, "region has no 'end'");
     return good && check_region(r, line);
 }
 
@@ -325,12 +325,12 @@ static bool read_version(struct genome_reader *r)
     if (!next_word(r, false) || !word_is(&r->w, "footpoint-genome"))
         return reader_fail(r, "not a genome file: the first word must be 'footpoint-genome'");
     if (!next_word(r, true) || !(r->w.length == 1 && *r->w.word >= '1' && *r->w.word <= '3'))
-        return reader_fail(r, "format version '%s' is not supported (this program reads versions 1 to 3)");
+        return reader_fail(r, "format version '%s' is not supported; this program reads versions 1 to 3");
     r->file->format = *r->w.word - '0';
     return end_of_line(r);
 }
 
-/* Version 3 is read as the text of version 2 that it stands for. */
+/* Translates version 3 to the text of version 2. */
 static bool translate(struct genome_reader *r, struct prefix_text *prefix)
 {
     if (r->file->format <= GENOME_FORMAT)
@@ -342,13 +342,13 @@ static bool translate(struct genome_reader *r, struct prefix_text *prefix)
     return true;
 }
 
-/* The line that begins with the current word. */
+/* Reads the line that begins with the current word. */
 static bool read_line(struct genome_reader *r)
 {
     struct genome_file *f = r->file;
     if (r->in_region && !(word_is(&r->w, "input") || word_is(&r->w, "range") || word_is(&r->w, "let") ||
                           word_is(&r->w, "function") || word_is(&r->w, "require")))
-        return reader_fail(r, "'%s' inside the region");
+        return reader_fail(r, "'%s' must not be inside the region");
     return word_is(&r->w, "note")       ? read_note(r, &f->note, &f->notes, &f->note_room)
            : word_is(&r->w, "input")    ? read_inputs(r)
            : word_is(&r->w, "segment")  ? read_segment(r)
@@ -374,13 +374,13 @@ static bool read_lines(struct genome_reader *r)
     return true;
 }
 
-/* A segment's inputs are the coordinates of its vectors in their order; outputs are xi and eta. */
+/* Checks that a segment's inputs are the coordinates of its vectors in order, and that outputs are xi and eta. */
 static bool check_segment(const struct genome_file *f, struct diag *d)
 {
     if (!f->segment)
         return true;
     if (f->face)
-        return true; /* which the reader has made */
+        return true; /* the reader made them */
     const size_t inputs = segment_inputs(f->segment);
     for (size_t i = 0; i < inputs; i++) {
         char name[5];
@@ -391,7 +391,9 @@ static bool check_segment(const struct genome_file *f, struct diag *d)
     for (size_t i = 0; i < f->genomes; i++) {
         const struct genome *g = &f->genome[i];
         if (g->outs != 2 || strcmp(g->out[0].name, "xi") != 0 || strcmp(g->out[1].name, "eta") != 0)
-            return diag_at(d, f->path, g->line, 1, "genome '%s' of a segment must have the outputs xi and eta",
+            return diag_at(d, f->path, g->line, 1,
+                           "genome '%s' of a segment must have exactly the outputs xi and "
+                           "eta",
                            g->name);
     }
     return true;

@@ -13,7 +13,7 @@ enum { MAX_NAME = NAME_ROOM - 2, MAX_NUMBER = 63, MAX_EXPONENT = 330 };
 static const char *const keywords[] = {"note",     "input",    "segment",    "range",  "let",
                                        "exchange", "function", "require",    "genome", "end",
                                        "vector",   "face",     "derivative", "least",  "region"};
-enum { NEW_KEYWORDS = 5 }; /* the last ones are version 2's */
+enum { NEW_KEYWORDS = 5 }; /* the last are new in version 2 */
 
 static bool fail_at(const struct words *w, const char *format, const char *text, size_t length, const char *path,
                     struct diag *d)
@@ -56,7 +56,7 @@ bool next_word(struct genome_reader *r, bool same_line)
 
 bool end_of_line(struct genome_reader *r)
 {
-    return !next_word(r, true) || reader_fail(r, "'%s' is too much here");
+    return !next_word(r, true) || reader_fail(r, "unexpected '%s'");
 }
 
 bool next_is_comma(struct genome_reader *r)
@@ -104,12 +104,12 @@ bool read_name(struct genome_reader *r, char name[NAME_ROOM])
     for (size_t i = 0; i < r->w.length; i++) {
         const unsigned char c = (unsigned char)r->w.word[i];
         if (!(c < 128 && (isalpha(c) || c == '_' || (i > 0 && isdigit(c)))))
-            return reader_fail(r, "'%s' is not a name");
+            return reader_fail(r, "'%s' must be a name");
     }
     if (word_is_keyword(&r->w, r->file->format))
-        return reader_fail(r, "'%s' is a keyword, not a name");
+        return reader_fail(r, "keyword '%s' must not be used as a name");
     if (word_is_operator(&r->w, r->file->format, &gene))
-        return reader_fail(r, "'%s' is a gene, not a name");
+        return reader_fail(r, "gene '%s' must not be used as a name");
     return word_copy(&r->w, name, NAME_ROOM);
 }
 
@@ -159,7 +159,7 @@ bool looks_like_number(const struct genome_reader *r)
     return isdigit((unsigned char)r->w.word[i]) || (r->w.word[i] == '.' && r->w.length > i + 1);
 }
 
-/* Plain decimal with an optional exponent, so that text is an exact rational of bounded size. */
+/* Reads a plain decimal with an optional exponent, so that the text is an exact rational of bounded size. */
 bool read_number(struct genome_reader *r, int *gene)
 {
     char text[MAX_NUMBER + 1];
@@ -172,7 +172,7 @@ bool read_number(struct genome_reader *r, int *gene)
     errno = 0;
     const double value = strtod(text, &rest);
     if (plain != r->w.length || *rest)
-        return reader_fail(r, "'%s' is not a decimal number");
+        return reader_fail(r, "'%s' must be a decimal number");
     const char *exponent = strpbrk(text, "eE");
     const long power = exponent ? strtol(exponent + 1, NULL, 10) : 0;
     if (!isfinite(value) || power > MAX_EXPONENT || power < -MAX_EXPONENT)
@@ -181,7 +181,7 @@ bool read_number(struct genome_reader *r, int *gene)
     return true;
 }
 
-/* A line for each "let" of a function. */
+/* Returns the text of a statement with a line for each "let" of a function. */
 static char *plain_text(const struct genome_reader *r, const char *keyword, const char *start)
 {
     struct memory *m = memory_open();
@@ -210,7 +210,7 @@ bool add_number(struct genome_reader *r, const char *name, int line, int *gene)
     struct genome_file *f = r->file;
     r->total += r->genes;
     if (f->format > 1 && r->total > GENOME_MOST)
-        return diag_at(r->d, f->path, r->w.word_line, r->w.word_column, "the file expands to more than %d genes",
+        return diag_at(r->d, f->path, r->w.word_line, r->w.word_column, "expanded file must have at most %d genes",
                        GENOME_MOST);
     if (x)
         genome_add_expr(&x->let, &x->lets, &x->let_room, name, r->gene, r->genes);

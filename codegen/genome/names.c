@@ -1,4 +1,4 @@
-/* See names.h. */
+/* Search trees of names; see names.h. */
 #define _GNU_SOURCE /* tdestroy */
 #include "names.h"
 
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of texts, so that a search needs no copy. */
+/* Compares texts, so that a search needs no copy. */
 static int compare(const void *a, const void *b)
 {
     return strcmp(a, b);

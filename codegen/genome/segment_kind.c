@@ -1,4 +1,4 @@
-/* The kinds of segments; see segment_kind.h.  A kind more is a row of the table, one of that in evolve/surface/surface.c,
+/* The kinds of segments; see segment_kind.h. A new kind needs a row in this table, a row in evolve/surface/surface.c,
  * its geometry in runtime/, and a template in codegen/print/templates/. */
 #include "segment_kind.h"
 

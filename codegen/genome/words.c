@@ -1,4 +1,4 @@
-/* See words.h. */
+/* Splits genome text into words; see words.h. */
 #include "words.h"
 
 #include <string.h>
@@ -16,7 +16,7 @@ struct words words_placed(const char *text, size_t size, const struct word_place
     return w;
 }
 
-/* To the next word, past blanks, comments and, unless it is to be the same line, newlines. */
+/* Advances to the next word, past blanks, comments and, unless `same_line`, newlines. */
 static void skip(struct words *w, bool same_line)
 {
     for (;; w->at++) {
@@ -35,7 +35,7 @@ static void skip(struct words *w, bool same_line)
     }
 }
 
-/* Words of a note have the place of their line. */
+/* Finds the position of the current word. Words of a note have the position of their line. */
 static void find_place(struct words *w)
 {
     const size_t offset = (size_t)(w->word - w->text);
@@ -64,7 +64,8 @@ bool words_next(struct words *w, bool same_line)
     if (*w->at == ',')
         w->at++;
     else
-        while (w->at < w->end && (*w->at == '\0' || !strchr(" \t\r\n#,", *w->at))) /* NUL in a word is refused later */
+        while (w->at < w->end && (*w->at == '\0' || !strchr(" \t\r\n#,", *w->at))) /* a NUL in a word is rejected
+                                                                                    * later */
             w->at++;
     w->length = (size_t)(w->at - w->word);
     return true;

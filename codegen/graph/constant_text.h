@@ -4,14 +4,15 @@
 
 #include <flint/fmpq.h>
 
-/** The exact value: a decimal number, which compilers round once, if that has not too many digits, else a quotient of
- *  two.  Free with free(). */
+/** Returns the exact value: a decimal number, which compilers round once, if it is short enough, otherwise a quotient
+ *  of two. Free it with free(). */
 char *constant_text(const fmpq_t c);
 
-/** Exact value of a decimal without sign, such as 0.05 or 1.25e-3; returns its end, or NULL if there is none. */
+/** Reads the exact value of an unsigned decimal such as 0.05 or 1.25e-3. Returns its end, or NULL if the text is not a
+ *  decimal. */
 const char *decimal_read(fmpq *q, const char *text);
 
-/** Exact value of a genome's constant, which may have a sign. */
+/** Reads the exact value of a genome's constant, which may have a sign. */
 void constant_read(fmpq *q, const char *text);
 
 #endif

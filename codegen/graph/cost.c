@@ -1,12 +1,12 @@
-/* The built-in cost models, and files of measured ones (footpoint-calibrate writes them):
+/* The built-in cost models, and files of measured models, written by footpoint-calibrate:
  *
  *   footpoint-costs 1
  *   # comment
  *   mul 1.00
  *   ...                   add, div, sqrt, compare, each 0 or more, in any one unit
- *   chain 0               may be left out; files of older versions have it
+ *   chain 0               optional; from files of older versions
  *
- * one key a line, every key once. */
+ * One key a line, each key once. */
 #include "cost.h"
 
 #include "../genome/genes.h"
@@ -17,10 +17,10 @@
 #include <unistd.h>
 
 static const struct cost_model known[] = {
-    /* For how long an operation occupies its unit, an addition being 1, on vectors of 128 bits; measured on Sapphire
-     * Rapids: mul 1.0, div 7.9, sqrt 11.8, compare 1.2.  Vectors of 256 and 512 bits: codegen/costs/. */
+    /* How long an operation occupies its unit, in units of an addition, on vectors of 128 bits. Measured on Sapphire
+     * Rapids: mul 1.0, div 7.9, sqrt 11.8, compare 1.2. Vectors of 256 and 512 bits: codegen/costs/. */
     {"throughput", 1, 1, 8, 12, 1},
-    /* The same prices for good, whatever machines cost: for counts beside those of algebra systems. */
+    /* Fixed prices, independent of machines, for comparing counts with those of algebra systems. */
     {"operations", 1, 1, 8, 12, 1},
     /* The multiplications and divisions that the paper's tables count; the rest only breaks ties. */
     {"paper", 1, 0.001, 1, 1, 0.001}};
@@ -30,7 +30,7 @@ const struct cost_model cost_cycles = {"cycles", 4, 4, 13, 18, 4};
 enum key { MUL, ADD, DIV, SQRT, COMPARE, REQUIRED, CHAIN = REQUIRED, KEYS };
 static const char *const key_name[KEYS] = {"mul", "add", "div", "sqrt", "compare", "chain"};
 
-#define MOST 1e9 /* so that no sum of costs overflows */
+#define MOST 1e9 /* keeps sums of costs from overflowing */
 
 struct cost_reader {
     const char *path;
@@ -38,13 +38,13 @@ struct cost_reader {
     struct words w;
 };
 
-/* The format may show the word. */
+/* Reports an error about the current word, which the format may contain. */
 static bool refuse(const struct cost_reader *r, const char *format)
 {
     return word_fail(&r->w, format, r->path, r->d);
 }
 
-/* Nothing may follow in the line. */
+/* Checks that the line has no more words. */
 static bool last_word(struct cost_reader *r, const char *format)
 {
     return !words_next(&r->w, true) || refuse(r, format);
@@ -55,8 +55,8 @@ static bool read_version(struct cost_reader *r)
     if (!words_next(&r->w, true) || !word_is(&r->w, "footpoint-costs"))
         return refuse(r, "not a cost file: the first word must be 'footpoint-costs'");
     if (!words_next(&r->w, true) || !word_is(&r->w, "1"))
-        return refuse(r, "format version '%s' is not supported (this program reads version 1)");
-    return last_word(r, "'%s' follows the version");
+        return refuse(r, "format version '%s' is not supported; this program reads version 1");
+    return last_word(r, "unexpected '%s' after the version");
 }
 
 static bool read_cost(struct cost_reader *r, double value[KEYS], bool given[KEYS])
@@ -66,23 +66,22 @@ static bool read_cost(struct cost_reader *r, double value[KEYS], bool given[KEYS
     while (k < KEYS && !word_is(&r->w, key_name[k]))
         k++;
     if (k == KEYS)
-        return refuse(r, memchr(r->w.word, '\0', r->w.length) ? "a NUL character ends the text early"
-                                                              : "unknown key '%s'");
+        return refuse(r, memchr(r->w.word, '\0', r->w.length) ? "text contains a NUL character" : "unknown key '%s'");
     if (given[k])
         return refuse(r, "key '%s' is given twice");
     given[k] = true;
     if (!words_next(&r->w, true))
-        return refuse(r, "a number is missing");
+        return refuse(r, "expected a number");
     if (!word_copy(&r->w, number, sizeof number) || strspn(number, "+-.0123456789eE") < r->w.length)
-        return refuse(r, "'%s' is not a decimal number");
+        return refuse(r, "'%s' must be a decimal number");
     value[k] = strtod(number, &rest);
     if (*rest)
-        return refuse(r, "'%s' is not a decimal number");
+        return refuse(r, "'%s' must be a decimal number");
     if (!(value[k] >= 0 && value[k] <= MOST))
-        return refuse(r, "cost '%s' is not between 0 and 1e9");
+        return refuse(r, "cost '%s' must be between 0 and 1e9");
     if (k == CHAIN && value[k] != 0)
-        return refuse(r, "'chain' is 0, not '%s': costs of the longest chain are no longer supported");
-    return last_word(r, "'%s' follows the number");
+        return refuse(r, "'chain' must be 0, not '%s': costs of the longest chain are no longer supported");
+    return last_word(r, "unexpected '%s' after the number");
 }
 
 static bool read_costs(struct cost_reader *r, double value[KEYS])
@@ -126,7 +125,7 @@ bool cost_model_find(const char *name, struct cost_model *m, struct diag *d)
             return true;
         }
     if (access(name, F_OK) != 0)
-        return diag_system(d, name, "neither throughput, operations or paper nor a cost file");
+        return diag_system(d, name, "must be throughput, operations, paper or a cost file");
     return read_model(name, m, d);
 }
 

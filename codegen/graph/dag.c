@@ -1,5 +1,5 @@
-/* The graph of values; see dag.h.  Every maker normalises (coefficients out, operands sorted, equal ones collected) and
- * then looks the result up by its value at the random points. */
+/* The graph of values; see dag.h. Every maker normalises (coefficients out, operands sorted, equal operands collected)
+ * and then looks the result up by its value at the random points. */
 #include "dag.h"
 
 #include "../base/random.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POOL = 4096, MOST_POWER = 64 /* products of a higher power stay factors of their own */ };
+enum { POOL = 4096, MOST_POWER = 64 /* higher powers stay separate factors */ };
 
 void edges_add(struct edges *list, rational coef, int node, int power)
 {
@@ -76,7 +76,7 @@ int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size
     return (int)g->nodes++;
 }
 
-/* A node with this value: the one that exists, or a new one. */
+/* Returns a node with this value, existing or new. */
 static int make(struct dag *g, enum node_kind kind, int input, const struct edges *list, const mp_limb_t mark[PRIMES])
 {
     const int known = find(g, mark);
@@ -167,7 +167,7 @@ static void sort_edges(struct edges *list)
     }
 }
 
-/* Sort; add up coefficients (sums) or powers (products) of the same node; drop what vanishes. */
+/* Sorts operands, adds up coefficients (sums) or powers (products) of the same node, and drops operands that vanish. */
 static void collect(struct dag *g, struct edges *list, bool sum)
 {
     size_t n = 0;
@@ -187,7 +187,7 @@ static void collect(struct dag *g, struct edges *list, bool sum)
     list->n = n;
 }
 
-/* A node of a list of operands was looked up: if it is another one of the same value, what the list has may be gone. */
+/* Notes lost operands, after a list was looked up and a different node of the same value was found. */
 static void note_replaced(struct dag *g, int made, enum node_kind kind, const struct edges *list)
 {
     const struct node *n = &g->node[made];
@@ -203,7 +203,7 @@ struct value dag_sum(struct dag *g, struct edges *terms)
     struct value v = {ZERO, 0};
     collect(g, terms, true);
     if (terms->n > 0) {
-        /* the leading term is not the constant 1, so that x + 2 and 2x + 4 are x + 2 times 1 and 2 */
+        /* The leading term must not be the constant 1, so that x + 2 and 2x + 4 are x + 2 times 1 and 2. */
         const rational lead = terms->edge[terms->edge[0].node == 0 && terms->n > 1 ? 1 : 0].coef;
         mp_limb_t mark[PRIMES] = {0};
         for (size_t i = 0; lead != ONE && i < terms->n; i++)
@@ -250,7 +250,7 @@ static bool spreads(const struct node *n, int power)
     return true;
 }
 
-/* Factors that are inverses or products of their own are spread first; x and 1/x meet in `collect` by their powers. */
+/* Expands factors that are themselves inverses or products. `collect` then cancels x and 1/x by their powers. */
 static void spread_factors(struct dag *g, struct edges *list)
 {
     for (size_t i = 0; i < list->n;) {
@@ -274,7 +274,7 @@ static void spread_factors(struct dag *g, struct edges *list)
     }
 }
 
-/* What was divided by, and is so no more or less often, cancelled.  `after` is `before` collected. */
+/* Notes divisors that cancelled or whose power decreased. after: `before` collected. */
 static void note_cancelled(struct dag *g, struct edges *before, const struct edges *after)
 {
     size_t k = 0;
@@ -321,7 +321,7 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors)
         else
             edges_add(&below, ONE, e->node, -e->power);
     }
-    if (below.n > 0) { /* all divisors together are one inverse */
+    if (below.n > 0) { /* all divisors together make a single inverse */
         edges_add(&kept, ONE, invert_node(g, dag_product(g, ONE, &below).node), 1);
         collect(g, &kept, false);
     }
@@ -390,7 +390,7 @@ static bool fold_unary(unsigned k, rational c, rational *value)
     return exact;
 }
 
-/* A function of constants, or one that its semantics decide: true if *v is set. */
+/* Folds a function of constants, or a function that its definition decides. Returns true if *v is set. */
 static bool fold(struct dag *g, enum node_kind kind, struct value x, struct value y, struct value *v)
 {
     const bool same = x.node == y.node && x.coef == y.coef, constant = x.node == 0 && y.node == 0;
@@ -407,7 +407,7 @@ static bool fold(struct dag *g, enum node_kind kind, struct value x, struct valu
     return true;
 }
 
-/* A function that is opaque to the random points takes as its value a hash of its kind and of its arguments' values. */
+/* A function without a value at the random points gets a hash of its kind and its arguments' values instead. */
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b)
 {
     struct edge edge[2] = {{a.coef, a.node, 1}, {b.coef, b.node, 1}};
@@ -422,7 +422,7 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
         outside = rational_abs(a.coef);
         edge[0].coef = ONE;
     }
-    if (kind == NODE_PDIV) { /* where the divisor is not 0 its coefficient may stand in the dividend */
+    if (kind == NODE_PDIV) { /* outside a zero divisor, its coefficient may move to the dividend */
         edge[0].coef = rational_mul(a.coef, rational_inv(b.coef));
         edge[1].coef = ONE;
     }
@@ -436,8 +436,8 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
     return value_of(outside, make(g, kind, 0, &list, mark));
 }
 
-/* Least and greatest power of a node's value in the scale of the inputs, from those of its operands.  Powers of hostile
- * genomes exceed all integers; beyond MOST nothing is told apart. */
+/* Finds the least and greatest power with which a node's value scales with the inputs, from its operands' powers.
+ * Powers of hostile genomes could overflow an integer, so they are clamped at MOST. */
 static void find_degrees(const struct node *n, int *low, int *high, size_t at)
 {
     enum { MOST = 1 << 20 };

@@ -1,9 +1,9 @@
 /* The intermediate form: a directed acyclic graph in which every value exists once.
  *
- * A value is a rational coefficient times a primitive node, so factors of 1/4 or -1 never hide an equality.  Nodes are
- * made children first, so their numbers are a topological order.  Two nodes are the same when their values agree at two
- * random points modulo two 60-bit primes (the merge of FFTW's genfft, made exact up to a chance below 2^-100), which
- * finds x-x, x/x and any other identity whatever its shape. */
+ * A value is a rational coefficient times a primitive node, so factors of 1/4 or -1 never hide an equality. Operands
+ * are made before their users, so node numbers are a topological order. Two nodes are the same if their values agree at
+ * two random points modulo two 60-bit primes (the merge of FFTW's genfft, exact up to a chance below 2^-100). This
+ * finds x-x, x/x and every other identity, whatever its form. */
 #ifndef FOOTPOINT_DAG_H
 #define FOOTPOINT_DAG_H
 
@@ -36,22 +36,22 @@ struct node {
     int input;
     struct edge *edge; /* owned by the graph */
     size_t edges;
-    bool kept;              /* a named value that products leave whole */
-    bool divides;           /* it, or what it is made of, divides */
-    bool partial;           /* it, or what it is made of, divides or has a root: it has no value somewhere */
+    bool kept;              /* a named value that products do not expand */
+    bool divides;           /* it, or a value that it uses, divides */
+    bool partial;           /* it, or a value that it uses, divides or has a root, so that it is undefined somewhere */
     mp_limb_t mark[PRIMES]; /* values at the random points */
 };
 
-/** True for a function that is not defined below 0. */
+/** Returns true for a function that is undefined below 0. */
 static inline bool node_is_root(enum node_kind kind)
 {
     return kind >= NODE_UNARY && !unary_of[kind - NODE_UNARY].negative;
 }
 
-/** True for a minimum, a maximum or a protected quotient: what a compiler may make a jump of. */
+/** Returns true for a minimum, maximum or protected quotient, which compilers may turn into a branch. */
 bool node_chooses(const struct node *n);
 
-/** coef * node: what an expression is. The coefficient of the value 0 is ZERO and its node NODE_ONE. */
+/** The value of an expression: coef * node. The value 0 has coefficient ZERO and node NODE_ONE. */
 struct value {
     rational coef;
     int node;
@@ -60,36 +60,37 @@ struct value {
 struct dag {
     struct node *node; /* owned */
     size_t nodes, node_room;
-    struct edge **pool; /* owned: blocks that hold the nodes' edges; the last one is filled up to pool_used */
+    struct edge **pool; /* owned: blocks of the nodes' edges; the last is used up to pool_used */
     size_t pools, pool_room, pool_used, pool_size;
     struct index_table known; /* nodes by their marks */
     struct value *output;     /* owned */
     char **output_name;       /* owned */
     size_t outputs, output_room, output_name_room;
     size_t inputs;
-    struct removal *removed; /* owned: those of graphs that this one was made from, in no order, maybe repeated */
+    struct removal *removed; /* owned: removals in the graphs from which this one was made, unordered, with
+                              * duplicates */
     size_t removals, removal_room;
-    int *lost; /* owned: partial nodes that values were made of, and are no more; maybe repeated */
+    int *lost; /* owned: partial nodes that values no longer use; with duplicates */
     size_t losses, loss_room;
 };
 
-/** A singularity of the genome that the code has not, if nothing else has it: a divisor that cancelled, or a root. */
+/** A singularity of the genome that the code lacks, unless another value has it: a cancelled divisor, or a root. */
 struct removal {
-    mp_limb_t mark[PRIMES]; /* of the divisor, or of what the root is of */
+    mp_limb_t mark[PRIMES]; /* of the divisor, or of the root's argument */
     bool root;
 };
 
-/** How many there are. */
+/** Their numbers. */
 struct removed {
     size_t divisions, roots;
 };
 
-/** True for a difference of two inputs. */
+/** Returns true for a difference of two inputs. */
 bool node_is_difference(const struct dag *g, const struct node *n);
 
 struct dag *dag_new(size_t inputs);
 void dag_free(struct dag *g);
-/** Same nodes, same numbers. */
+/** Returns a copy with the same node numbers. */
 struct dag *dag_copy(const struct dag *g);
 void dag_add_output(struct dag *g, const char *name, struct value v);
 
@@ -101,41 +102,43 @@ struct edges {
 void edges_add(struct edges *list, rational coef, int node, int power);
 void edges_clear(struct edges *list);
 
-/** Makers.  Lists are consumed: emptied on return. */
+/** Makers. Lists are consumed: empty on return. */
 struct value dag_constant(rational c);
 struct value dag_input(struct dag *g, size_t input);
 struct value dag_sum(struct dag *g, struct edges *terms);
-/** coef times the product of node^power; powers may be negative: those are divided by. */
+/** Returns coef times the product of node^power; negative powers divide. */
 struct value dag_product(struct dag *g, rational coef, struct edges *factors);
-/** a * b, for a few factors at hand. */
+/** Returns a * b, for short lists of factors. */
 struct value dag_times(struct dag *g, struct value a, struct value b);
-/** 1/a; a must not be 0. */
+/** Returns 1/a; a must not be 0. */
 struct value dag_inverse(struct dag *g, struct value a);
-/** NODE_PDIV, NODE_MIN, NODE_MAX of two values; NODE_UNARY + k of one (b ignored).  A number where the operands are. */
+/** Returns NODE_PDIV, NODE_MIN or NODE_MAX of two values, or NODE_UNARY + k of one (b is ignored). Constant operands
+ *  give a constant. */
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b);
 
-/** The number that a value is, of whatever form, if it is a short one; or the value. */
+/** Returns the number that a value equals, whatever its form, if the number is short; otherwise the value. */
 struct value dag_number(struct dag *g, struct value v);
 
-/** A node that is not looked up, with room for its n edges; the caller fills them. */
+/** Appends a node with room for n edges, without looking it up; the caller fills them. */
 int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size_t n);
-/** Room for n edges in the graph's pool. */
+/** Returns room for n edges in the graph's pool. */
 struct edge *dag_room(struct dag *g, size_t n);
 
-/** Notes that a value is no longer made of a node: whatever that divides by, and its roots, may be gone. */
+/** Notes that a value no longer uses a node, so that the node's divisors and roots may be gone. */
 void dag_lose(struct dag *g, int node);
 /** Notes that a value is no longer divided by a node. */
 void dag_remove(struct dag *g, int node);
-/** What was removed from `from` is removed from g, too. */
+/** Copies what was removed from `from` to g. */
 void dag_inherit_removed(struct dag *g, const struct dag *from);
-/** How many different divisors and roots were removed and are none of the used ones any more. */
+/** Counts the different divisors and roots that were removed and that no used node has. */
 struct removed dag_removed(const struct dag *g);
 
-/** Greatest |power| with which any used value grows when all inputs are scaled together: what decides at which scale
- *  values leave the range of double. */
+/** Returns the greatest |power| with which any used value scales when all inputs are scaled together. It decides at
+ *  which scale values leave the range of double. */
 int dag_degree(const struct dag *g);
 
-/** How often each node is used by the outputs, directly or not; unused nodes have 0.  uses[g->nodes], caller frees. */
+/** Returns uses[g->nodes], how often the outputs use each node, directly or not; unused nodes have 0. The caller frees
+ *  it. */
 int *dag_uses(const struct dag *g);
 
 #endif

@@ -1,4 +1,4 @@
-/* How often each node of a graph is used; see dag.h. */
+/* Counts how often each node of a graph is used; see dag.h. */
 #include "dag.h"
 
 int *dag_uses(const struct dag *g)

@@ -1,7 +1,6 @@
-/* Exact simplification: each expression is read from its end with a stack; chains of + and - become one n-ary sum,
- * chains of * and / one product, before either is made a node, so that terms cancel and constants fold wherever they
- * stand.  The genome's own semantics rule: x/x is 1 and reported, x%x is 1 by definition, and x%y with a y that is not
- * a constant is left as it is. */
+/* Exact simplification. Each expression is read from its end with a stack. A chain of + and - becomes an n-ary sum, a
+ * chain of * and / a product, before either becomes a node, so that terms cancel and constants fold wherever they are.
+ * The genome's semantics apply: x/x is 1 and reported; x%x is 1 by definition; x%y stays unless y is constant. */
 #include "from_genome.h"
 
 #include "constant_text.h"
@@ -9,20 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A sum or a product under construction.  `flip` stands for the sign of every term, or for the inverse of every factor,
- * and is applied late, so that a chain of n operators costs n log n. */
+/* A sum or a product under construction. `flip` means the sign of every term, or the inverse of every factor. It is
+ * applied late, so that a chain of n operators costs n log n. */
 struct item {
     bool product, flip;
-    fmpq_t coef; /* of a product; not subject to flip */
-    struct edges
-        edges; /* terms or factors; of factors the coefficient is ZERO if they were divided by, in the end or not */
-    size_t divided; /* of factors: so many at the beginning are known to be ZERO */
+    fmpq_t coef;        /* of a product; not affected by flip */
+    struct edges edges; /* terms or factors; a factor's coefficient is ZERO if it was a divisor, even if no longer */
+    size_t divided;     /* of factors: how many at the beginning are known to be ZERO */
 };
 
 struct builder {
     const struct genome_file *file;
     struct dag *dag;
-    rational *constant;   /* owned: of the file's constants */
+    rational *constant;   /* owned: the file's constants */
     struct value *symbol; /* owned */
     struct item *stack;   /* owned */
     size_t depth, room;
@@ -61,7 +59,7 @@ static struct value make_value(struct builder *b, struct item *it)
     for (size_t i = 0; it->flip && i < it->edges.n; i++)
         flip_edge(it, &it->edges.edge[i]);
     for (size_t i = 0; it->product && i < it->edges.n; i++)
-        if (it->edges.edge[i].coef == ZERO && it->edges.edge[i].power > 0) /* as y in x / (1 / y) */
+        if (it->edges.edge[i].coef == ZERO && it->edges.edge[i].power > 0) /* such as y in x / (1 / y) */
             dag_remove(b->dag, it->edges.edge[i].node);
     it->flip = false;
     it->divided = 0;
@@ -69,7 +67,7 @@ static struct value make_value(struct builder *b, struct item *it)
                        : dag_number(b->dag, dag_sum(b->dag, &it->edges));
 }
 
-/* Pops an item as one value. */
+/* Pops an item as a value. */
 static struct value pop_value(struct builder *b)
 {
     struct item *it = &b->stack[--b->depth];
@@ -78,7 +76,7 @@ static struct value pop_value(struct builder *b)
     return v;
 }
 
-/* Makes the item a sum. */
+/* Turns an item into a sum. */
 static void as_sum(struct builder *b, struct item *it)
 {
     if (!it->product)
@@ -100,7 +98,7 @@ static void as_product(struct builder *b, struct item *it)
     it->product = true;
 }
 
-/* Moves the operands of `second` into `first`, the shorter list into the longer one. */
+/* Moves the operands of `second` into `first`, the shorter list into the longer. */
 static void merge(struct item *first, struct item *second)
 {
     if (first->edges.n < second->edges.n) {
@@ -151,7 +149,7 @@ static bool multiply(struct builder *b, bool divide)
     return true;
 }
 
-/* False for a function of a negative constant that has no value there. */
+/* Applies a function. Returns false if it is undefined for a negative constant. */
 static bool apply_function(struct builder *b, int gene)
 {
 #define NODE(gene, ...) [GENE_##gene] = NODE_##gene,
@@ -191,7 +189,7 @@ static bool build(struct builder *b, const struct genome_expr *e, struct value *
     return true;
 }
 
-/* How often the outputs, and the lets they need, name each symbol; found backwards. */
+/* Counts how often the outputs, and the lets that they need, name each symbol; goes backwards. */
 static void count_references(const struct genome_file *f, const struct genome *genome, long *references)
 {
     for (size_t k = 0; k < genome->outs; k++)
@@ -250,7 +248,7 @@ struct dag *simplify_genome(const struct genome_file *f, const struct genome *ge
     free(b.stack);
     free(references);
     if (rational_take_overflow() && good)
-        good = diag_at(d, f->path, genome->line, 1, "genome '%s' needs a constant out of the range of double",
+        good = diag_at(d, f->path, genome->line, 1, "genome '%s' has a constant outside the range of double",
                        genome->name);
     if (good)
         return b.dag;

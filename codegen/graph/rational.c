@@ -1,4 +1,4 @@
-/* The table of rationals and the memory of what was computed with them; see rational.h. */
+/* The table of rationals and the memo of their sums and products; see rational.h. */
 #include "rational.h"
 
 #include "../base/index_table.h"
@@ -13,9 +13,9 @@ nmod_t rational_modulus[PRIMES];
 struct known {
     fmpq_t value;
     mp_limb_t residue[PRIMES];
-    rational inverse, negative; /* -1: not known yet */
+    rational inverse, negative; /* -1: not computed yet */
     int sign;
-    double bits; /* of numerator or denominator, of the longer one */
+    double bits; /* of numerator or denominator, whichever is longer */
 };
 
 struct result { /* a + b or a * b */
@@ -26,12 +26,12 @@ struct result { /* a + b or a * b */
 
 static struct known *known;
 static size_t n_known, known_room;
-static struct index_table numbers; /* by their residues */
-static struct result *memo;        /* by hash of operation and operands; a new one replaces an old one */
+static struct index_table numbers; /* keyed by residues */
+static struct result *memo;        /* keyed by hash of operation and operands; new entries replace old ones */
 static bool overflow;
 enum { MEMO = 1 << 16, MOST_BITS = 1 << 16 };
 
-/* At the end of the program: the tables, and what FLINT keeps for more numbers. */
+/* Frees the tables, and FLINT's caches, at the end of the program. */
 static void forget(void)
 {
     for (size_t i = 0; i < n_known; i++)
@@ -54,7 +54,7 @@ void rational_start(void)
         rational_from_si((long[]){0, 1, -1, 2, -2, 4, -4, 8, -8}[i]);
 }
 
-/* The number of a value whose residues are known. */
+/* Returns the number of a value whose residues are known. */
 static rational intern(const fmpq *q, const mp_limb_t residue[PRIMES])
 {
     const uint64_t hash = random_mix(residue[0]);
@@ -101,7 +101,7 @@ const fmpq *rational_value(rational r)
     return known[r].value;
 }
 
-/* Whether a result may have so many bits. */
+/* Returns true if a result may have this many bits. */
 static bool fits(double bits)
 {
     overflow |= bits > MOST_BITS;
@@ -143,7 +143,7 @@ static rational combine(rational a, rational b, bool sum)
     fmpq_t q;
     fmpq_init(q);
     (sum ? fmpq_add : fmpq_mul)(q, known[a].value, known[b].value);
-    mp_limb_t residue[PRIMES]; /* without an inverse of the denominator */
+    mp_limb_t residue[PRIMES]; /* except the inverse of the denominator */
     for (int k = 0; k < PRIMES; k++)
         residue[k] = sum ? nmod_add(known[a].residue[k], known[b].residue[k], rational_modulus[k])
                          : nmod_mul(known[a].residue[k], known[b].residue[k], rational_modulus[k]);
@@ -227,7 +227,7 @@ mp_limb_t rational_mod(rational a, int k)
 
 bool rational_reconstruct(const mp_limb_t residue[PRIMES], rational *a)
 {
-    enum { SHORT = 58 }; /* of numerator and denominator, of the primes' 120 */
+    enum { SHORT = 58 }; /* of numerator and denominator; the primes have 120 */
     fmpz_t all, product;
     fmpq_t q;
     fmpz_init_set_ui(all, residue[0]);

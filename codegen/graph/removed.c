@@ -1,6 +1,6 @@
-/* Singularities that a graph has no more: what its genome divides by, or has the root of, and nothing that is used does; see
- * dag.h.  Whoever makes a value of less than its operands notes what it loses.  Only at the end it is looked at whether that
- * is in use elsewhere, by residues at the random points: so more may be noted than is gone. */
+/* Singularities that a graph lost: divisors and root arguments of its genome that no used node has; see dag.h. Whoever
+ * makes a value with less than its operands notes the loss. Only at the end, residues at the random points decide
+ * whether the singularity remains elsewhere, so more may be noted than is lost. */
 #include "dag.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@ void dag_lose(struct dag *g, int node)
         APPEND(g->lost, g->losses, g->loss_room) = node;
 }
 
-/* A list of what may be removed, or is in use. */
+/* A list of singularities, removed or in use. */
 struct removals {
     struct removal *removal; /* owned */
     size_t n, room;
@@ -25,7 +25,7 @@ static void add_removal(struct removals *list, const struct dag *g, const struct
     APPEND(list->removal, list->n, list->room) = r;
 }
 
-/* The factors of a divisor. */
+/* Adds the factors of a divisor. */
 static void add_factors(struct removals *list, const struct dag *g, int divisor)
 {
     const struct node *d = &g->node[divisor];
@@ -34,7 +34,7 @@ static void add_factors(struct removals *list, const struct dag *g, int divisor)
         add_removal(list, g, &(struct edge){ONE, product ? d->edge[k].node : divisor, 1}, false);
 }
 
-/* What a node divides by, or has the root of. */
+/* Adds a node's divisors and root arguments. */
 static void add_singularities(struct removals *list, const struct dag *g, const struct node *n)
 {
     if (n->kind == NODE_INVERSE)
@@ -50,7 +50,7 @@ static int compare_removals(const void *a, const void *b)
                               : (x->mark[0] > y->mark[0]) - (x->mark[0] < y->mark[0]);
 }
 
-/* In order, each once. */
+/* Sorts, and removes duplicates. */
 static void sort_removals(struct removals *list)
 {
     size_t n = 0;
@@ -72,7 +72,7 @@ void dag_remove(struct dag *g, int node)
     g->removal_room = list.room;
 }
 
-/* What was removed before, and what the lost nodes divide by, and their roots.  Caller frees. */
+/* Returns removals noted before, and the divisors and roots of lost nodes. The caller frees it. */
 static struct removals all_removals(const struct dag *g)
 {
     struct removals all = {0};
@@ -102,7 +102,8 @@ void dag_inherit_removed(struct dag *g, const struct dag *from)
     free(all.removal);
 }
 
-/* The one is a multiple of the other; of roots, a positive one.  Sums of other graphs have other leading coefficients. */
+/* Returns true if a is a multiple of b; for roots, a positive multiple. Sums of other graphs have other leading
+ * coefficients. */
 static bool is_multiple(const struct removal *a, const struct removal *b)
 {
     mp_limb_t ratio[PRIMES];
@@ -115,7 +116,7 @@ static bool is_multiple(const struct removal *a, const struct removal *b)
     return a->root == b->root && rational_reconstruct(ratio, &c) && (!a->root || rational_sign(c) > 0);
 }
 
-/* Whether one of a sorted list is the same, or, if they are not too many, a multiple. */
+/* Returns true if a sorted list contains the same removal or, if it is short, a multiple. */
 static bool is_among(const struct removal *r, const struct removals *list)
 {
     enum { MOST_COMPARED = 200 };

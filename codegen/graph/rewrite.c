@@ -71,7 +71,8 @@ struct dag *walk_again(const struct dag *g)
 {
     struct walk w = walk_begin(g);
     int *stack = new_array(g->nodes, sizeof *stack);
-    size_t *next = new_array(g->nodes, sizeof *next); /* operand to look at, plus one once the node is on the stack */
+    size_t *next = new_array(g->nodes, sizeof *next); /* next operand to visit, plus one once the node is on the
+                                                       * stack */
     for (size_t o = 0; o < g->outputs; o++) {
         size_t depth = 0;
         if (g->output[o].node != 0 && next[g->output[o].node] == 0)

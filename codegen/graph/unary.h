@@ -7,10 +7,11 @@
 #include <arb.h>
 #include <flint/fmpq.h>
 
-/** *x = function k of *a, which may be *x; false, and *x as it was, if that is no rational number. */
+/** Sets *x = function k of *a, which may be *x. Returns false, and leaves *x unchanged, if the value is not
+ *  rational. */
 bool unary_exact(unsigned k, fmpq *x, const fmpq *a);
 
-/** A ball of the values on a ball; not finite where it has none. */
+/** Computes a ball that encloses the values on a ball; not finite if the function is undefined there. */
 void unary_ball(unsigned k, arb_t x, const arb_t a, slong bits);
 
 #endif

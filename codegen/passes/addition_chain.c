@@ -1,13 +1,13 @@
-/* The search of addition_chain.h.  Values begin as differences of two points and go on as sums of two values, one of which
- * may be doubled.  All sets of values are tried, of few values first, until the wanted vectors follow from them one by
- * one, with any coefficients. */
+/* The search of addition_chain.h. Values start as differences of two points and continue as sums of two values, one of
+ * which may be doubled. All sets of values are tried, small sets first, until the wanted vectors follow from them one
+ * by one, with any coefficients. */
 #include "addition_chain.h"
 
 #include <flint/ulong_extras.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_POINTS = 6, MOST_VECTORS = 5, MOST_VALUES = 16 }; /* more have too many sets */
+enum { MOST_POINTS = 6, MOST_VECTORS = 5, MOST_VALUES = 16 }; /* more would have too many sets */
 enum { MOST_COEFFICIENT = 1000, MOST_CHOICES = 600, MOST_SETS = 200000 };
 
 struct plan {
@@ -19,7 +19,7 @@ struct plan {
 struct chain_search {
     const struct vector *wanted;
     int n;
-    struct additions *best; /* without values until there is one */
+    struct additions *best; /* without values at first */
     long sets;
 };
 
@@ -72,7 +72,7 @@ static void append(const struct chain_search *s, struct plan *p, struct addition
         }
 }
 
-/* v = (p a + q b) / d with p and q not 0. */
+/* Solves v = (p a + q b) / d with p and q not 0. */
 static bool solve(const struct vector *a, const struct vector *b, const struct vector *v, struct addition *s)
 {
     for (int i = 0; i < ADDITIONS_POINTS; i++)
@@ -93,7 +93,7 @@ static bool solve(const struct vector *a, const struct vector *b, const struct v
     return false;
 }
 
-/* The cheapest addition that makes something missing; which, or -1. */
+/* Returns the cheapest addition that makes a missing vector, or -1. */
 static int find_last(const struct chain_search *s, const struct plan *p, struct addition *found)
 {
     const struct additions *x = &p->so_far;
@@ -119,7 +119,7 @@ static bool is_better(const struct chain_search *s, const struct plan *p)
     return s->best->values == 0 || p->so_far.multiplications < s->best->multiplications;
 }
 
-/* All that is missing, one after the other. */
+/* Makes all missing vectors. */
 static void finish(struct chain_search *s, struct plan p)
 {
     s->sets++;
@@ -134,7 +134,7 @@ static void finish(struct chain_search *s, struct plan p)
         *s->best = p.so_far;
 }
 
-/* The choices that the newest value brings, with each earlier one. */
+/* Adds the choices that the newest value offers with each earlier value. */
 static size_t add_choices(const struct additions *x, struct addition *choice, size_t n)
 {
     static const long factor[][2] = {{1, 1}, {1, -1}, {1, 2}, {1, -2}, {2, 1}, {2, -1}};
@@ -145,7 +145,7 @@ static size_t add_choices(const struct additions *x, struct addition *choice, si
     return n;
 }
 
-/* Plans of `left` more values.  A choice that was passed over does not come again. */
+/* Tries plans with `left` more values. A choice that was skipped is not tried again. */
 static void try_plans(struct chain_search *s, const struct plan *p, const struct addition *choice, size_t choices,
                       int left)
 {

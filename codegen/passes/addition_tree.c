@@ -1,6 +1,6 @@
-/* Additions for many points, where addition_chain.c has too many sets of values to try.  Differences of points along the
- * edges of a tree make every vector in one way.  Of such sums the pair of terms that most of them have in common, up to
- * a factor, is added first, and so on; the tree is changed an edge at a time, keeping what costs no more. */
+/* Additions for many points, for which addition_chain.c has too many sets of values to try. Differences of points along
+ * the edges of a tree make every vector in exactly one way. The pair of terms that most of these sums share, up to a
+ * factor, is added first, and so on. The tree is changed edge by edge, keeping changes that cost no more. */
 #include "addition_chain.h"
 #include "choices.h"
 
@@ -11,10 +11,10 @@
 enum { CHANGES = 700, PAIRS = 1024 /* a power of 2 */, MANY = 100 };
 
 struct tree {
-    int from[ADDITIONS_POINTS], to[ADDITIONS_POINTS]; /* by edge: the vector points from `to` to `from` */
+    int from[ADDITIONS_POINTS], to[ADDITIONS_POINTS]; /* by edge: its vector points from `to` to `from` */
 };
 
-/* A vector on the way: the sum of of[i] times value i. */
+/* A partial vector: the sum of of[i] times value i. */
 struct row {
     long of[ADDITIONS_VALUES];
 };
@@ -26,7 +26,7 @@ struct sums {
     uint64_t *random;
 };
 
-/* p a + q b with p > 0 and without common divisor, and how many rows have a multiple of it. */
+/* p a + q b with p > 0 and without common divisor, and the number of rows that contain a multiple of it. */
 struct pair {
     int a, b, count;
     long p, q;
@@ -37,7 +37,7 @@ static uint64_t draw(uint64_t *random, int below)
     return random_of(++*random) % (uint64_t)below;
 }
 
-/* The value (p a + q b) / d, made now or before; -1 if there is no room. */
+/* Returns the value (p a + q b) / d, new or existing, or -1 if there is no room. */
 static int value_of(struct additions *x, struct addition s)
 {
     struct vector v;
@@ -54,7 +54,7 @@ static int value_of(struct additions *x, struct addition s)
     return x->values++;
 }
 
-/* Part of v on the side of the edge's `from`, once the edge is cut. */
+/* Returns the part of v on the side of the edge's `from`, once the edge is cut. */
 static long side(const struct tree *t, int points, int edge, const struct vector *v)
 {
     bool reached[ADDITIONS_POINTS] = {false};
@@ -72,7 +72,7 @@ static long side(const struct tree *t, int points, int edge, const struct vector
     return sum;
 }
 
-/* Two points' difference: the first of them, and the second in *other; or -1. */
+/* If v is the difference of two points, returns the first and sets *other to the second; otherwise returns -1. */
 static int difference(const struct vector *v, int *other)
 {
     int first = -1;
@@ -90,14 +90,14 @@ static int difference(const struct vector *v, int *other)
     return first;
 }
 
-/* Adds c (p - q) to the row of a sum. */
+/* Adds c (p - q) to a row. */
 static void add_difference(struct sums *s, struct row *r, int p, int q, long c)
 {
     const int a = p < q ? p : q, b = p + q - a;
     r->of[value_of(s->made, (struct addition){a, b, 1, -1, 1})] += a == p ? c : -c;
 }
 
-/* The wanted vectors as sums over the edges; those that are differences themselves are made at once. */
+/* Writes the wanted vectors as sums over the edges; differences of two points are made at once. */
 static void write_rows(struct sums *s, const struct tree *t, const struct vector *wanted, int n)
 {
     s->rows = n;
@@ -158,7 +158,7 @@ static void count_pair(struct pairs *t, const struct pair *x)
 static void count_pairs(const struct sums *s, struct pairs *t)
 {
     for (int i = 0; i < s->rows; i++) {
-        int value[ADDITIONS_VALUES], n = 0; /* the row's */
+        int value[ADDITIONS_VALUES], n = 0; /* values of the row */
         for (int a = 0; a < s->made->values; a++)
             if (s->row[i].of[a] != 0)
                 value[n++] = a;
@@ -170,7 +170,8 @@ static void count_pairs(const struct sums *s, struct pairs *t)
     }
 }
 
-/* The pair that saves most, then one without a multiplication; of equals any.  False if every row has one term. */
+/* Chooses the pair that saves most, then a pair without a multiplication, then any. Returns false if every row has one
+ * term. */
 static bool choose(struct sums *s, struct pair *best)
 {
     struct pairs t;
@@ -192,7 +193,7 @@ static bool choose(struct sums *s, struct pair *best)
     return best->count > 0;
 }
 
-/* Gives the pair a value wherever it stands.  False if there is no room. */
+/* Replaces the pair by a value everywhere. Returns false if there is no room. */
 static bool replace(struct sums *s, const struct pair *x)
 {
     const int k = value_of(s->made, (struct addition){x->a, x->b, x->p, x->q, 1});
@@ -231,13 +232,13 @@ static bool make(const struct tree *t, int points, const struct vector *wanted, 
     return true;
 }
 
-/* Of equally many operations those with fewer multiplications. */
+/* Returns the number of operations, with multiplications to break ties. */
 static int cost_of(const struct additions *x)
 {
     return MANY * (x->values + x->multiplications) + x->multiplications;
 }
 
-/* Cuts an edge and joins the two parts by another one. */
+/* Cuts an edge and joins the two parts by another edge. */
 static void change(struct tree *t, int points, uint64_t *random)
 {
     const int edge = (int)draw(random, points - 1);
@@ -276,7 +277,7 @@ static bool find_additions(int points, const struct vector *wanted, int n, uint6
     return found->values > 0;
 }
 
-/* The functions of a file want the same vectors. */
+/* Remembers the last call, because the functions of a file want the same vectors. */
 bool additions_along_tree(int points, const struct vector *wanted, int n, uint64_t seed, struct additions *found)
 {
     enum { REMEMBERED = 64 };

@@ -1,7 +1,7 @@
-/* Greedy sharing of pairs, for products of factors and for sums of terms alike: the pair that saves most is given a
- * node of its own wherever it occurs, until none occurs twice.  A hash table counts all pairs; each round takes the
- * pairs of the nodes that it rewrites out and puts their new ones in.  A heap holds every pair that saves something,
- * with at least what it saves: what has fallen since is found out when it comes to the top. */
+/* Greedy sharing of pairs, for products of factors and sums of terms. The pair that saves most gets a node of its own
+ * wherever it occurs, until no pair occurs twice. A hash table counts all pairs; each round removes the pairs of the
+ * nodes that it rewrites and inserts their new pairs. A heap contains every pair with an upper bound of its saving; an
+ * outdated entry is noticed when it reaches the top. */
 #include "cse.h"
 
 #include "choices.h"
@@ -9,15 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bounds that keep enormous input to some seconds; MOST_WORK counts pairs and places looked at. */
+/* Bounds that limit enormous input to some seconds; MOST_WORK counts pairs and places examined. */
 enum { MOST_OPERANDS = 150, MOST_PAIRS = 1 << 20, MOST_WORK = 100000000, QUEUE_WORK = 10 };
 
 /* A pair of operands a <= b. */
 struct pair {
     int a, b;
-    rational ratio; /* sums: coefficient of b over that of a; products: ONE */
-    int count;      /* how often it occurs; may be 0 */
-    long queued;    /* greatest saving with which it stands in the heap; 0: it is not there */
+    rational ratio; /* sums: coefficient of b over coefficient of a; products: ONE */
+    int count;      /* occurrences; may be 0 */
+    long queued;    /* greatest saving among its heap entries; 0: not in the heap */
 };
 
 /* A pair in the heap. */
@@ -29,14 +29,14 @@ struct entry {
 
 struct sharing {
     struct dag *dag;
-    bool *used; /* owned: by node */
+    bool *used; /* owned: indexed by node */
     size_t used_room;
     enum node_kind kind;
-    struct pair *pair; /* owned: hash table; a is -1 where it is empty */
+    struct pair *pair; /* owned: hash table; a is -1 in an empty slot */
     size_t room, n;
-    struct entry *heap; /* owned: the first one saves most */
+    struct entry *heap; /* owned: the first entry saves most */
     size_t queue, heap_room;
-    bool queues; /* counts that rise go to the heap */
+    bool queues; /* rising counts are pushed on the heap */
     int *member; /* owned: the used nodes of that kind */
     size_t members, member_room;
     size_t work;
@@ -74,8 +74,8 @@ static void grow_table(struct sharing *s)
     free(old);
 }
 
-/* Saved by giving a pair a node of its own: in products one multiplication for each occurrence but the first; in sums
- * one addition, and one multiplication if the ratio is not +-1. */
+/* Returns the saving if a pair gets a node of its own: for products, one multiplication for each occurrence but the
+ * first; for sums, one addition, and one multiplication if the ratio is not +-1. */
 static long saving(const struct sharing *s, const struct pair *p)
 {
     const bool plain = s->kind == NODE_PRODUCT || p->ratio == ONE || p->ratio == MINUS_ONE;
@@ -103,7 +103,7 @@ static void queue_pair(struct sharing *s, struct pair *p)
     s->heap[i] = e;
 }
 
-/* Takes the first entry off the heap. */
+/* Removes the first entry from the heap. */
 static struct entry next_entry(struct sharing *s)
 {
     const struct entry first = s->heap[0], last = s->heap[--s->queue];
@@ -136,7 +136,7 @@ static void count_pair(struct sharing *s, const struct edge *x, const struct edg
         queue_pair(s, p);
 }
 
-/* The pairs of a node come (sign 1) or go (-1): those with one of the operands a, b, c, or all of them if a is -1.  A
+/* Adds (sign 1) or removes (-1) the pairs of a node: those with one of the operands a, b, c, or all if a is -1. A
  * factor may be paired with itself. */
 static void count_node(struct sharing *s, const struct node *node, int a, int b, int c, int sign)
 {
@@ -156,7 +156,7 @@ static void count_node(struct sharing *s, const struct node *node, int a, int b,
     }
 }
 
-/* The pair that saves most, off the heap; false if none saves anything. */
+/* Removes the pair that saves most from the heap; returns false if no pair saves anything. */
 static bool best_pair(struct sharing *s, struct pair *best)
 {
     while (s->queue > 0) {
@@ -164,7 +164,7 @@ static bool best_pair(struct sharing *s, struct pair *best)
         struct pair *p = &s->pair[place_of(s, e.a, e.b, e.ratio)];
         s->work += QUEUE_WORK;
         if (p->a < 0 || e.saved != p->queued)
-            continue; /* it stands there again */
+            continue; /* it was pushed again */
         p->queued = 0;
         *best = *p;
         if (saving(s, p) == e.saved)
@@ -187,7 +187,7 @@ static int new_pair_node(struct sharing *s, const struct pair *p)
     return dag_append(s->dag, s->kind, edge, p->a == p->b ? 1 : 2);
 }
 
-/* How often the pair fits into a node. */
+/* Returns how often the pair fits into a node. */
 static int fits(const struct sharing *s, const struct node *n, const struct pair *p)
 {
     const struct edge *a = NULL, *b = NULL;
@@ -204,7 +204,7 @@ static int fits(const struct sharing *s, const struct node *n, const struct pair
     return a == b ? a->power / 2 : a->power < b->power ? a->power : b->power;
 }
 
-/* Puts node `part` in the place of the pair. */
+/* Replaces the pair by node `part`. */
 static void use_pair(struct sharing *s, int user, const struct pair *p, int count, int part)
 {
     struct edge *edge = dag_room(s->dag, s->dag->node[user].edges + 1);
@@ -237,7 +237,7 @@ static void share_pair(struct sharing *s, struct pair p)
         const int count = node->edges > MOST_OPERANDS ? 0 : fits(s, node, &p);
         if (count == 0)
             continue;
-        const int a = node->edges < MOST_OPERANDS ? p.a : -1; /* one more, and none of its pairs counts any more */
+        const int a = node->edges < MOST_OPERANDS ? p.a : -1; /* with another operand, its pairs no longer count */
         count_node(s, node, a, p.b, part, -1);
         use_pair(s, n, &p, count, part);
         count_node(s, &s->dag->node[n], a, p.b, part, 1);

@@ -1,5 +1,5 @@
-/* Multiplying out, common denominators, shared divisions; see expand.h.  Each walks the graph once, operands first, and
- * keeps for every node its image in the new graph. */
+/* Multiplying out, common denominators, shared divisions; see expand.h. Each walks the graph once, operands first, and
+ * stores each node's image in the new graph. */
 #include "expand.h"
 
 #include "../graph/rewrite.h"
@@ -7,15 +7,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_TERMS = 600, MOST_PRODUCTS = 6000, MOST_MULTIPLIED = 150000 /* terms and their products in one pass */ };
-enum { MOST_COMBINED = 20000 /* factors of one sum's terms */, MOST_JOINED = 64 /* divisions that become one */ };
+enum {
+    MOST_TERMS = 600,
+    MOST_PRODUCTS = 6000,
+    MOST_MULTIPLIED = 150000 /* terms, and products of terms, per pass */
+};
+enum { MOST_COMBINED = 20000 /* factors of a sum's terms */, MOST_JOINED = 64 /* divisions that become one */ };
 
 /* ---- multiplying out ---- */
 
 struct spreading {
     struct walk walk;
     struct edges *open; /* owned: terms of the nodes that dissolve where they are used */
-    size_t work;        /* terms and products of terms that were made */
+    size_t work;        /* terms and products of terms made */
 };
 
 static void add_scaled(struct edges *sum, rational c, const struct edges *terms)
@@ -42,7 +46,7 @@ static void collect_terms(struct walk *w, struct edges *terms)
         edges_add(terms, rational_mul(v.coef, n->edge[i].coef), n->edge[i].node, 1);
 }
 
-/* *terms times the terms of `other`; false, and *terms as it was, if that is too long. */
+/* Multiplies *terms by `other`. Returns false, and leaves *terms unchanged, if the result is too long. */
 static bool multiply_terms(struct spreading *s, struct edges *terms, const struct edges *other)
 {
     struct walk *w = &s->walk;
@@ -66,7 +70,7 @@ static bool multiply_terms(struct spreading *s, struct edges *terms, const struc
     return true;
 }
 
-/* Terms of a product: its dissolved factors multiplied out, as far as they stay short. */
+/* Finds the terms of a product, its dissolved factors multiplied out as far as they stay short. */
 static void product_terms(struct spreading *s, const struct node *n, struct edges *terms)
 {
     struct walk *w = &s->walk;
@@ -110,7 +114,7 @@ static void sum_terms(struct spreading *s, const struct node *n, struct edges *t
     collect_terms(w, terms);
 }
 
-/* Sums about the same variable are of one group: 1 + x and 1 - x. */
+/* Returns the group of a sum. Sums of the same variable form a group: 1 + x and 1 - x. */
 static mp_limb_t group_of(const struct dag *g, const struct node *n)
 {
     const int first = n->edge[n->edge[0].node == 0 && n->edges > 1 ? 1 : 0].node;
@@ -170,7 +174,7 @@ static struct value whole_value(struct walk *w, const struct fraction *f)
     return dag_product(w->to, f->num.coef, &list);
 }
 
-/* Factors of a node as a list. */
+/* Adds the factors of a node to a list. */
 static void add_factors(const struct dag *g, struct edges *list, int node, int power)
 {
     const struct node *n = &g->node[node];
@@ -183,7 +187,7 @@ static void add_factors(const struct dag *g, struct edges *list, int node, int p
         edges_add(list, ONE, n->edge[i].node, n->edge[i].power * power);
 }
 
-/* Power of a factor in a list, 0 if it is not there. */
+/* Returns the power of a factor in a list, or 0. */
 static int power_in(const struct edges *list, int node)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -192,7 +196,7 @@ static int power_in(const struct edges *list, int node)
     return 0;
 }
 
-/* Least common multiple of *list and `other`. */
+/* Replaces *list by its least common multiple with `other`. */
 static void widen(struct edges *list, const struct edges *other)
 {
     for (size_t i = 0; i < other->n; i++) {
@@ -207,7 +211,7 @@ static void widen(struct edges *list, const struct edges *other)
     }
 }
 
-/* A common denominator of too many factors is not made. */
+/* Adds fractions, unless the common denominator would have too many factors. */
 static struct fraction add_fractions(struct walk *w, const struct node *n, const struct fraction *f)
 {
     struct fraction sum = {{ZERO, 0}, {0}};
@@ -242,7 +246,7 @@ static struct fraction add_fractions(struct walk *w, const struct node *n, const
     return sum;
 }
 
-/* Numerator factors that the denominator holds, too, cancel: their zeros are removed singularities. */
+/* Cancels factors that numerator and denominator share; their zeros are removed singularities. */
 static void cancel(struct walk *w, struct fraction *f)
 {
     struct edges num = {0};
@@ -335,7 +339,7 @@ struct dag *shape_combine(const struct dag *g, const struct policy *policy, stru
 
 /* ---- one division for several ---- */
 
-/* How many divisions follow one another up to each node. level[nodes], caller frees. */
+/* Returns level[nodes], how many divisions follow one another up to each node. The caller frees it. */
 static int *division_levels(const struct dag *g)
 {
     int *level = new_array(g->nodes, sizeof *level);
@@ -348,7 +352,7 @@ static int *division_levels(const struct dag *g)
     return level;
 }
 
-/* The images of some inverses, by one division. */
+/* Computes the images of several inverses by one division. */
 static void join_inverses(struct walk *w, struct edges all)
 {
     const struct dag *g = w->from;
@@ -368,7 +372,7 @@ static void join_inverses(struct walk *w, struct edges all)
     }
 }
 
-/* The images of all inverses of one level. */
+/* Computes the images of all inverses of a level. */
 static void join_level(struct walk *w, const int *level, int at)
 {
     const struct dag *g = w->from;

@@ -1,7 +1,6 @@
-/* Factoring over the rationals, with FLINT.  Equal factors of a numerator and of its denominator meet as equal nodes
- * and cancel by themselves; so this is also the reduction of quotients to lowest terms.  What is irreducible may be a
- * sum of parts without a common variable that are not, or are so but for a constant: (a + b)^2 + (c - d + 1)^2 - 3.
- * See expand.h. */
+/* Factoring over the rationals, with FLINT. Equal factors of a numerator and its denominator become equal nodes and
+ * cancel, so this also reduces quotients to lowest terms. An irreducible sum may still have parts without a common
+ * variable that factor, or that factor up to a constant: (a + b)^2 + (c - d + 1)^2 - 3. See expand.h. */
 #include "expand.h"
 
 #include "../graph/rewrite.h"
@@ -9,7 +8,7 @@
 #include <flint/fmpq_mpoly_factor.h>
 #include <stdlib.h>
 
-/* Larger polynomials stay as they are: FLINT's time is not bounded otherwise. */
+/* Larger polynomials are not tried, because FLINT's time would be unbounded. */
 enum {
     MOST_TERMS = 400,
     MOST_VARIABLES = 24,
@@ -19,7 +18,7 @@ enum {
 
 struct factoring {
     struct walk walk;
-    size_t tried; /* terms of the polynomials that were looked at */
+    size_t tried; /* terms of the polynomials tried */
 };
 
 struct polynomial {
@@ -43,7 +42,7 @@ static slong variable_of(struct polynomial *a, int node)
     return i;
 }
 
-/* Exponents of one term; false if there are too many variables. */
+/* Computes the exponents of a term; returns false if there are too many variables. */
 static bool term_powers(struct polynomial *a, const struct dag *g, int node)
 {
     const struct node *n = &g->node[node];
@@ -103,7 +102,7 @@ static struct value polynomial_value(struct factoring *f, struct polynomial *a, 
     return sum;
 }
 
-/* Product of the factors found. */
+/* Returns the product of the factors found. */
 static struct value product_value(struct factoring *f, struct polynomial *a, const fmpq_mpoly_factor_t found)
 {
     struct edges factors = {0};
@@ -125,7 +124,7 @@ static struct value product_value(struct factoring *f, struct polynomial *a, con
     return dag_product(f->walk.to, coef, &factors);
 }
 
-/* Its variables are known; close_polynomial frees. */
+/* Creates a polynomial, with its variables known; close_polynomial frees it. */
 static void open_polynomial(struct polynomial *a, const struct dag *g, const struct edges *sum)
 {
     fmpq_mpoly_ctx_init(a->ring, a->variables, ORD_LEX);
@@ -144,7 +143,7 @@ static void close_polynomial(struct polynomial *a)
     fmpq_mpoly_ctx_clear(a->ring);
 }
 
-/* The polynomial as a product of irreducible ones; false if it is one itself. */
+/* Factors the polynomial; returns false if it is irreducible. */
 static bool factor_polynomial(struct factoring *f, struct polynomial *a, struct value *v)
 {
     fmpq_mpoly_factor_t found;
@@ -158,7 +157,7 @@ static bool factor_polynomial(struct factoring *f, struct polynomial *a, struct 
     return several;
 }
 
-/* The same of a sum; false, too, if it is too large. */
+/* Factors a sum; returns false also if it is too large. */
 static bool factor_sum(struct factoring *f, const struct edges *sum, struct value *v)
 {
     struct polynomial a;
@@ -170,7 +169,7 @@ static bool factor_sum(struct factoring *f, const struct edges *sum, struct valu
     return several;
 }
 
-/* Greatest common divisor of the derivatives. */
+/* Computes the greatest common divisor of the derivatives. */
 static void common_slope(struct polynomial *a, fmpq_mpoly_t slope)
 {
     fmpq_mpoly_t derivative;
@@ -182,7 +181,8 @@ static void common_slope(struct polynomial *a, fmpq_mpoly_t slope)
     fmpq_mpoly_clear(derivative, a->ring);
 }
 
-/* The constant without which p is divisible by a power of q, which its derivatives have in common; false if it is 0. */
+/* Finds the constant to subtract so that p becomes divisible by a power of q, the common divisor of its derivatives.
+ * Returns false if it is 0. */
 static bool find_constant(struct polynomial *a, const fmpq_mpoly_t q, fmpq_t constant)
 {
     fmpq_mpoly_t quotient, rest;
@@ -197,8 +197,8 @@ static bool find_constant(struct polynomial *a, const fmpq_mpoly_t q, fmpq_t con
     return found;
 }
 
-/* The sum as a product, with a power of a sum, plus a constant: where q is 0 to the second order, and so all
- * derivatives are 0, p is a constant. */
+/* Writes the sum as a product, with a power of a sum, plus a constant. Where q vanishes to second order, all
+ * derivatives vanish, so p is constant. */
 static bool shift_sum(struct factoring *f, const struct edges *sum, struct value *v, rational *shift)
 {
     struct polynomial a;
@@ -233,7 +233,7 @@ static bool shift_sum(struct factoring *f, const struct edges *sum, struct value
     return shifted;
 }
 
-/* The first of the variables that term after term connects with variable i. */
+/* Returns the representative of the variables that terms connect with variable i. */
 static slong root_of(const slong *parent, slong i)
 {
     while (parent[i] != i)
@@ -241,7 +241,7 @@ static slong root_of(const slong *parent, slong i)
     return i;
 }
 
-/* part[i]: a variable of the part that term i belongs to, -1 for a constant. */
+/* Sets part[i] to a variable of the part to which term i belongs, -1 for a constant. */
 static void find_parts(struct polynomial *a, const struct dag *g, const struct edges *sum, slong *part)
 {
     slong parent[MOST_VARIABLES];
@@ -260,8 +260,8 @@ static void find_parts(struct polynomial *a, const struct dag *g, const struct e
         part[i] = part[i] < 0 ? -1 : root_of(parent, part[i]);
 }
 
-/* The product of a sum of so many terms: two of its factors are sums, or they are shorter together.  Else it is
- * Horner's choice. */
+/* Returns true if the product of a sum of this many terms pays: two of its factors are sums, or they are shorter
+ * together. Otherwise Horner's rule decides. */
 static bool pays(const struct dag *g, int node, size_t terms)
 {
     const struct node *n = &g->node[node];
@@ -275,8 +275,8 @@ static bool pays(const struct dag *g, int node, size_t terms)
     return sums > 1 || (sums == 1 && left < terms);
 }
 
-/* By powers of variable k: each of the coefficients, times the power, as a product if it is one of several sums.  How
- * many terms went into products. */
+/* Collects powers of variable k: each coefficient times the power, as a product if it factors into several sums.
+ * Returns how many terms went into products. */
 static size_t collect_powers(struct factoring *f, struct polynomial *a, const struct edges *sum, slong k,
                              struct edges *all)
 {
@@ -300,7 +300,7 @@ static size_t collect_powers(struct factoring *f, struct polynomial *a, const st
     return factored;
 }
 
-/* The sum by powers of the variable that brings most terms into products; false if none does. */
+/* Collects the sum by powers of the variable that brings most terms into products; returns false if none does. */
 static bool collect_sum(struct factoring *f, const struct edges *sum, struct edges *all)
 {
     struct polynomial a;
@@ -321,7 +321,7 @@ static bool collect_sum(struct factoring *f, const struct edges *sum, struct edg
     return most > 0;
 }
 
-/* A part of a sum: its product, alone or with a constant, or its terms.  Returns whether it is a product. */
+/* Adds a part of a sum: as a product, possibly plus a constant, or as its terms. Returns whether it is a product. */
 static bool add_part(struct factoring *f, const struct edges *part, bool whole, struct edges *all)
 {
     struct value product;
@@ -343,7 +343,7 @@ static bool add_part(struct factoring *f, const struct edges *part, bool whole, 
     return found || parts;
 }
 
-/* The sum, which does not factor, as one of parts without a common variable, some of which do; false if none does. */
+/* Splits an irreducible sum into parts without a common variable; returns false if no part factors. */
 static bool split_sum(struct factoring *f, const struct edges *sum, struct value *v)
 {
     struct polynomial a;

@@ -1,7 +1,7 @@
-/* Horner's rule for several variables.  A sum that only one place uses first becomes part of that place; then each sum
- * is factored greedily: one factor is taken out of all terms that hold it, and the quotient, itself factored, becomes a
- * factor that other terms may hold, too.  k terms that share a factor save k-1 multiplications.  Which factor goes
- * first is decided anew for each sub-sum. */
+/* Horner's rule for several variables. A sum with a single user first becomes part of it. Then each sum is factored
+ * greedily: one factor is extracted from all terms that contain it; the quotient, itself factored, becomes a factor
+ * that other terms may contain, too. k terms that share a factor save k-1 multiplications. Which factor goes first is
+ * decided separately for each sub-sum. */
 #include "horner.h"
 
 #include "../graph/rewrite.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Larger sums, and what is left after so many factors, stay as they are: bounded time and stack on enormous input. */
+/* Larger sums, and the rest after this many factors, are not factored, to bound time and stack on enormous input. */
 enum { MOST_TERMS = 4000, DEEPEST = 300 };
 
 struct term {
@@ -42,7 +42,7 @@ static void add_term(struct terms *list, const struct dag *g, rational coef, int
         edges_add(&t->factors, ONE, node, 1);
 }
 
-/* The sub-sum's name: the same wherever and however it occurs. */
+/* Returns the key of a sub-sum, the same wherever and however it occurs. */
 static uint64_t key_of(const struct dag *g, const struct terms *list)
 {
     uint64_t key = 0;
@@ -57,7 +57,7 @@ static uint64_t key_of(const struct dag *g, const struct terms *list)
     return key;
 }
 
-/* The factor to take out next, or -1. */
+/* Returns the factor to extract next, or -1. */
 static int choose_factor(struct factoring *f, const struct terms *list)
 {
     const struct policy *p = f->policy;
@@ -113,7 +113,7 @@ static struct edge *factor_of(const struct term *t, int node)
     return NULL;
 }
 
-/* Moves the terms that hold `node`, divided by the highest power they share, to a list of their own; returns that
+/* Moves the terms that contain `node`, divided by the highest power that they share, to another list; returns that
  * power. */
 static int divide_terms(struct terms *list, int node, struct terms *quotient)
 {
@@ -141,7 +141,7 @@ static int divide_terms(struct terms *list, int node, struct terms *quotient)
     return power;
 }
 
-/* Value of a list of terms; consumes it.  Recursion is as deep as the degree, at most DEEPEST. */
+/* Returns the value of a list of terms and consumes the list. Recursion is as deep as the degree, at most DEEPEST. */
 static struct value factor_terms(struct factoring *f, struct terms *list, int depth)
 {
     struct edges sum = {0};
@@ -176,8 +176,8 @@ static bool joins(const struct factoring *f, const struct edge *e)
            !(f->policy->differences && node_is_difference(f->walk.from, n));
 }
 
-/* Terms of a sum, those of sums inside it that nothing else uses and that are not multiplied spread (iteratively: they
- * may nest deep). */
+/* Gathers the terms of a sum, expanding inner sums that have no other user and are not multiplied. Iterative, because
+ * they may nest deep. */
 static void gather(const struct factoring *f, size_t node, struct edges *terms)
 {
     const struct node *n = &f->walk.from->node[node];
@@ -212,7 +212,7 @@ static struct value map_sum(struct factoring *f, size_t node)
 struct dag *horner_factor(const struct dag *g, const struct policy *policy, struct record *record)
 {
     struct factoring f = {.walk = walk_begin(g), .policy = policy, .record = record};
-    /* a sum spread into its only user is not built on its own */
+    /* A sum expanded into its only user is not built separately. */
     bool *spread = new_array(g->nodes, sizeof *spread);
     for (size_t n = 0; n < g->nodes; n++)
         for (size_t i = 0; f.walk.uses[n] && g->node[n].kind == NODE_SUM && i < g->node[n].edges; i++)

@@ -1,6 +1,6 @@
-/* The vectors of a segment by the fewest additions; see expand.h.  A vector is a sum of the coordinates x, y or z of its
- * nodes and of the slave node, of weight 0, on the way to what is no sum of coordinates.  addition_chain.h finds how the
- * vectors are made, for x, y and z alike. */
+/* Builds the vectors of a segment with the fewest additions; see expand.h. A vector is a sum of weight 0 of the
+ * coordinates x, y or z of its nodes and the slave node, used by a node that is not such a sum. addition_chain.h finds
+ * how to make the vectors, for x, y and z alike. */
 #include "expand.h"
 
 #include "../graph/rewrite.h"
@@ -11,11 +11,11 @@
 
 enum { MOST_COEFFICIENT = 1000 };
 
-/* What a node is of the coordinates. */
+/* A node as a combination of coordinates. */
 struct form {
     bool sum;       /* of coordinates of points, all x, all y or all z */
     bool vector;    /* a sum of several terms, of weight 0 */
-    bool needed;    /* by what is none */
+    bool needed;    /* used by a node that is not a sum of coordinates */
     int coordinate; /* 0..2 */
     rational of[ADDITIONS_POINTS];
     struct vector direction;
@@ -25,11 +25,11 @@ struct form {
 struct forms {
     const struct dag *g;
     const struct segment_kind *kind;
-    struct form *form; /* owned: by node */
+    struct form *form; /* owned: indexed by node */
     int points;
 };
 
-/* Number of the point whose coordinate the input is, the slave node last; -1 for a normal. */
+/* Returns the number of the point whose coordinate the input is, the slave node last; -1 for a normal. */
 static int point_of(const struct segment_kind *k, size_t input)
 {
     const size_t vector = input / 3, nodes = strlen(k->nodes);
@@ -42,7 +42,7 @@ static size_t input_of(const struct segment_kind *k, int point, int coordinate)
     return 3 * vector + (size_t)coordinate;
 }
 
-/* A rational as a whole number, false if it is none or large. */
+/* Converts a rational to an integer; returns false if it is a fraction or large. */
 static bool whole(rational r, long *number)
 {
     const fmpq *q = rational_value(r);
@@ -53,7 +53,7 @@ static bool whole(rational r, long *number)
     return true;
 }
 
-/* Direction and size; false if the weight is not 0 or the numbers are too large. */
+/* Finds direction and size; returns false if the weight is not 0 or the numbers are too large. */
 static bool find_direction(const struct forms *x, struct form *f)
 {
     rational weight = ZERO, scale = ZERO;
@@ -118,7 +118,7 @@ static struct forms find_forms(const struct dag *g, const struct segment_kind *k
     return x;
 }
 
-/* Additions of the vectors as they are, in the coordinate that takes most. */
+/* Counts the additions of the vectors as they are, in the coordinate with most. */
 static int count_additions(const struct forms *x)
 {
     int count[3] = {0}, most = 0;
@@ -130,7 +130,7 @@ static int count_additions(const struct forms *x)
     return most;
 }
 
-/* The directions of the needed vectors; 0 if there are too many. */
+/* Lists the directions of the needed vectors; returns 0 if there are too many. */
 static int list_directions(const struct forms *x, struct vector direction[ADDITIONS_VECTORS])
 {
     int count = 0;
@@ -194,7 +194,7 @@ static struct dag *rewrite(const struct forms *x, const struct additions *a)
     return walk_end(&w);
 }
 
-/* How the directions are made: in fewer additions than now where all ways can be tried, else along a tree. */
+/* Finds additions for the directions: fewer than now if all ways can be tried, otherwise along a tree. */
 static bool find_additions(const struct forms *x, uint64_t seed, struct additions *a)
 {
     struct vector direction[ADDITIONS_VECTORS];
@@ -206,7 +206,7 @@ static bool find_additions(const struct forms *x, uint64_t seed, struct addition
     return additions_along_tree(x->points, direction, n, seed, a);
 }
 
-/* A sum takes coordinates as one difference of two, or none. */
+/* Returns true if a sum uses coordinates as one difference of two, or not at all. */
 static bool takes_differences(const struct dag *g, const struct segment_kind *k, const struct node *sum)
 {
     const struct edge *first = NULL;

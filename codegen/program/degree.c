@@ -1,4 +1,4 @@
-/* Degrees in lengths, from the operands' to the results'; see degree.h.  Halves occur below square roots. */
+/* Degrees in lengths, computed from operands to results; see degree.h. Square roots halve them. */
 #include "degree.h"
 
 #include "../base/base.h"
@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Twice a degree, or one of these. */
-enum { ANY = 1 << 20, NONE, MOST = 1 << 16 }; /* of 0; of what is not homogeneous */
+enum { ANY = 1 << 20, NONE, MOST = 1 << 16 }; /* degree of 0; of a value that is not homogeneous */
 
 static int known(long twice)
 {
@@ -47,7 +47,7 @@ static int result(const struct program *p, const struct segment_kind *k, const s
     case OP_DIV:
         return a == ANY || b == ANY ? a : known((long)a - b);
     case OP_PDIV:
-        return a == b && a != ANY ? 0 : NONE; /* where b is 0 it is a number */
+        return a == b && a != ANY ? 0 : NONE; /* if b is 0 the result is the number 1 */
     default: {
         const int root = op_unary(o->kind)->root;
         return root == 0 ? (a == 0 ? 0 : NONE) : a == ANY ? ANY : a % root ? NONE : a / root;
@@ -55,7 +55,7 @@ static int result(const struct program *p, const struct segment_kind *k, const s
     }
 }
 
-/* By operation, up to number `last`.  Caller frees. */
+/* Returns twice the degree of each operation up to number `last`. The caller frees it. */
 static int *twice_degrees(const struct program *p, const struct segment_kind *k, size_t last)
 {
     int *twice = new_array(last + 1, sizeof *twice);

@@ -1,5 +1,5 @@
-/* The printer of programs; see dialect.h.  A text is written from left to right with a stack of patterns, so that
- * chains of any length need neither recursion nor copies. */
+/* The printer of programs; see dialect.h. It writes text from left to right with a stack of patterns, so that chains of
+ * any length need neither recursion nor copies. */
 #include "dialect.h"
 
 #include "../base/text.h"
@@ -22,7 +22,7 @@ void split_constant(const fmpq *value, bool *negative, char **num, char **den)
     free(text);
 }
 
-/* Underscores that set temporaries (t1, u2, c3) apart from all inputs and outputs. */
+/* Returns the number of underscores that distinguish temporaries (t1, u2, c3) from all inputs and outputs. */
 static size_t tail_length(const struct genome_file *f, const struct genome *g)
 {
     size_t tail = 0;
@@ -84,7 +84,7 @@ static char *constant(const struct dialect *d, const fmpq *value, enum level *le
     return text;
 }
 
-/* A name, an input or a constant, and its level; NULL for anything that has operands. */
+/* Returns the text of a name, an input or a constant, and its level; NULL for an operation with operands. */
 static char *leaf_text(const struct printer *r, int op, enum level *level)
 {
     const struct op *o = &r->program->op[op];
@@ -96,7 +96,7 @@ static char *leaf_text(const struct printer *r, int op, enum level *level)
     return o->kind == OP_INPUT ? r->dialect->input(r->file, (size_t)o->input) : NULL;
 }
 
-/* Level and width of an operation whose operands have theirs.  A product that begins with a sign is one with a sign. */
+/* Computes level and width of an operation from its operands'. A product that begins with a sign counts as signed. */
 static void measure(struct printer *r, int op)
 {
     const struct op *o = &r->program->op[op];
@@ -116,7 +116,7 @@ static void measure(struct printer *r, int op)
 
 struct step {
     const char *at; /* rest of a pattern */
-    int op;         /* whose operands it means */
+    int op;         /* operation whose operands the pattern names */
 };
 
 struct writer {
@@ -205,7 +205,7 @@ static void name_part(struct printer *r, int op, const char *plain, write_statem
 void printer_run(struct printer *r, write_statement *write, void *to)
 {
     const struct program *p = r->program;
-    int next = 0; /* operations below are measured */
+    int next = 0; /* operations below it are measured */
     for (size_t i = 0; i < p->statements; i++) {
         const struct statement *s = &p->statement[i];
         for (; next <= s->op; next++) {

@@ -1,4 +1,4 @@
-/* C as dialects: in double, in float, and in float of coordinates relative to the segment. */
+/* The dialects of C: in double, in float, and in float with coordinates relative to the segment. */
 #include "dialects.h"
 
 #include "../base/text.h"
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* xA[2] is input zA. */
+/* Writes input zA as xA[2]. */
 static char *input_text(const struct genome_file *f, size_t k)
 {
     char vector[4];
@@ -18,7 +18,7 @@ static char *input_text(const struct genome_file *f, size_t k)
     return new_format("%s[%d]", vector, (int)(k % 3));
 }
 
-/* The same of coordinates that are relative to the segment: yA[2]; normals stay what they are. */
+/* Writes a coordinate relative to the segment as yA[2]; normals stay. */
 static char *relative_text(const struct genome_file *f, size_t k)
 {
     char *text = input_text(f, k);
@@ -27,8 +27,9 @@ static char *relative_text(const struct genome_file *f, size_t k)
     return text;
 }
 
-/* A variable that is a constant has `zero` added to it, or is not const, so that gcc's front end does not see through it: it
- * would turn a comparison round, and later passes would not find the one instruction that c < x ? c : x is. */
+/* A constant operand has the variable `zero` added to it or is not const, so that gcc's front end does not see its
+ * value. Otherwise gcc would reverse the comparison, and later passes would miss that c < x ? c : x is a single
+ * instruction. */
 #define OF_DOUBLE(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "($a0)", LEVEL_NAME},
 #define OF_FLOAT(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "f($a0)", LEVEL_NAME},
 #define DIALECT(real, unary, decimal_format, quotient_format, input_function, protected_quotient)                      \
@@ -40,7 +41,7 @@ static char *relative_text(const struct genome_file *f, size_t k)
         .type = real                                                                                                   \
     }
 
-/* In float both choices of a protected quotient are made before it divides: no branch is left. */
+/* In float, both choices of a protected quotient come before its division, so that no branch is left. */
 #define FLOAT_QUOTIENT "(($b3 == 0.0f ? 1.0f : $a3) / ($b3 == 0.0f ? 1.0f : $b3))"
 
 const struct dialect c_double =
@@ -50,7 +51,7 @@ const struct dialect c_float = FLOAT(input_text), c_relative = FLOAT(relative_te
 
 /* ---- statements ---- */
 
-/* Takes a statement; constants that gcc must not see through are `zero + constant`. */
+/* Receives a statement; constants that gcc must not see become `zero + constant`. */
 static void take_statement(void *to, const char *name, long output, const char *text)
 {
     enum { WIDTH = 117 };

@@ -12,7 +12,7 @@ enum { FIRST_BITS = 128, MOST_BITS = 2048, GOOD_BITS = 64, MOST_RATIONAL_BITS = 
 
 /* ---- double ---- */
 
-/* The number of so many bits nearest to q, rounded once more where it is subnormal. */
+/* Returns the number of `bits` bits nearest to q, rounded again if it is subnormal. */
 static double nearest(const fmpq *q, int bits)
 {
     mpfr_t x;
@@ -71,7 +71,7 @@ double point_constant(const struct program *p, const struct op *op, double *erro
     return d;
 }
 
-/* a + sign b, where a product may be part of the same instruction. */
+/* Returns a + sign b; with `contract`, a product may be fused with the sum. */
 static double sum(const struct program *p, const double *v, const struct op *op, double sign, uint64_t *contract)
 {
     const struct op *a = &p->op[op->a], *b = &p->op[op->b];
@@ -114,7 +114,7 @@ void point_double(const struct program *p, const double *input, uint64_t *contra
 
 /* ---- balls ---- */
 
-/* UNDEFINED: whatever the precision. */
+/* UNDEFINED: at any precision. */
 enum outcome { GOOD, BLURRED, UNDEFINED };
 
 static enum outcome quotient(arb_t x, const arb_t a, const arb_t b, bool protected_zero, long bits)
@@ -171,7 +171,7 @@ static enum outcome evaluate(const struct program *p, const struct op *op, const
     return GOOD;
 }
 
-/* Numbers far outside the range of double, which grow at every squaring, are not followed. */
+/* Returns true for numbers far outside the range of double, which grow at every squaring and are given up. */
 static bool is_extreme(const arb_t x)
 {
     arf_srcptr m = arb_midref(x);
@@ -248,7 +248,7 @@ void point_rational(const struct program *p, size_t ops, const fmpq *input, fmpq
 
 /* ---- exact values ---- */
 
-/* Exact all the way: for what no precision tells from 0. */
+/* Evaluates in exact rationals, for values that no precision separates from 0. */
 static bool rational_outputs(const struct program *p, const double *input, arb_ptr output)
 {
     fmpq *point = _fmpq_vec_init((slong)p->inputs), *value = _fmpq_vec_init((slong)p->ops);

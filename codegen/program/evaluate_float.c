@@ -16,7 +16,7 @@ void single_constants(const struct program *p, float *value)
                                          : single_nearest(&p->constant[p->op[i].input]);
 }
 
-/* A root of a float in double, rounded twice, is rounded once. */
+/* The root of a float computed in double and rounded again has a single rounding error. */
 static float apply(enum op_kind kind, float a, float b)
 {
 #define VALUE(gene, text, value, ...)                                                                                  \
@@ -66,7 +66,7 @@ static bool agree(double a, double b)
     return fabs(a - b) <= 1e-6 * fmax(1, fabs(a));
 }
 
-/* Coordinates are multiples of 2^-20, so that what is moved and doubled is so exactly. */
+/* Random coordinates are multiples of 2^-20, so that moving and doubling them is exact. */
 bool single_is_relative(const struct segment_kind *k, const struct program *p)
 {
     enum { TRIES = 16 };

@@ -1,5 +1,6 @@
-/* Evaluation at several points side by side; see evaluate_lanes.h.  Sums and products of pairs by Knuth's and Dekker's exact
- * transformations (T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18, 1971). */
+/* Evaluation at several points side by side; see evaluate_lanes.h. Sums and products of pairs use Knuth's and Dekker's
+ * exact transformations (T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math.
+ * 18, 1971). */
 #include "evaluate_lanes.h"
 
 #include "../base/simd.h"
@@ -12,15 +13,15 @@
 
 /* ---- places ---- */
 
-/* What a step takes: its operands, and of a sum the factors of those that are products, as one fma() may take them. */
+/* The inputs of a step: its operands and, for a sum, the factors of operands that are products, which fma() may use. */
 enum { A, B, LEFT, RIGHT = LEFT + 2, OPERANDS = RIGHT + 2 };
 
 struct lanes_step {
     enum op_kind kind;
-    int input, to, of[OPERANDS]; /* places; of LEFT and RIGHT -1 where there is no product */
+    int input, to, of[OPERANDS]; /* places; LEFT and RIGHT are -1 without a product */
 };
 
-/* The operations that operation i takes, -1 where there is none. */
+/* Finds the inputs of operation i, or -1. */
 static void find_operands(const struct program *p, size_t i, int operand[OPERANDS])
 {
     const struct op *op = &p->op[i];
@@ -33,7 +34,8 @@ static void find_operands(const struct program *p, size_t i, int operand[OPERAND
     }
 }
 
-/* By operation, the last that takes it, itself if none does; those that are never given up, the end. */
+/* Returns, for each operation, its last user, or itself if it has no user; `ops` for values kept to the end. The caller
+ * frees it. */
 static size_t *find_last_uses(const struct program *p, size_t ops, const bool *kept)
 {
     size_t *last = new_array(ops, sizeof *last);
@@ -51,7 +53,7 @@ static size_t *find_last_uses(const struct program *p, size_t ops, const bool *k
     return last;
 }
 
-/* The place of operation i: its own, or one that is free.  A constant is there from the beginning. */
+/* Returns the place of operation i: new or free. A constant has its place from the beginning. */
 static int take_place(struct lanes_plan *plan, size_t i, const int *vacant, size_t *vacancies)
 {
     const bool own = plan->program->op[i].kind == OP_CONSTANT || *vacancies == 0;
@@ -82,7 +84,7 @@ struct lanes_plan lanes_plan_new(const struct program *p, size_t ops, const bool
         for (int k = 0; k <= OPERANDS; k++)
             if (operand[k] >= 0 && last[operand[k]] == i) {
                 vacant[vacancies++] = plan.slot[operand[k]];
-                last[operand[k]] = ops; /* once */
+                last[operand[k]] = ops; /* frees it only once */
             }
     }
     free(last);
@@ -136,7 +138,7 @@ struct lanes *lanes_new(const struct lanes_plan *plan, struct lanes **low)
 
 /* ---- double ---- */
 
-/* Loops of their own: in a switch compilers unroll them before they vectorise. */
+/* Separate loops, because compilers would unroll loops in a switch before vectorising them. */
 IN_WIDE void sum(const double *a, const double *b, double *restrict x)
 {
     for (size_t l = 0; l < LANES; l++)
@@ -161,15 +163,15 @@ IN_WIDE void quotient(const double *a, const double *b, double *restrict x)
         x[l] = a[l] / b[l];
 }
 
-/* sign a b + sign_c c */
+/* Computes sign a b + sign_c c. */
 IN_WIDE void fused(const double *a, const double *b, double sign, const double *c, double sign_c, double *restrict x)
 {
     for (size_t l = 0; l < LANES; l++)
         x[l] = fma(sign * a[l], b[l], sign_c * c[l]);
 }
 
-/* x = a + sign b, or a product and the other term as one fma(), as chance has it.  All three are written as one, since
- * nobody can foretell a jump by chance: fma() with 1 is a sum. */
+/* Computes x = a + sign b, or a product and the other term as one fma(), by chance. All three are written alike,
+ * because a random jump cannot be predicted: fma() with 1 is a sum. */
 IN_WIDE void contracted_sum(const struct lanes_step *s, uint64_t chance, double sign, const struct lanes *v, double *x)
 {
     static const struct lanes one = {{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
@@ -222,7 +224,7 @@ struct pair {
     double x, y;
 };
 
-/* a + b where |a| >= |b| or a is 0 */
+/* Computes a + b; requires |a| >= |b| or a = 0. */
 IN_WIDE struct pair pair_of(double a, double b)
 {
     const double x = a + b;
@@ -267,7 +269,7 @@ IN_WIDE bool pair_below(struct pair a, struct pair b)
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-/* Choices, roots and functions. */
+/* Computes choices, roots and functions. */
 static struct pair pair_other(enum op_kind kind, struct pair a, struct pair b)
 {
     switch (kind) {

@@ -1,4 +1,4 @@
-/* Genomes as programs; see genome_program.h. */
+/* Converts genomes to programs; see genome_program.h. */
 #include "genome_program.h"
 
 #include "../graph/constant_text.h"
@@ -47,7 +47,7 @@ int genome_program_add(struct genome_program *b, const struct genome_expr *e)
     return gene_fold(e->gene, e->length, add_gene, b);
 }
 
-/* An operand of q as one of p. */
+/* Returns an operand of q as an operand of p. */
 static int appended(const struct program *q, const int *input, int shift, int operand)
 {
     if (operand < 0 || operand >= (int)q->inputs)

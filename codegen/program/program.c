@@ -1,5 +1,5 @@
-/* Reader of the emitted statements; see program.h.  Operators wait on a stack (Dijkstra's shunting yard), not in the
- * frames of a recursive descent, so that neither long chains nor deep parentheses have a limit. */
+/* Reader of the emitted statements; see program.h. Operators wait on a stack (Dijkstra's shunting yard), not in
+ * recursive calls, so that neither long chains nor deep parentheses have a limit. */
 #include "program.h"
 
 #include "../genome/names.h"
@@ -17,12 +17,12 @@ struct statement_reader {
     struct program *program;
     const char *at;
     void *names;  /* owned: of operations */
-    int *value;   /* owned: operations that wait for their operator */
-    int *waiting; /* owned: operators that wait for their operands: an op_kind, or OPEN */
+    int *value;   /* owned: operations waiting for their operator */
+    int *waiting; /* owned: operators waiting for their operands: an op_kind, or OPEN */
     size_t values, value_room, waits, wait_room;
 };
 
-enum { OPEN = -1 }; /* a parenthesis; that of a function waits as its operation */
+enum { OPEN = -1 }; /* a parenthesis; a function's waits as its operation */
 
 const struct unary *op_unary(enum op_kind kind)
 {
@@ -47,7 +47,7 @@ int program_add_constant(struct program *p, const fmpq *q, bool quotient)
     return op;
 }
 
-/* Undoes what was added since there were `ops` operations. */
+/* Removes the operations added since there were `ops`. */
 static void forget_ops(struct program *p, size_t ops)
 {
     while (p->ops > ops)
@@ -73,7 +73,7 @@ static bool accept(struct statement_reader *r, const char *text)
     return true;
 }
 
-/* The text from..to once more, wherever its lines are broken. */
+/* Reads the text from..to again, wherever its lines are broken. */
 static bool accept_again(struct statement_reader *r, const char *from, const char *to)
 {
     skip_blanks(r);
@@ -104,7 +104,7 @@ static bool read_word(struct statement_reader *r, char word[MOST_WORD + 1])
     return true;
 }
 
-/* A literal of type double: digits, point, digits. */
+/* Reads a literal of type double: digits, point, digits. */
 static bool read_literal(struct statement_reader *r, fmpq *q)
 {
     skip_blanks(r);
@@ -118,9 +118,9 @@ static bool read_literal(struct statement_reader *r, fmpq *q)
     return true;
 }
 
-/* ---- operands; each returns an operation, or -1 when the text is something else ---- */
+/* ---- operands; each function returns an operation, or -1 if the text is something else ---- */
 
-/* "n.0 / d.0)" after its parenthesis. */
+/* Reads "n.0 / d.0)" after its parenthesis. */
 static int read_quotient(struct statement_reader *r)
 {
     const char *start = r->at;
@@ -141,7 +141,7 @@ static int read_quotient(struct statement_reader *r)
     return op;
 }
 
-/* Input zA of a segment, which is xA[2] in the text; "" if the word is none. */
+/* Finds input zA of a segment, written xA[2]; "" for other words. */
 static void read_coordinate(const char *word, char input[5])
 {
     const size_t length = strlen(word);
@@ -150,7 +150,7 @@ static void read_coordinate(const char *word, char input[5])
         snprintf(input, 5, "%c%.*s", 'x' + word[3] - '0', word[0] == 'x' ? 1 : 2, word[0] == 'x' ? word + 1 : word);
 }
 
-/* A named value or an input: in_NAME; of a segment xA[2], which is its input zA. */
+/* Finds a named value or an input: in_NAME or, for a segment, xA[2], its input zA. */
 static int find_name(const struct statement_reader *r, char *word)
 {
     const struct name *found = names_find(&r->names, word);
@@ -168,7 +168,7 @@ static int find_name(const struct statement_reader *r, char *word)
     return k >= 0 && (size_t)k < r->file->inputs ? (int)k : -1;
 }
 
-/* A name or a literal. */
+/* Reads a name or a literal. */
 static int read_atom(struct statement_reader *r)
 {
     char word[MOST_WORD + 1];
@@ -182,7 +182,7 @@ static int read_atom(struct statement_reader *r)
     return op;
 }
 
-/* What is written twice in a choice: a name or a constant. */
+/* Reads the operand that a choice repeats: a name or a constant. */
 static int read_repeated(struct statement_reader *r)
 {
     const bool negative = accept(r, "-");
@@ -190,7 +190,7 @@ static int read_repeated(struct statement_reader *r)
     return negative && op >= 0 ? program_add(r->program, OP_NEG, op, -1) : op;
 }
 
-/* The operator of a choice between what stands on its sides, or OP_INPUT. */
+/* Returns the operator of a choice between the two sides of the comparison, or OP_INPUT. */
 static enum op_kind read_comparison(struct statement_reader *r, bool inverted)
 {
     if (inverted)
@@ -198,8 +198,8 @@ static enum op_kind read_comparison(struct statement_reader *r, bool inverted)
     return accept(r, "==") ? OP_PDIV : accept(r, "<") ? OP_MIN : accept(r, ">") ? OP_MAX : OP_INPUT;
 }
 
-/* "a < b ? a : b)", "!(a >= b) ? a : b)", the same with > and <=, or "d == 0.0 ? 1.0 : n / d)" after its parenthesis.
- */
+/* Reads "a < b ? a : b)", "!(a >= b) ? a : b)", the same with > and <=, or "d == 0.0 ? 1.0 : n / d)" after its
+ * parenthesis. */
 static int read_choice(struct statement_reader *r)
 {
     const char *start = r->at;
@@ -248,7 +248,7 @@ static void defer(struct statement_reader *r, int kind)
     push(&r->waiting, &r->waits, &r->wait_room, kind);
 }
 
-/* Applies the waiting operators of at least this precedence. */
+/* Applies the waiting operators with at least this precedence. */
 static void apply(struct statement_reader *r, int least)
 {
     while (r->waits && precedence(r->waiting[r->waits - 1]) >= least) {
@@ -259,14 +259,14 @@ static void apply(struct statement_reader *r, int least)
     }
 }
 
-/* A minus; two in a row are another operator of C. */
+/* Reads a minus; two in a row are another operator of C. */
 static bool accept_minus(struct statement_reader *r)
 {
     skip_blanks(r);
     return r->at[0] == '-' && r->at[1] != '-' && accept(r, "-");
 }
 
-/* The name of a function of one operand and its parenthesis. */
+/* Reads the name of a unary function and its parenthesis. */
 static bool accept_unary(struct statement_reader *r)
 {
     const char *start = r->at;
@@ -280,7 +280,7 @@ static bool accept_unary(struct statement_reader *r)
     return false;
 }
 
-/* Signs and opening parentheses, then an operand; -1 if there is none. */
+/* Reads signs and opening parentheses, then an operand; returns -1 if it is missing. */
 static int read_operand(struct statement_reader *r)
 {
     for (;;) {
@@ -300,7 +300,7 @@ static int read_operand(struct statement_reader *r)
     }
 }
 
-/* Closes the innermost parenthesis; false if there is none. */
+/* Closes the innermost parenthesis; returns false if no parenthesis is open. */
 static bool close_parenthesis(struct statement_reader *r)
 {
     apply(r, 1);
@@ -314,7 +314,7 @@ static bool close_parenthesis(struct statement_reader *r)
     return true;
 }
 
-/* An expression up to what cannot continue it; -1 if it is none. */
+/* Reads an expression up to the first word that cannot continue it; returns -1 if it is malformed. */
 static int read_expression(struct statement_reader *r)
 {
     r->values = r->waits = 0;
@@ -346,7 +346,7 @@ void program_add_statement(struct program *p, const char *name, int op, size_t f
         (struct statement){new_text(name, strlen(name)), op, (int)first, output};
 }
 
-/* "*out_NAME" (of a segment "*NAME", of a face "NAME[0]"): the genome's outputs, in its order. */
+/* Returns true for "*out_NAME" (of a segment "*NAME", of a face "NAME[0]") of the genome's next output. */
 static bool is_next_output(const struct statement_reader *r, const char *word)
 {
     const size_t k = r->program->outputs;
@@ -374,7 +374,7 @@ static bool read_statement(struct statement_reader *r)
     const bool output = strncmp(r->at, name, strlen(name)) == 0;
     if (output && !r->file->face)
         r->at++;
-    const bool changes = !output && !accept(r, "const"); /* a variable, for a constant alone */
+    const bool changes = !output && !accept(r, "const"); /* a variable, which only constants may be */
     if (!output && !accept(r, "double"))
         return false;
     if (!read_word(r, word) || (output && !is_next_output(r, word)) || !accept(r, "="))
@@ -414,7 +414,7 @@ struct program *program_read(const struct genome_file *f, const struct genome *g
     free(r.waiting);
     if (good)
         return p;
-    diag_at(d, f->path, genome->line, 1, "internal error: the code made for genome '%s' cannot be read: '%.*s'",
+    diag_at(d, f->path, genome->line, 1, "internal error: cannot read the code made for genome '%s': '%.*s'",
             genome->name, (int)strcspn(start, "\n;") > 60 ? 60 : (int)strcspn(start, "\n;"), start);
     program_free(p);
     return NULL;

@@ -1,5 +1,5 @@
-/* Proof that code equals its genome; see prove.h.  Genome and code become one list of operations over the same inputs,
- * so that whatever evaluates the one evaluates the other; nothing of the passes in between is used. */
+/* Proves that code equals its genome; see prove.h. Genome and code become a single list of operations over the same
+ * inputs, so that the same evaluator handles both. It shares no code with the passes in between. */
 #include "prove.h"
 
 #include "../program/genome_program.h"
@@ -13,10 +13,10 @@
 /* The operations of genome and program; the genome's outputs come first, then the program's. */
 struct sides {
     const struct program *both;
-    int border; /* operations from here on are the program's */
+    int border; /* operations from here on belong to the program */
 };
 
-/* The lets that the outputs need. */
+/* Marks the lets that the outputs need. */
 static void mark_needed(const struct genome_file *f, const struct genome *genome, bool *needed)
 {
     for (size_t k = f->lets + genome->outs; k-- > 0;) {
@@ -49,7 +49,7 @@ static void add_program(struct program *both, const struct program *p)
 
 static bool differ(const struct genome_file *f, const struct genome *genome, struct diag *d)
 {
-    return diag_at(d, f->path, genome->line, 1, "internal error: the code made for genome '%s' does not equal it",
+    return diag_at(d, f->path, genome->line, 1, "internal error: code made for genome '%s' does not equal it",
                    genome->name);
 }
 
@@ -74,7 +74,7 @@ static bool prove(const struct genome_file *f, const struct genome *genome, cons
         return differ(f, genome, d);
     how->exact = verdict == EQUAL;
     return how->exact || how->points ||
-           diag_at(d, f->path, genome->line, 1, "genome '%s' is of too high a degree to be proved equal to its code",
+           diag_at(d, f->path, genome->line, 1, "degree of genome '%s' is too high to prove its code equal",
                    genome->name);
 }
 

@@ -1,4 +1,4 @@
-/* Comparison as rational functions; see prove_exact.h. */
+/* Compares rational functions exactly; see prove_exact.h. */
 #include "prove_exact.h"
 
 #include "../graph/unary.h"
@@ -10,7 +10,7 @@
 
 enum { MOST_VARIABLES = 128, MOST_OPS = 50000, POINTS = 16 };
 
-/* A function of arguments that no other variable has. */
+/* A function with arguments that no other variable has. */
 struct opaque {
     enum op_kind kind;
     struct ratio argument[2];
@@ -20,9 +20,9 @@ struct opaque {
 struct comparison {
     const struct program *program;
     const int *first;  /* not owned: points_classes, or NULL */
-    size_t border;     /* operations from here on are the other side's */
-    const fmpq *input; /* not owned: values of the inputs, or NULL: they are variables */
-    slong most_terms;  /* of a value that both sides share; a larger one becomes a variable */
+    size_t border;     /* operations from here on belong to the other side */
+    const fmpq *input; /* not owned: values of the inputs; NULL: they are variables */
+    slong most_terms;  /* of a value that both sides share; larger values become variables */
     struct ring ring;
     struct ratio *value;      /* owned: by operation */
     bool *shared;             /* owned: by the first operation of a class */
@@ -38,7 +38,7 @@ static bool same_arguments(struct ring *g, const struct opaque *o, const struct 
     return ratio_equal(g, &o->argument[0], a) && (!b || ratio_equal(g, &o->argument[1], b));
 }
 
-/* r = the variable of this function; b NULL if it has one argument. */
+/* Sets r to the variable of this function; b is NULL for a unary function. */
 static void set_opaque(struct comparison *c, struct ratio *r, enum op_kind kind, const struct ratio *a,
                        const struct ratio *b)
 {
@@ -60,7 +60,7 @@ static void set_opaque(struct comparison *c, struct ratio *r, enum op_kind kind,
     o->variable = ratio_set_new_variable(g, r);
 }
 
-/* min and max of constants or of the same, and functions of a constant that are rational. */
+/* Folds min and max of constants or of equal arguments, and functions of a constant with rational values. */
 static bool fold(struct ring *g, struct ratio *r, enum op_kind kind, const struct ratio *a, const struct ratio *b)
 {
     bool folds = false;
@@ -82,8 +82,8 @@ static bool fold(struct ring *g, struct ratio *r, enum op_kind kind, const struc
     return folds;
 }
 
-/* |c a| = |c| |a|; of a protected quotient matter the quotient and where the divisor is 0, which a factor does not
- * change. */
+/* Uses |c a| = |c| |a|. A protected quotient is determined by its quotient and the zeros of its divisor, which a factor
+ * does not change. */
 static void set_scaled_opaque(struct comparison *c, struct ratio *r, enum op_kind kind, const struct ratio *a,
                               const struct ratio *b)
 {
@@ -152,8 +152,8 @@ static void evaluate(struct comparison *c, const struct op *o, struct ratio *r)
 
 /* ---- shared values ---- */
 
-/* The first value of a class that both sides have becomes a variable if it is large; the others then are multiples of
- * that variable once they are proved to be so. */
+/* Turns the first value of a class that both sides have into a variable if it is large. The others become multiples of
+ * that variable once this is proved. */
 static void share(struct comparison *c, int op)
 {
     struct ring *g = &c->ring;
@@ -188,7 +188,7 @@ static void mark_shared(struct comparison *c)
     }
 }
 
-/* Most variables that there can be. */
+/* Returns the largest possible number of variables. */
 static slong count_variables(const struct comparison *c, const bool *read)
 {
     slong n = 0;
@@ -244,8 +244,8 @@ static enum verdict compare_with(struct comparison c, const bool *read)
     return verdict;
 }
 
-/* Whether the values differ at one of some rational points: where they stay small, min, max and abs choose as they do
- * in the code.  Half of the points are such that values coincide and divisors of protected quotients vanish. */
+/* Returns true if the values differ at any of several rational points. As long as values stay small, min, max and abs
+ * choose there as in the code. At half of the points, values coincide and divisors of protected quotients vanish. */
 static bool differ_at_points(const struct program *p, size_t border, const bool *read)
 {
     fmpq *input = _fmpq_vec_init((slong)p->inputs);
@@ -294,7 +294,7 @@ enum verdict exact_compare(const struct program *p, size_t border, const struct 
         verdict = compare_with(c, read);
         if (plain && verdict == DIFFERENT)
             break;
-        if (verdict == DIFFERENT) /* in terms of what was shared, which may hide a relation */
+        if (verdict == DIFFERENT) /* in terms of shared values, which may hide a relation */
             verdict = UNDECIDED;
     }
     free(first);

@@ -1,14 +1,14 @@
 /* Values at random points; see prove_points.h.
  *
- * With functions as variables, an operation is a quotient of polynomials over the integers.  Two that differ have a
- * nonzero difference of degree at most 4 D and of norm (sum of absolute coefficients) below 2^(4 H + 1), ratios of
- * their values at the two points included; D and H bound degree and norm of all numerators and denominators.  The
- * difference vanishes at a random point modulo a random prime of b bits if the prime divides all its coefficients, or
- * by Schwartz and Zippel's lemma, with a chance below (4 D + 8 H + 4) / 2^(b-1) together; b is chosen so that all pairs
- * of operations that are ever compared add up to less than 2^-100.
+ * With functions as variables, an operation is a quotient of polynomials over the integers. Two that differ, or whose
+ * ratios of values at the two points differ, have a nonzero difference of degree at most 4 D and of norm (sum of
+ * absolute coefficients) below 2^(4 H + 1), where D and H bound degree and norm of all numerators and denominators. The
+ * difference vanishes at a random point modulo a random prime of b bits only if the prime divides all its coefficients,
+ * or by the Schwartz-Zippel lemma; the total chance is below (4 D + 8 H + 4) / 2^(b-1). b is chosen so that the chances
+ * of all pairs of operations ever compared add up to less than 2^-100.
  *
- * Prime, points and values of functions are answers of a hash to the program itself, so the chance is that of a hash
- * that answers like a random oracle: it speaks of programs that were not made with this hash in view. */
+ * Prime, points and values of functions are answers of a hash to the program itself. So the chance assumes a hash that
+ * answers like a random oracle, and programs that were not made with this hash in view. */
 #define _GNU_SOURCE /* tdestroy */
 #include "prove_points.h"
 
@@ -25,17 +25,17 @@
 #include <string.h>
 
 enum { TRIES = 4, CERTAIN = 100, MOST_BITS = 1024, MOST_EXACT = 8192 };
-enum { SMALL = 160 }; /* bits of a rational that its residue tells */
+enum { SMALL = 160 }; /* bits of a rational that its residue determines */
 
-/* One evaluation. */
+/* An evaluation. */
 struct field {
     const struct program *program;
     struct points *points;
     struct oracle oracle;
-    fmpq *exact;             /* owned: by operation, where known; of any size up to MOST_EXACT bits */
-    bool *known;             /* owned: by operation: it is a constant by its form */
-    void *sizes;             /* owned: tree of rays, the results of abs by their arguments */
-    struct index_table like; /* functions by the values of their arguments */
+    fmpq *exact;             /* owned: by operation, if known; at most MOST_EXACT bits */
+    bool *known;             /* owned: by operation; its form is constant */
+    void *sizes;             /* owned: tree of rays: results of abs, keyed by argument */
+    struct index_table like; /* functions, keyed by the values of their arguments */
     bool accident;           /* a divisor is 0 */
 };
 
@@ -79,7 +79,7 @@ static bool is_function(enum op_kind kind)
     return kind >= OP_FUNCTION;
 }
 
-/* log2 of the chance of an error, times 2^(bits - 1); infinite if the bounds leave the range of double. */
+/* Returns log2 of the chance of an error, times 2^(bits - 1); infinite if the bounds leave the range of double. */
 static double log2_weight(const struct program *p, bool *has_functions)
 {
     struct bound *bound = new_array(p->ops, sizeof *bound);
@@ -112,7 +112,7 @@ static double log2_weight(const struct program *p, bool *has_functions)
 
 /* ---- residues ---- */
 
-/* *x = a / b; false if b is 0. */
+/* Computes *x = a / b; returns false if b is 0. */
 static bool quotient(const struct points *p, fmpz *x, const fmpz *a, const fmpz *b)
 {
     fmpz_t inverse;
@@ -126,8 +126,8 @@ static bool quotient(const struct points *p, fmpz *x, const fmpz *a, const fmpz 
     return good;
 }
 
-/* The rational of at most so many bits whose residue is x, if there is one.  The prime holds SMALL bits where the
- * program has functions, else maybe fewer. */
+/* Finds the rational of at most `bits` bits with residue x, if it exists. The prime has at least SMALL bits if the
+ * program has functions; otherwise it may have fewer. */
 static bool get_rational(const struct points *p, fmpq *q, const fmpz *x, unsigned long bits)
 {
     fmpz_t most;
@@ -153,7 +153,7 @@ bool points_equal(const struct points *x, int a, int b)
     return fmpz_equal(&x->value[0][a], &x->value[0][b]) && fmpz_equal(&x->value[1][a], &x->value[1][b]);
 }
 
-/* a / b if it is such a rational. */
+/* Finds a / b if it is such a rational. */
 static bool get_factor(const struct points *x, int a, int b, fmpq *factor, unsigned long bits)
 {
     fmpz_t c;
@@ -169,7 +169,7 @@ bool points_factor(const struct points *x, int a, int b, fmpq *factor)
     return get_factor(x, a, b, factor, x->functions ? SMALL : spare > 0 ? (unsigned long)(spare / 2) : 0);
 }
 
-/* Values that are constant multiples of each other have the same ratio of the first point's to the second's. */
+/* Constant multiples of a value share the ratio between its values at the two points. */
 struct ray {
     fmpz_t ratio;
     int label;
@@ -186,8 +186,8 @@ static void free_ray(void *r)
     free(r);
 }
 
-/* The label of the first value in the tree that op's is a multiple of; if there is none, op's becomes it.  Not for a
- * value that is 0 at the second point. */
+/* Returns the label of the first value in the tree of which op's value is a multiple, or adds op's. The value must not
+ * be 0 at the second point. */
 static int find_ray(void **tree, const struct points *x, int op, int label)
 {
     struct ray *r = new_array(1, sizeof *r), *const * slot;
@@ -223,7 +223,7 @@ static void set_constant(struct field *e, int op, const fmpq *q)
         fmpq_set(&e->exact[op], q);
 }
 
-/* The value of a constant; one that its form hides is told by its residue. */
+/* Finds the value of a constant; if its form hides it, from its residue. */
 static bool get_constant(const struct field *e, fmpq *q, int op)
 {
     if (e->known[op])
@@ -231,7 +231,7 @@ static bool get_constant(const struct field *e, fmpq *q, int op)
     return e->known[op] || (is_constant(e->points, op) && get_rational(e->points, q, &e->points->value[0][op], SMALL));
 }
 
-/* False if the operands are not known constants. */
+/* Returns false if an operand is not a known constant. */
 static bool evaluate_constant(struct field *e, const struct op *o, int op)
 {
     const fmpq *a = o->a >= 0 ? &e->exact[o->a] : NULL, *b = o->b >= 0 ? &e->exact[o->b] : NULL;
@@ -257,14 +257,14 @@ static bool evaluate_constant(struct field *e, const struct op *o, int op)
     return true;
 }
 
-/* The operation's values are the oracle's, at either point. */
+/* Sets the operation's values at both points to the oracle's answers. */
 static void draw_both(const struct field *e, const mp_limb_t *question, size_t n, int op)
 {
     fmpz *const *value = e->points->value;
     oracle_draw(&e->oracle, (fmpz *const[2]){&value[0][op], &value[1][op]}, e->points->prime, question, n);
 }
 
-/* The new variable that stands for a function of what key[0..3] hold, at either point. */
+/* Draws the new variable for a function of key[0..3], at both points. */
 static void draw_function(const struct field *e, enum op_kind kind, const fmpz *key, int op)
 {
     const size_t limbs = (e->points->bits + FLINT_BITS - 1) / FLINT_BITS, n = 2 + 4 * limbs;
@@ -277,7 +277,7 @@ static void draw_function(const struct field *e, enum op_kind kind, const fmpz *
     free(question);
 }
 
-/* The variable for kind and key = the values of a and of b, if there is one. */
+/* Finds or draws the variable of a kind and the values of a and b. */
 static void apply_opaque(struct field *e, enum op_kind kind, int a, int b, int op)
 {
     fmpz *key = _fmpz_vec_init(4);
@@ -295,7 +295,7 @@ static void apply_opaque(struct field *e, enum op_kind kind, int a, int b, int o
     _fmpz_vec_clear(key, 4);
 }
 
-/* A multiple of an earlier one where the argument is. */
+/* Evaluates abs: a multiple of an earlier result if the argument is a multiple. */
 static void apply_abs(struct field *e, int a, int op)
 {
     struct points *x = e->points;
@@ -319,7 +319,7 @@ static void apply_abs(struct field *e, int a, int op)
     fmpq_clear(factor);
 }
 
-/* Known by its quotient and by its divisor up to a constant factor. */
+/* Evaluates a protected quotient, identified by its quotient and by its divisor up to a constant factor. */
 static void apply_protected(struct field *e, int a, int b, int op)
 {
     const struct points *x = e->points;
@@ -344,7 +344,7 @@ static void copy(struct field *e, int to, int from)
         fmpq_set(&e->exact[to], &e->exact[from]);
 }
 
-/* Functions of constants, and those that their arguments decide; false if it is none. */
+/* Folds functions of constants, and functions that their arguments decide; returns false for others. */
 static bool fold(struct field *e, enum op_kind kind, int a, int b, int op)
 {
     const struct points *x = e->points;
@@ -371,7 +371,7 @@ static bool fold(struct field *e, enum op_kind kind, int a, int b, int op)
     return folds;
 }
 
-/* The same function of equal arguments that came before, or -1, in whose place `op` is from now on. */
+/* Returns an earlier equal function of equal arguments, or adds `op` and returns -1. */
 static int find_like(struct field *e, enum op_kind kind, int a, int b, int op)
 {
     const struct points *x = e->points;
@@ -421,7 +421,7 @@ static void evaluate_arithmetic(struct field *e, const struct op *o, int op, siz
     fmpz_mod(x, x, p->prime);
 }
 
-/* False if a divisor is 0, the value of operation *divisor. */
+/* Evaluates the program; returns false if a divisor is 0, the value of operation *divisor. */
 static bool evaluate(const struct program *p, struct points *x, int attempt, int *divisor)
 {
     struct field e = {.program = p,

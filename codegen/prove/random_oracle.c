@@ -1,4 +1,4 @@
-/* SHA-256 as an oracle; see random_oracle.h. */
+/* SHA-256 as a random oracle; see random_oracle.h. */
 #include "random_oracle.h"
 
 #include <sha256.h>
@@ -35,7 +35,7 @@ struct oracle oracle_new(const struct program *p, int attempt, unsigned long bit
     return o;
 }
 
-/* So many numbers of at least 256 bits more than the prime has, so that remainders are as good as uniform. */
+/* Computes `count` numbers of at least 256 bits more than the prime has, so that remainders are nearly uniform. */
 static void answer(const struct oracle *o, fmpz *const *x, size_t count, const mp_limb_t *question, size_t n)
 {
     const size_t blocks = (o->bits + 8 * DIGEST - 1) / (8 * DIGEST) + 1, limbs = blocks * DIGEST / sizeof(mp_limb_t);

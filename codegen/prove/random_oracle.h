@@ -1,5 +1,5 @@
-/* Random numbers that are answers of SHA-256 to questions about a program: the same program gives the same numbers, and
- * every gene and every letter of the code changes all of them. */
+/* Random numbers as answers of SHA-256 to questions about a program. The same program gives the same numbers; every
+ * gene and every letter of the code changes all of them. */
 #ifndef FOOTPOINT_RANDOM_ORACLE_H
 #define FOOTPOINT_RANDOM_ORACLE_H
 
@@ -12,13 +12,13 @@ struct oracle {
     unsigned long bits; /* of the prime */
 };
 
-/** `attempt` counts evaluations of the same program. */
+/** Returns the oracle of a program. attempt: counts evaluations of the program. */
 struct oracle oracle_new(const struct program *p, int attempt, unsigned long bits);
 
-/** A prime of exactly `bits` bits, probable by FLINT's BPSW test, to which no counterexample is known. */
+/** Draws a prime of exactly `bits` bits, probable by FLINT's BPSW test, to which no counterexample is known. */
 void oracle_prime(const struct oracle *o, fmpz *prime);
 
-/** *x[0] and *x[1] = two numbers modulo the prime, for a question of n words. */
+/** Sets *x[0] and *x[1] to two numbers modulo the prime, for a question of n words. */
 void oracle_draw(const struct oracle *o, fmpz *const x[2], const fmpz *prime, const mp_limb_t *question, size_t n);
 
 #endif

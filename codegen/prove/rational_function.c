@@ -96,7 +96,7 @@ static void spend_rational(struct ring *g, const fmpq *q)
     g->stopped |= fmpq_height_bits(q) > MOST_BITS;
 }
 
-/* Exponents of both by base, one after the other; false at the end. */
+/* Iterates over the exponents of both by base; returns false at the end. */
 struct merge {
     const struct ratio *a, *b;
     size_t i, j;
@@ -136,7 +136,7 @@ void ratio_multiply(struct ring *g, struct ratio *r, const struct ratio *a, cons
 
 /* ---- polynomials ---- */
 
-/* a *= b if the work limit allows. */
+/* Computes a *= b if the work limit allows. */
 static void multiply_out(struct ring *g, fmpz_mpoly_struct *a, const fmpz_mpoly_struct *b)
 {
     const slong bits = labs(fmpz_mpoly_max_bits(a)) + labs(fmpz_mpoly_max_bits(b));
@@ -161,7 +161,7 @@ static void multiply_power(struct ring *g, fmpz_mpoly_struct *a, size_t base, sl
             multiply_out(g, a, b);
 }
 
-/* The number of a primitive polynomial among the bases. */
+/* Returns the index of a primitive polynomial among the bases, adding it if new. */
 static size_t find_base(struct ring *g, const fmpz_mpoly_struct *a)
 {
     spend(g, (double)g->bases / 8);
@@ -175,7 +175,7 @@ static size_t find_base(struct ring *g, const fmpz_mpoly_struct *a)
     return g->bases++;
 }
 
-/* r = a polynomial: its variables that divide all terms, and the rest, are bases. */
+/* Sets r to a polynomial. The variables that divide all its terms, and the rest, become bases. */
 static void set_polynomial(struct ring *g, struct ratio *r, fmpq_mpoly_struct *a)
 {
     const fmpz_mpoly_ctx_struct *zctx = g->context->zctx;
@@ -196,7 +196,8 @@ static void set_polynomial(struct ring *g, struct ratio *r, fmpq_mpoly_struct *a
     fmpz_mpoly_clear(monomial, zctx);
 }
 
-/* The polynomials of a and b: what they share goes to `common`, the rest, multiplied out, to first and second. */
+/* Splits the polynomials of a and b: common factors go to `common`, the rest, multiplied out, to `first` and
+ * `second`. */
 static void split(struct ring *g, const struct ratio *a, const struct ratio *b, struct ratio *common,
                   fmpq_mpoly_struct *first, fmpq_mpoly_struct *second)
 {
@@ -265,7 +266,8 @@ bool ratio_proportional(struct ring *g, const struct ratio *a, const struct rati
     return good;
 }
 
-/* Contents decide, as products of primitive polynomials with positive leading coefficients are such polynomials. */
+/* Returns true if a = b. Contents decide between proportional values, because products of primitive polynomials with
+ * positive leading coefficients are also primitive. */
 bool ratio_equal(struct ring *g, const struct ratio *a, const struct ratio *b)
 {
     return fmpq_equal(a->content, b->content) && (ratio_is_zero(a) || ratio_proportional(g, a, b));

@@ -1,20 +1,20 @@
-/* Affine arithmetic; see affine.h.  Coefficients are rounded to nearest, and what that loses goes into the radius:
- * ROUND times the `size` of an operation is above the sum of its rounding errors. */
+/* Affine arithmetic; see affine.h. Coefficients are rounded to nearest; the radius absorbs the rounding errors: ROUND
+ * times the `size` of an operation exceeds their sum. */
 #include "affine.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#define GROW (1 + 0x1p-30) /* above all relative errors of a sum of positive numbers */
-#define ROUND 0x1p-50      /* above those of a coefficient: a few roundings */
-#define TINY 1e-300        /* above all that underflows */
+#define GROW (1 + 0x1p-30) /* exceeds all relative errors of a sum of positive numbers */
+#define ROUND 0x1p-50      /* exceeds the errors of a coefficient: a few roundings */
+#define TINY 1e-300        /* exceeds everything that underflows */
 
 static double *slopes(const struct forms *w, size_t i)
 {
     return w->slope + i * w->known->variables;
 }
 
-/* No form, until the range makes one. */
+/* Marks an operation as having no form until the range makes a form. */
 static void forget(struct forms *w, size_t i)
 {
     w->radius[i] = INFINITY;
@@ -32,7 +32,7 @@ static void set_radius(struct forms *w, size_t i, double radius, double size)
         forget(w, i);
 }
 
-/* out = p a + q b + shift, up to radius. */
+/* Sets out = p a + q b + shift, with additional radius. */
 static void combine(struct forms *w, size_t out, double p, size_t a, double q, size_t b, double shift, double radius)
 {
     if (!(w->radius[a] + w->radius[b] + radius + fabs(p) + fabs(q) < INFINITY)) {
@@ -48,8 +48,8 @@ static void combine(struct forms *w, size_t out, double p, size_t a, double q, s
                fabs(p) * (fabs(w->centre[a]) + w->mass[a]) + fabs(q) * (fabs(w->centre[b]) + w->mass[b]) + fabs(shift));
 }
 
-/* The product of the linear parts is sum_k s_k t_k e_k^2, half of which goes to the centre as e_k^2 is in [0,1], and
- * the mixed terms. */
+/* Multiplies two forms. The product of the linear parts is sum_k s_k t_k e_k^2, half of which goes to the centre as
+ * e_k^2 is in [0,1], and the mixed terms. */
 static void multiply(struct forms *w, size_t out, size_t a, size_t b)
 {
     if (!(w->radius[a] + w->radius[b] < INFINITY)) {
@@ -72,14 +72,14 @@ static void multiply(struct forms *w, size_t out, size_t a, size_t b)
                (fabs(ca) + ma) * (fabs(cb) + mb));
 }
 
-/* A function of x known to be in slope x + [lo,hi]. */
+/* Sets the form of a function of x that lies in slope x + [lo,hi]. */
 static void linearise(struct forms *w, size_t out, size_t x, double slope, double lo, double hi)
 {
     const double middle = 0.5 * (lo + hi);
     combine(w, out, slope, x, 0, x, middle, above(greater(hi - middle, middle - lo)));
 }
 
-/* 1/x - slope x with slope = -1/(lo hi), over positive x: equal at both ends, least at the mean proportional. */
+/* Encloses 1/x - slope x with slope = -1/(lo hi), for positive x: equal at both ends, least at their geometric mean. */
 static void reciprocal(struct forms *w, size_t out, size_t x)
 {
     const struct interval r = interval_absolute(w->range[x]);
@@ -94,7 +94,7 @@ static void reciprocal(struct forms *w, size_t out, size_t x)
         linearise(w, out, x, slope, -most, -least);
 }
 
-/* a/b = q + (a - q b) / b with q = centre / centre: what a and b have in common cancels in the bracket. */
+/* Divides by a/b = q + (a - q b) / b with q = centre / centre: common parts of a and b cancel in the bracket. */
 static void divide(struct forms *w, size_t out, size_t a, size_t b)
 {
     const size_t inverse = w->known->program->ops, rest = inverse + 1;
@@ -123,7 +123,8 @@ static void root(struct forms *w, size_t out, size_t x)
     linearise(w, out, x, slope, least, above(1 / (4 * slope)));
 }
 
-/* The slope of |x| from end to end, and how far |x| lies above that at most: |x| is in slope x + [0,most]. */
+/* Returns the slope of |x| from end to end. *most: the largest distance of |x| above it, so that |x| is in slope x +
+ * [0,most]. */
 static double chord(struct interval r, double *most)
 {
     const double slope = greater(-1, lesser(1, (r.hi + r.lo) / (r.hi - r.lo)));
@@ -151,7 +152,7 @@ static struct interval form_range(const struct forms *w, size_t i)
     return (struct interval){below(w->centre[i] - reach), above(w->centre[i] + reach)};
 }
 
-/* min(a,b) = (a + b - |a - b|) / 2, max with +. */
+/* Uses min(a,b) = (a + b - |a - b|) / 2, max with +. */
 static void choose(struct forms *w, size_t out, size_t a, size_t b, int sign)
 {
     const size_t t = w->known->program->ops;
@@ -234,7 +235,7 @@ static void set_operation(struct forms *w, size_t i)
     }
 }
 
-/* A form whose radius alone is as wide as the range says no more than the range. */
+/* Replaces a form whose radius is as wide as the range. */
 static void settle(struct forms *w, size_t i)
 {
     if (w->radius[i] < INFINITY)
@@ -250,7 +251,7 @@ void affine_set(struct forms *w, size_t i)
     settle(w, i);
 }
 
-/* Exchanges the form of operation i and the one at hand, if that is closer. */
+/* Exchanges the form of operation i for the form at hand, if that is closer. */
 static void take_closer(struct forms *w, size_t i, size_t hand)
 {
     if (!(w->radius[hand] < w->radius[i]))
@@ -289,7 +290,7 @@ static size_t slope_row(const struct forms *w, int i)
     return w->known->program->ops + FORMS_HANDS + (size_t)i;
 }
 
-/* Values of row `other` are up to `error` off: what that makes of a product with values up to `most`. */
+/* Adds the effect of errors in row `other`, up to `error`, on a product with values up to `most`. */
 static void blur(struct forms *w, size_t row, double most, double error)
 {
     if (error > 0)
@@ -317,7 +318,7 @@ struct interval affine_slope(const struct forms *w, int i)
     return w->affine && w->radius[slope_row(w, i)] < INFINITY ? form_range(w, slope_row(w, i)) : interval_whole();
 }
 
-/* derivative / value, where the value's error leaves its sign. */
+/* Computes derivative / value; the value's error must leave its sign certain. */
 static void slope_quotient(struct forms *w, size_t out, size_t slope, int value, double error)
 {
     const double least = interval_least(w->range[value]), rest = below(least - error);
@@ -328,7 +329,7 @@ static void slope_quotient(struct forms *w, size_t out, size_t slope, int value,
         forget(w, out);
 }
 
-/* The form of what the result owes to operand k, at hand; false: there is none. */
+/* Computes, at hand, the form of the result's derivative through operand k; returns false if there is no form. */
 static bool charge_form(struct forms *w, size_t hand, int i, int k, const double *error)
 {
     const struct op *op = &w->known->program->op[i];
@@ -391,7 +392,7 @@ bool affine_narrow(const struct forms *w, int op, int sign, double bound, struct
         const double steep = fabs(s[k]), least = (need + steep) / steep - 1e-9;
         if (!(steep > 1e-200 && least > -1))
             continue;
-        /* of the box that was evaluated, whatever was cut off since, and as far as the variable is known to lie in it */
+        /* of the box that was evaluated, ignoring later cuts, and as far as the variable is known to lie in it */
         const double reduced = below(w->half[k] * (least - 1e-9));
         if (sign * s[k] > 0)
             box[k].lo = greater(box[k].lo, below(w->middle[k] + reduced));

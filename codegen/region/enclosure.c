@@ -8,7 +8,7 @@
 
 enum { ROUNDS = 2, TOLD = 3 };
 
-/* Between its values at the ends, which C has with some error. */
+/* Encloses the values between those at the ends, with the error of C's function. */
 struct interval function_range(enum op_kind kind, struct interval x)
 {
     const struct unary *f = op_unary(kind);
@@ -20,7 +20,7 @@ struct interval function_range(enum op_kind kind, struct interval x)
     return (struct interval){f->root > 0 && x.lo >= 0 ? greater(0, y.lo) : y.lo, y.hi};
 }
 
-/* Of two numbers, the number that their sum or product is, if it is one. */
+/* If two numbers are exact, encloses their sum or product exactly when it is a number of the arithmetic. */
 static struct interval sum_of(struct interval a, struct interval b)
 {
     const double x = a.lo + b.lo;
@@ -68,7 +68,7 @@ static struct interval range_of(const struct forms *w, const struct op *op, cons
     return interval_whole();
 }
 
-/* Rounding to nearest leaves the sign: it is 0 at worst. */
+/* Adds the rounding error. Rounding to nearest keeps the sign or gives 0. */
 static struct interval rounded(const struct arithmetic *a, double share, struct interval x)
 {
     const double lo = below(x.lo - above(share * fabs(x.lo) + a->least));
@@ -97,7 +97,7 @@ struct interval computed_range(const struct known *x, const struct interval *box
     return range;
 }
 
-/* It is known that operation i lies in x: so does, scaled, its twin. */
+/* Narrows operation i to x, and its twin accordingly. */
 static void tighten(struct forms *w, int i, struct interval x)
 {
     const int twin = w->twin[i];
@@ -106,7 +106,7 @@ static void tighten(struct forms *w, int i, struct interval x)
         w->range[twin] = interval_meet(w->range[twin], interval_divide(w->range[i], w->ratio[i]));
 }
 
-/* What is known of operation i, down to some depth, tells of its operands. */
+/* Propagates a narrower range of operation i to its operands, down to some depth. */
 static void tell(struct forms *w, int i, struct interval x, int depth)
 {
     const struct op *op = &w->known->program->op[i];
@@ -187,7 +187,7 @@ bool forms_evaluate(struct forms *w, const struct interval *box)
     return evaluate(w, box, w->affine);
 }
 
-/* The forms are those of another box. */
+/* The forms belong to another box. */
 bool forms_hold_at(struct forms *w, const struct interval *point)
 {
     const bool affine = w->affine;
@@ -205,7 +205,7 @@ bool box_is_empty(const struct interval *box, size_t variables)
     return false;
 }
 
-/* Narrowing by one require lets others narrow further. */
+/* Repeats, because narrowing by one require may let others narrow further. */
 bool forms_evaluate_narrowed(struct forms *w, struct interval *box)
 {
     const struct program *p = w->known->program;

@@ -1,11 +1,11 @@
-/* Room for enclosures, and which operations they are of; see forms.h. */
+/* Memory for enclosures, and the choice of enclosed operations; see forms.h. */
 #include "forms.h"
 
 #include <stdlib.h>
 
 enum { MOST_SLOPES = 1 << 22, SHORT = 32 /* operations */ };
 
-/* The operations that are needed so far, and of which values, multiples counted as one, there is any. */
+/* The operations needed so far, and the values, multiples counted as one, that have such an operation. */
 struct choice {
     const struct known *known;
     bool *needed, *value; /* owned: by operation */
@@ -31,7 +31,7 @@ static void push(struct choice *c, int op)
     APPEND(c->stack, c->depth, c->room) = op;
 }
 
-/* Takes in what `op` depends on; how many operations that was. */
+/* Adds everything on which `op` depends; returns the number of operations added. */
 static size_t need(struct choice *c, int op)
 {
     size_t added = 0;
@@ -47,7 +47,7 @@ static size_t need(struct choice *c, int op)
     return added;
 }
 
-/* A require, down to some depth, tells something of its operands; it serves if any of that is needed. */
+/* Returns true if a require, down to some depth, narrows an operand that is needed. */
 static bool tells(const struct choice *c, int op, int depth)
 {
     const struct op *o = &c->known->program->op[op];
@@ -55,7 +55,7 @@ static bool tells(const struct choice *c, int op, int depth)
            (depth > 0 && ((o->a >= 0 && tells(c, o->a, depth - 1)) || (o->b >= 0 && tells(c, o->b, depth - 1))));
 }
 
-/* Requires that build on others stand behind them. */
+/* Chooses operations; a require that builds on others follows them. */
 static void choose_operations(struct forms *w, const int *target, size_t targets)
 {
     const struct known *x = w->known;
@@ -79,7 +79,7 @@ static void choose_operations(struct forms *w, const int *target, size_t targets
     free(c.stack);
 }
 
-/* Twins that are known, as far as they are needed. */
+/* Links twins among the needed operations. */
 static void choose_twins(struct forms *w)
 {
     const struct known *x = w->known;

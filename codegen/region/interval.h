@@ -1,6 +1,6 @@
-/* Intervals of real numbers with ends in double, rounded outward: every operation encloses all values that it can take.
- * They serve branch and bound, where boxes are wide: the product of two wide balls (Arb's) is wider than that of the
- * intervals, and takes some ten times as long.  At points, Arb is used (evaluate.h). */
+/* Intervals of real numbers with ends in double, rounded outward: every operation encloses all possible values. Branch
+ * and bound uses them because boxes are wide: the product of two wide balls (Arb's) is wider than that of intervals,
+ * and takes about ten times as long. At points, Arb is used (evaluate.h). */
 #ifndef FOOTPOINT_INTERVAL_H
 #define FOOTPOINT_INTERVAL_H
 
@@ -10,12 +10,12 @@
 #include <mpfr.h>
 #include <stdbool.h>
 
-/** lo <= hi; ends at infinity do not belong to it. */
+/** lo <= hi; infinite ends do not belong to the interval. */
 struct interval {
     double lo, hi;
 };
 
-/* Of two numbers; unlike fmin and fmax, an instruction. */
+/* Returns the lesser number, in a single instruction, unlike fmin and fmax. */
 static inline double lesser(double a, double b)
 {
     return a < b ? a : b;
@@ -26,7 +26,7 @@ static inline double greater(double a, double b)
     return a > b ? a : b;
 }
 
-/** A number below (above) all that round to x, whatever operation x is the rounded result of. */
+/** Returns a number below (above) all numbers that round to x, whichever operation rounds to x. */
 static inline double below(double x)
 {
     const double y = lesser(x, DBL_MAX);
@@ -38,14 +38,14 @@ static inline double above(double x)
     return -below(-x);
 }
 
-/** Whether x, the rounded sum of two numbers, is their sum. */
+/** Returns true if x, the rounded sum of two numbers, is exact. */
 static inline bool sum_is_exact(double a, double b, double x)
 {
     const double other = x - a;
     return fabs(x) <= DBL_MAX && (a - (x - other)) + (b - other) == 0;
 }
 
-/** The same of a product, or not, where it is small. */
+/** Returns true if a rounded product is certainly exact; may return false for small products. */
 static inline bool product_is_exact(double a, double b, double x)
 {
     return fabs(x) <= DBL_MAX && fabs(x) > 0x1p-900 && fma(a, b, -x) == 0;
@@ -71,19 +71,19 @@ static inline bool interval_has(struct interval x, double v)
     return x.lo <= v && v <= x.hi;
 }
 
-/** Largest |x|. */
+/** Returns the largest |x|. */
 static inline double interval_most(struct interval x)
 {
     return greater(-x.lo, x.hi);
 }
 
-/** Smallest |x|; never -0, by which others would divide to -infinity. */
+/** Returns the smallest |x|; never -0, division by which would give -infinity. */
 static inline double interval_least(struct interval x)
 {
     return greater(greater(x.lo, -x.hi), 0);
 }
 
-/** A number inside, near the middle where the interval is finite. */
+/** Returns a number inside, near the middle if the interval is finite. */
 static inline double interval_middle(struct interval x)
 {
     if (interval_finite(x))
@@ -93,13 +93,13 @@ static inline double interval_middle(struct interval x)
     return x.lo >= 0 ? lesser(2 * x.lo + 1, DBL_MAX) : greater(2 * x.hi - 1, -DBL_MAX);
 }
 
-/** Its farthest end from a number inside. */
+/** Returns the distance of the farther end from a number inside. */
 static inline double interval_half(struct interval x, double middle)
 {
     return x.lo == x.hi ? 0 : above(greater(x.hi - middle, middle - x.lo));
 }
 
-/** May be empty: lo > hi. */
+/** Returns the intersection; may be empty: lo > hi. */
 static inline struct interval interval_meet(struct interval x, struct interval y)
 {
     return (struct interval){greater(x.lo, y.lo), lesser(x.hi, y.hi)};
@@ -110,7 +110,7 @@ static inline struct interval interval_negative(struct interval x)
     return (struct interval){-x.hi, -x.lo};
 }
 
-/* A sum of 0 is exact. */
+/* Adds; a sum of 0 is exact. */
 static inline struct interval interval_add(struct interval x, struct interval y)
 {
     const double lo = x.lo + y.lo, hi = x.hi + y.hi;
@@ -122,7 +122,7 @@ static inline struct interval interval_subtract(struct interval x, struct interv
     return interval_add(x, interval_negative(y));
 }
 
-/* A product of ends: 0 times an end at infinity is 0, as the end does not belong to the interval. */
+/* Multiplies ends: 0 times an infinite end is 0, because the end does not belong to the interval. */
 static inline double interval_product_of_ends(double a, double b)
 {
     return a == 0 || b == 0 ? 0 : a * b;
@@ -138,7 +138,7 @@ static inline struct interval interval_multiply(struct interval x, struct interv
     const double a = interval_product_of_ends(x.lo, y.lo), b = interval_product_of_ends(x.lo, y.hi);
     const double c = interval_product_of_ends(x.hi, y.lo), d = interval_product_of_ends(x.hi, y.hi);
     const double lo = lesser(lesser(a, b), lesser(c, d)), hi = greater(greater(a, b), greater(c, d));
-    /* a 0 is one, or too small a number of a sign that the factors tell */
+    /* a 0 is exact, or an underflow whose sign the factors determine */
     const bool same = (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
     const bool opposite = (x.lo >= 0 && y.hi <= 0) || (x.hi <= 0 && y.lo >= 0);
     if (interval_is_zero(x) || interval_is_zero(y))
@@ -157,12 +157,12 @@ static inline struct interval interval_square(struct interval x)
     return (struct interval){greater(0, below(a.lo * a.lo)), a.hi == 0 ? 0 : above(a.hi * a.hi)};
 }
 
-/** The whole line where y has 0. */
+/** Divides; the whole line if y contains 0. */
 static inline struct interval interval_divide(struct interval x, struct interval y)
 {
     if (interval_has(y, 0))
         return interval_whole();
-    const double p = 1 / y.hi, q = 1 / y.lo; /* an end at infinity gives 0 */
+    const double p = 1 / y.hi, q = 1 / y.lo; /* an infinite end gives 0 */
     return interval_multiply(x, (struct interval){isinf(y.hi) ? 0 : below(p), isinf(y.lo) ? 0 : above(q)});
 }
 
@@ -176,7 +176,7 @@ static inline struct interval interval_maximum(struct interval x, struct interva
     return (struct interval){greater(x.lo, y.lo), greater(x.hi, y.hi)};
 }
 
-/** The interval around a rational. */
+/** Returns an interval that encloses a rational. */
 static inline struct interval interval_around(const fmpq *q)
 {
     struct interval x;

@@ -1,4 +1,4 @@
-/* What is known of a program's values; see known.h. */
+/* Facts known about a program's values before a search; see known.h. */
 #include "known.h"
 
 #include "../graph/constant_text.h"
@@ -33,7 +33,7 @@ bool result_is_exact(const struct arithmetic *a, enum op_kind kind, double x, do
 
 /* ---- requires as a program ---- */
 
-/* first[i]: the first require that needs let i, or f->requires. */
+/* Returns first[i]: the first require that needs let i, or f->requires. The caller frees it. */
 static size_t *first_needs(const struct genome_file *f)
 {
     size_t *first = new_array(f->lets, sizeof *first);
@@ -59,8 +59,8 @@ static bool speaks_of_shapes(const struct genome_expr *e)
     return false;
 }
 
-/* The lets that each require is the first to need stand in front of it, so that what earlier requires tell of the
- * values that these are made of comes first. */
+/* Adds the requires, each preceded by the lets that it is the first to need, so that earlier requires can narrow the
+ * values used in these lets. */
 static void add_requires(struct genome_program *b)
 {
     const struct genome_file *f = b->file;
@@ -83,7 +83,7 @@ static void add_requires(struct genome_program *b)
     free(next);
 }
 
-/* Inputs and requires, which are the outputs. */
+/* Reads inputs and requires; the requires are the outputs. */
 static struct program *read_requires(const struct genome_file *f)
 {
     struct genome_program b = genome_program_start(f, f->requires);
@@ -91,8 +91,8 @@ static struct program *read_requires(const struct genome_file *f)
     return genome_program_end(&b);
 }
 
-/* Inputs of the region block that do not vary are numbers, so that values which are equal for these alone are known to
- * be. */
+/* Starts the region's program. Its inputs that do not vary become numbers, so that values are known to be equal that
+ * are equal only for these. */
 static struct genome_program start_region(const struct genome_file *region, size_t outputs)
 {
     struct genome_program b = genome_program_start(region, outputs);
@@ -113,7 +113,7 @@ static struct genome_program start_region(const struct genome_file *region, size
     return b;
 }
 
-/* The inputs of the file as values of its region block, and where that computes its symbols. */
+/* Reads the file's inputs as values of its region block, and the places of the block's symbols. */
 static struct program *read_places(const struct genome_file *f, int *symbol)
 {
     const struct genome_file *region = f->region;
@@ -126,7 +126,7 @@ static struct program *read_places(const struct genome_file *f, int *symbol)
     return genome_program_end(&b);
 }
 
-/* Inputs of the region block, its requires and those of the file. */
+/* Reads the region block's inputs, its requires and the file's. */
 static struct program *read_shapes(struct known *x, const struct genome_file *f, int *shape)
 {
     const struct genome_file *region = f->region;
@@ -191,9 +191,8 @@ static struct interval given_range(const struct known *x, const struct op *op)
 
 /* ---- twins ---- */
 
-/* Operations that are multiples of an earlier one, at least as far as is proved with all but certainty
- * (points_classes), with their exact ratios: those of their values at any point; or where these are too long, of their
- * residues. */
+/* Finds operations that are multiples of an earlier operation, proved up to a negligible chance (points_classes), with
+ * exact ratios: of their values at a point or, if these are too long, of their residues. */
 static void find_twins(struct known *x)
 {
     const struct program *p = x->program;
@@ -211,7 +210,7 @@ static void find_twins(struct known *x)
         point_rational(p, p->ops, input, value, defined);
     for (size_t i = 0; class && i < p->ops; i++) {
         const int twin = class[i];
-        if (twin < 0 && defined[i]) /* a number, the same everywhere */
+        if (twin < 0 && defined[i]) /* a number, constant everywhere */
             x->value[i] = interval_around(&value[i]);
         if (twin < 0 || (size_t)twin >= i)
             continue;
@@ -257,7 +256,7 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
     free(shape);
     bool *matters = program_reads(all), *reads = program_reads(p);
     x->program = all;
-    for (size_t i = 0; i < p->inputs; i++) /* those that the region's block gives by an input of its own, too */
+    for (size_t i = 0; i < p->inputs; i++) /* also inputs that are inputs of the region's block */
         if (reads[i] && x->placed[i] < (int)varies->inputs)
             matters[x->placed[i]] = true;
     free(reads);
@@ -292,7 +291,7 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
 bool known_requires(const struct known *x, int op)
 {
     const struct program *p = x->program;
-    bool required = false, *made = new_array(p->ops, sizeof *made); /* of it a require is made */
+    bool required = false, *made = new_array(p->ops, sizeof *made); /* a require depends on it */
     for (size_t i = 0; i < p->outputs; i++) {
         made[p->output[i]] = true;
         required = required || value_of(x, p->output[i]) == value_of(x, op);

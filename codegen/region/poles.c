@@ -1,11 +1,12 @@
 /* Branch and bound for the zeros of a denominator D over a region; see poles.h.
  *
- * A box is done with when D is beyond a target all over it; one that is not is narrowed to where D may be within the
- * target, and halved.  The target is a share of the least |D| seen at points of the region: next to nothing at first,
- * then, when D is known to have no zero, more.  D has a zero when
+ * A box is done if D exceeds a target everywhere in it. Any other box is narrowed to where D may be within the target,
+ * and halved. The target is a fraction of the least |D| seen at points of the region: tiny at first; more once D is
+ * known to have no zero. D has a zero if
+ *
  *   - it is 0 in exact rational arithmetic at a point of the region (corners, centres and simple points are tried), or
- *   - a box lies in the region, all operations that D is made of are finite over it, so that D is continuous there, and
- *     D has opposite signs, certain in interval arithmetic, at two of its points. */
+ *   - a box lies in the region, all operations in D are finite over it, so that D is continuous, and D has two signs,
+ *     certain in interval arithmetic, at two of its points. */
 #include "poles.h"
 
 #include "../program/evaluate.h"
@@ -22,11 +23,11 @@ struct pole_search {
     struct region *region;
     struct forms *forms;
     int op;
-    double nearest, share; /* least |D| seen; the target's share of it */
-    double least;          /* |D| is at least this in boxes that are done with, and in what was cut off */
-    long halved;           /* boxes that were */
-    long draws;            /* points drawn at random */
-    bool below, above;     /* D < 0, D > 0 somewhere in a box that is done with */
+    double nearest, share; /* least |D| seen; the target's fraction of it */
+    double least;          /* lower bound of |D| in finished boxes and in parts cut off */
+    long halved;           /* number of boxes halved */
+    long draws;            /* number of random points */
+    bool below, above;     /* D < 0, D > 0 somewhere in a finished box */
     struct pole pole;
     struct boxes boxes;
     struct interval *box, *part, *thin; /* owned */
@@ -48,7 +49,7 @@ static double target(const struct pole_search *s)
     return s->nearest < INFINITY ? fmax(s->share * s->nearest, DBL_MIN) : DBL_MIN;
 }
 
-/* Evaluates D at a point, which is left in `thin`; false if that is outside the region for certain. */
+/* Evaluates D at a point, which is left in `thin`; returns false if the point is certainly outside the region. */
 static bool evaluate_at(struct pole_search *s, const double *at)
 {
     for (size_t k = 0; k < sides(s); k++)
@@ -65,7 +66,7 @@ static void set_witness(struct pole_search *s, const double *at)
         memcpy(s->pole.witness, at, sides(s) * sizeof *at);
 }
 
-/* A coordinate as a rational: where the end of a range was rounded, the end itself. */
+/* Converts a coordinate to a rational: at a rounded end of a range, the end itself. */
 static void exact_coordinate(const struct known *known, size_t input, double x, fmpq *q)
 {
     double_rational(q, x);
@@ -98,7 +99,7 @@ static bool is_exact_zero(struct pole_search *s, const double *at)
     return zero;
 }
 
-/* Looks at a point: true if it is in the region and D is 0 there. */
+/* Visits a point; returns true if it is in the region and D is 0 there. */
 static bool visit(struct pole_search *s, const double *at)
 {
     if (!evaluate_at(s, at))
@@ -115,7 +116,7 @@ static bool visit(struct pole_search *s, const double *at)
     return true;
 }
 
-/* Between two points of opposite signs. */
+/* Bisects between two points with opposite signs. */
 static void bisect(struct pole_search *s, double *low, double *high)
 {
     double *middle = new_array(sides(s), sizeof *middle);
@@ -130,7 +131,7 @@ static void bisect(struct pole_search *s, double *low, double *high)
     free(middle);
 }
 
-/* After an evaluation over `box`: the corner where the linear part of D is least (sign -1) or most (1). */
+/* Finds the corner of a box, just evaluated, where the linear part of D is least (sign -1) or most (1). */
 static void extreme_corner(const struct pole_search *s, const struct interval *box, int sign, double *corner)
 {
     const double *slope = s->forms->slope + (size_t)s->op * sides(s);
@@ -138,7 +139,7 @@ static void extreme_corner(const struct pole_search *s, const struct interval *b
         corner[k] = s->forms->affine && sign * slope[k] > 0 ? box[k].hi : box[k].lo;
 }
 
-/* After an evaluation over `box`. */
+/* Searches for a zero inside a box, just evaluated. */
 static bool zero_inside(struct pole_search *s, const struct interval *box)
 {
     const bool continuous = forms_finite(s->forms) && region_holds(s->region, box);
@@ -151,7 +152,7 @@ static bool zero_inside(struct pole_search *s, const struct interval *box)
     return visit(s, s->at) || visit(s, s->other);
 }
 
-/* One of a range's simple numbers: middle, ends, and the nearest to 0 and to `common`. */
+/* Returns a simple number of a range: middle, ends, and the nearest to 0 and to `common`. */
 static double simple_number(struct interval range, size_t which, double common)
 {
     switch (which) {
@@ -168,7 +169,7 @@ static double simple_number(struct interval range, size_t which, double common)
     }
 }
 
-/* Points of simple numbers: all of them, or those of one kind and some of mixed kinds. */
+/* Tries points of simple numbers: all of them, or each of one kind and some mixtures. */
 static bool zero_at_simple_point(struct pole_search *s, size_t most)
 {
     const struct known *x = s->region->known;
@@ -192,7 +193,7 @@ static bool zero_at_simple_point(struct pole_search *s, size_t most)
     return false;
 }
 
-/* Points of the region at random, for a first target. */
+/* Tries random points of the region, for a first target. */
 static bool zero_at_random_point(struct pole_search *s)
 {
     uint64_t seed = 1;
@@ -206,7 +207,8 @@ static bool zero_at_random_point(struct pole_search *s)
 
 /* ---- branch and bound ---- */
 
-/* D is beyond the target all over the box, or the box has no point of the region.  Narrows it otherwise. */
+/* Returns true if D exceeds the target everywhere in the box, or the box has no point of the region. Otherwise narrows
+ * the box. */
 static bool is_done(struct pole_search *s, struct interval *box)
 {
     for (int i = 0;; i++) {
@@ -234,13 +236,13 @@ static bool is_done(struct pole_search *s, struct interval *box)
     }
 }
 
-/* Boxes in which 0 is nearest to the middle of D's values come first. */
+/* Returns the key of a box; boxes in which 0 is closest to the middle of D's values come first. */
 static double key_of(struct interval d)
 {
     return interval_finite(d) ? -fabs(interval_middle(d)) : 0;
 }
 
-/* Takes a part of the last box into the queue, unless it is done with; true if it shows a zero. */
+/* Queues a part of the last box unless it is done; returns true if it shows a zero. */
 static bool offer(struct pole_search *s, struct interval *box)
 {
     if (is_done(s, box))
@@ -249,7 +251,8 @@ static bool offer(struct pole_search *s, struct interval *box)
     return s->region->known->complete && s->forms->inside && zero_inside(s, box);
 }
 
-/* The variable which, made a point, brings D farthest from 0; of equals, that of the widest side. */
+/* Chooses the variable that, fixed to a point, moves D farthest from 0; of equals, the variable with the widest
+ * side. */
 static size_t choose_variable(struct pole_search *s)
 {
     const size_t n = sides(s);
@@ -272,7 +275,7 @@ static size_t choose_variable(struct pole_search *s)
     return best;
 }
 
-/* The verdict, POLE_UNDECIDED when the boxes are used up. */
+/* Explores boxes; returns the verdict, POLE_UNDECIDED if the boxes are used up. */
 static enum pole_verdict explore(struct pole_search *s, long boxes)
 {
     s->below = s->above = false;
@@ -298,7 +301,7 @@ static enum pole_verdict explore(struct pole_search *s, long boxes)
     return s->boxes.n > 0 ? POLE_UNDECIDED : POLE_FREE;
 }
 
-/* First the verdict, then better bounds, as far as they do not take much more work. */
+/* Finds the verdict, then better bounds as far as they cost little more work. */
 static void find(struct pole_search *s, long boxes)
 {
     static const double share[] = {0x1p-20, 0.5, 0.95};

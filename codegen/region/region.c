@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for the values of a program's operations, those of constants filled in; NULL without a program. */
+/* Returns memory for the values of a program's operations, with constants filled in; NULL without a program. */
 static double *last_values(const struct program *p)
 {
     double *value = p ? new_array(p->ops, sizeof *value) : NULL;
@@ -106,7 +106,7 @@ bool region_is_empty(struct region *r, long boxes)
 
 /* ---- points ---- */
 
-/* All inputs of the region block, or of the file.  Caller frees. */
+/* Returns all inputs of the region block, or of the file. The caller frees it. */
 static double *own_inputs(const struct region *r, const double *at)
 {
     const struct known *x = r->known;
@@ -132,7 +132,7 @@ void region_inputs(const struct region *r, const double *at, double *input)
     free(own);
 }
 
-/* Uniform in the range, and random to the last bit also where that is near 0. */
+/* Draws uniformly from the range, with random last bits even near 0. */
 double region_draw_coordinate(const struct region *r, size_t variable, uint64_t *seed, int bits)
 {
     struct interval range = r->doubles[r->known->input[variable]];

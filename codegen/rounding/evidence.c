@@ -1,4 +1,4 @@
-/* What is found out about a program; see evidence.h.  The finding is done by poles.c, rounding_bound.c and sampled_errors.c. */
+/* Collects evidence about a program; see evidence.h. poles.c, rounding_bound.c and sampled_errors.c supply it. */
 #include "evidence.h"
 
 #include "../base/text.h"
@@ -12,25 +12,25 @@
 
 enum { MOST_NAME = 60, POINTS = 8, POINT_BITS = 6, BOXES_FOR_EMPTY = 200 };
 
-/* Limits of work, in operations on coefficients (about a nanosecond), where so many boxes or more are allowed, and in Arb's
- * operations. */
+/* Limits of work, in operations on coefficients (about a nanosecond each) if at least BOXES_FOR_MOST boxes are allowed,
+ * and in Arb's operations. */
 #define MOST_WORK 1.5e9
 #define BOXES_FOR_MOST 2000.0
-#define DRAW 16.0 /* a random coordinate */
+#define DRAW 16.0 /* cost of a random coordinate */
 #define MOST_BALLS 4e6
-#define USEFUL 100.0  /* a bound above so many times the worst sample is of no use */
-#define HARMLESS 1e-3 /* of a divisor's least value: a smaller error changes nothing */
+#define USEFUL 100.0  /* a bound more than this many times the worst sample is useless */
+#define HARMLESS 1e-3 /* of a divisor's least value: a smaller error has no effect */
 
 /* ---- finding out ---- */
 
 struct evidence_search {
     struct region *region;
     long boxes;  /* for each search */
-    double work; /* left */
+    double work; /* remaining */
 };
 
-/* Boxes that the work left allows for one of `searches` more searches; where a range is missing few, which tell whether D is 0
- * anywhere at all. */
+/* Returns the boxes that the remaining work allows for one of `searches` more searches. If a range is missing, few
+ * boxes suffice to show whether D is 0 anywhere. */
 static long boxes_for(struct evidence_search *s, size_t searches)
 {
     const double variables = (double)s->region->known->variables, ops = (double)s->region->known->program->ops;
@@ -41,7 +41,7 @@ static long boxes_for(struct evidence_search *s, size_t searches)
     return boxes;
 }
 
-/* Bounds the error of an operation by a part of the work left. */
+/* Bounds the error of an operation with a part of the remaining work. */
 static double find_error(struct evidence_search *s, int op, struct bound_goal goal, size_t searches)
 {
     const double part = s->work / (double)searches;
@@ -51,7 +51,7 @@ static double find_error(struct evidence_search *s, int op, struct bound_goal go
     return bound;
 }
 
-/* Where an operation is 0.  Of a product that is too much at once, where a factor is. */
+/* Finds where an operation is 0; for a product that is too hard as a whole, where a factor is. */
 static struct pole find_zero(struct evidence_search *s, int op, long boxes)
 {
     struct region *r = s->region;
@@ -74,7 +74,7 @@ static struct pole find_zero(struct evidence_search *s, int op, long boxes)
     return pole;
 }
 
-/* What is known of the values that a denominator is computed as, without a bound of its error. */
+/* Encloses the computed values of a denominator, without a bound of its error. */
 static void enclose_computed(struct region *r, struct denominator *d)
 {
     struct interval *box = new_array(r->known->variables, sizeof *box);
@@ -106,14 +106,14 @@ static void find_pole(struct evidence_search *s, struct denominator *d, size_t s
     free(pole.witness);
 }
 
-/* Below this a bound of a denominator's error tells it from 0: a bound with fewer than half the digits right, of the largest
- * values, does not. */
+/* Returns the largest error bound that still separates a denominator from 0: at least half the digits of its largest
+ * values must be right. */
 static double most_threshold(const struct evidence_search *s, const struct denominator *d)
 {
     return sqrt(s->region->known->arithmetic.unit) * d->most;
 }
 
-/* The errors of divisors, by a part of the work. */
+/* Bounds the errors of divisors, with a part of the work. */
 static void bound_denominators(struct evidence_search *s, struct evidence *e)
 {
     for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
@@ -123,7 +123,7 @@ static void bound_denominators(struct evidence_search *s, struct evidence *e)
     }
 }
 
-/* The errors of outputs, by the rest of the work, as far as bounds may be near the worst samples. */
+/* Bounds the errors of outputs with the remaining work, if bounds may come near the worst samples. */
 static void bound_outputs(struct evidence_search *s, struct evidence *e, const struct program *p)
 {
     for (size_t i = 0; i < p->outputs && s->work > 0; i++) {
@@ -133,7 +133,7 @@ static void bound_outputs(struct evidence_search *s, struct evidence *e, const s
     }
 }
 
-/* As the text has it; of a long expression, the statement that divides by it. */
+/* Returns the denominator as the text writes it; for a long expression, the statement that divides by it. */
 static char *denominator_name(struct printer *r, int op, const struct statement *s)
 {
     if (r->name[op] || r->width[op] <= MOST_NAME)
@@ -168,8 +168,8 @@ static void find_denominators(struct evidence *e, const struct genome_file *f, c
     free(seen[1]);
 }
 
-/* Whether a bound speaks of the coordinates that the program is given: those less the first node's are what the region says
- * where that is the origin. */
+/* Returns true if a bound applies to the program's coordinates. Coordinates relative to the first node equal the
+ * region's only if the region has that node at the origin. */
 static bool can_bound(const struct known *x)
 {
     bool origin = true;
@@ -260,7 +260,7 @@ bool denominator_is_safe(const struct denominator *d)
 
 /* ---- test points ---- */
 
-/* One row, unless an output is undefined or without a bound at the point. */
+/* Prints a row, unless an output is undefined or without a bound at the point. */
 static bool print_point(const struct program *p, struct region *r, const double *input, arb_ptr exact, FILE *out)
 {
     double *at = new_array(r->known->variables, sizeof *at);
@@ -273,7 +273,7 @@ static bool print_point(const struct program *p, struct region *r, const double 
     for (size_t i = 0; good && i < p->outputs; i++) {
         double *error = &row[p->outputs + i];
         good = ball_nearest(exact + i, &row[i]);
-        *error = above(*error + above(fabs(row[i]) * 0x1p-53)); /* with the rounding of the exact result */
+        *error = above(*error + above(fabs(row[i]) * 0x1p-53)); /* plus the rounding of the exact result */
         good = good && *error < INFINITY;
     }
     point_bound_free(bound);

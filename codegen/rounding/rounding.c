@@ -1,11 +1,11 @@
-/* Bounds of rounding errors, backwards; see rounding.h.
+/* Bounds rounding errors backwards; see rounding.h.
  *
- * Backwards: what one operation adds to the error, times the derivative of the result.  There errors that reach the
- * result on several ways cancel, as they do in fact; the forward bounds serve to enclose all values on the way.
+ * Each operation's own error is multiplied by the derivative of the result. Errors that reach the result on several
+ * paths cancel in this derivative, as they do in fact. Forward bounds serve to enclose all intermediate values.
  *
- * Values with names and divisors are joints: their errors are bounded backwards from the joints before them, in the same
- * box, and count from there on.  So the derivatives of a long program, such as several steps of Newton's, by its first values,
- * which are enclosed badly, need not be known.  The result is tried without them, too. */
+ * Named values and divisors are joints: their errors are bounded backwards from earlier joints in the same box, and
+ * then count as single errors. So a long program, such as several Newton steps, does not need its derivatives by the
+ * first values, which are enclosed badly. The result is also bounded without joints. */
 #include "rounding.h"
 
 #include "../program/evaluate.h"
@@ -14,8 +14,8 @@
 
 #include <stdlib.h>
 
-#define MOST_LINKED ((size_t)1 << 24) /* operations on ways backwards from joints, in one box: a tenth of a second */
-#define GROW (1 + 0x1p-45)            /* above the roundings of the terms of a bound, all positive */
+#define MOST_LINKED ((size_t)1 << 24) /* operations on backward paths from joints, in one box: a tenth of a second */
+#define GROW (1 + 0x1p-45)            /* exceeds the roundings of the terms of a bound, all positive */
 
 static bool is_joint(const struct rounding *e, int i)
 {
@@ -77,7 +77,7 @@ void rounding_free(struct rounding *e)
 
 /* ---- backwards ---- */
 
-/* Derivatives of operation i by its operands. */
+/* Encloses the derivatives of operation i by its operands. */
 static void find_slopes(const struct rounding *e, int i, struct interval slope[2])
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -122,7 +122,7 @@ static void find_slopes(const struct rounding *e, int i, struct interval slope[2
     }
 }
 
-/* Slope times operand over result, where that is a number: a power of a product. */
+/* Returns slope times operand over result if it is constant: a power in a product. */
 static double find_power(const struct op *op, int k)
 {
     switch (op->kind) {
@@ -137,21 +137,21 @@ static double find_power(const struct op *op, int k)
     }
 }
 
-/* Slope and weight of a value narrow each other. */
+/* Narrows slope and weight of a value by each other. */
 static void reconcile(struct interval *slope, struct interval *weight, struct interval value)
 {
     *weight = interval_meet(*weight, interval_multiply(*slope, value));
     *slope = interval_meet(*slope, interval_divide(*weight, value));
 }
 
-/* A sum with 0 is exact, and of a product contracted what the product's rounding was. */
+/* Returns true if the sum rounds: a sum with 0 is exact, but a contracted product passes its rounding on. */
 static bool is_rounded_sum(struct rounding *e, int i)
 {
     double constant;
     return rounding_own_share(e, i, &constant) > 0;
 }
 
-/* What a use is to a product that may be contracted: only sums do that, each of them by itself. */
+/* Returns the slopes of single uses of a product that may be contracted: only sums contract, each separately. */
 static struct interval span_of_use(struct rounding *e, int i, struct interval part)
 {
     const enum op_kind kind = e->forms->known->program->op[i].kind;
@@ -162,7 +162,7 @@ static struct interval span_of_use(struct rounding *e, int i, struct interval pa
                                 : (struct interval){-most, most};
 }
 
-/* What the result owes to operand k of operation i.  `blur`: the operation's own error times its slope. */
+/* Adds the contribution of operand k of operation i. blur: the operation's own error times its slope. */
 static void charge(struct rounding *e, int i, int k, struct interval slope, double blur)
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -184,8 +184,8 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
     to->weight_span = interval_add(to->weight_span, negates ? by->weight_span : span_of_use(e, i, weight));
 }
 
-/* The part of a link.  Where its last operation is a product, that may be rounded in some of its uses and not in others, when
- * contracted; what its factors' errors make of it is the same in all. */
+/* Returns the error of a link. If its last operation is a product, contraction may skip its rounding in some uses; its
+ * factors' errors have the same effect in all. */
 static double link_error(const struct rounding *e, int i)
 {
     const enum op_kind kind = e->forms->known->program->op[i].kind;
@@ -195,7 +195,7 @@ static double link_error(const struct rounding *e, int i)
            (kind == OP_MUL || kind == OP_NEG ? 2 * rounding * above(by->slope_span.hi - by->slope_span.lo) : 0);
 }
 
-/* The part of operation i: what it adds by itself, or, of a link, its error.  Infinite: there is no bound. */
+/* Returns the error of operation i: its own rounding or, for a link, its total. Infinite: no bound. */
 static double part_error(struct rounding *e, int i, bool link)
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -205,16 +205,16 @@ static double part_error(struct rounding *e, int i, bool link)
     if (link)
         return link_error(e, i);
     const double share = rounding_own_share(e, i, &constant);
-    /* the rounded value and the one that the weight is of are both within the error from the exact one */
+    /* the rounded value, and the value with the weight, are both within the error of the exact value */
     const double size = interval_most(product ? by->slope_span : by->slope);
     const double weight = interval_most(product ? by->weight_span : by->weight);
     return (share > 0 ? share * (weight + 2 * e->error[i] * size) : 0) + (constant > 0 ? constant * size : 0);
 }
 
-/* By the mean value theorem, the error of the result is the sum over all operations of what each adds, times the
- * derivative of the result by that at some point between exact and computed values.  A product may be contracted in some of
- * its uses and rounded in the others, so that its error is charged for the worst of these; so through a sign.
- * Joints, as far as the way goes by them, count by their errors in this box. */
+/* Bounds the error of the result. By the mean value theorem it is the sum over all operations of their own errors,
+ * times the derivative of the result at some point between exact and computed values. A product may be contracted in
+ * some uses and rounded in others, so its error is charged for the worst set of uses, also through a sign. Joints on
+ * the paths count by their errors in this box. */
 static double backward_error(struct rounding *e, int result, bool by_joints)
 {
     static const struct sensitivity none;
@@ -255,10 +255,10 @@ static double backward_error(struct rounding *e, int result, bool by_joints)
         *by = none;
         affine_discharge(e->forms, i);
     }
-    return rounding_checked(e, error * (1 + 0x1p-30), 0); /* its terms are many */
+    return rounding_checked(e, error * (1 + 0x1p-30), 0); /* it has many terms */
 }
 
-/* A joint's error, found backwards from those before it. */
+/* Bounds a joint's error backwards from earlier joints. */
 static void bound_joint(struct rounding *e, int i)
 {
     const double most = interval_most(e->forms->range[i]), least = interval_least(e->forms->range[i]);

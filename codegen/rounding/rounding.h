@@ -4,48 +4,49 @@
 
 #include "../region/forms.h"
 
-/** What an error added to a value does to the result: the result's derivative, and that times the value. */
+/** The effect on the result of an error added to a value: the result's derivative, and the derivative times the
+ *  value. */
 struct sensitivity {
     struct interval slope, weight;
-    struct interval slope_span, weight_span; /* of some of its uses, those in which a product is rounded */
+    struct interval slope_span, weight_span; /* over subsets of its uses: those in which a product is rounded */
 };
 
 struct rounding {
     struct arena arena; /* of all arrays */
     struct arithmetic arithmetic;
-    struct forms *forms; /* not owned: the enclosures of the exact values */
-    int *target;         /* owned: operations whose errors are asked for */
+    struct forms *forms; /* not owned: enclosures of the exact values */
+    int *target;         /* owned: operations whose errors are wanted */
     size_t targets;
-    bool *asked; /* owned: by operation, it is one of these */
-    int *needed; /* owned: operations that it depends on, ascending */
+    bool *asked; /* owned: by operation; it is a target */
+    int *needed; /* owned: operations on which the targets depend, ascending */
     size_t needs;
-    size_t *place;          /* owned: by operation, where it stands among these */
-    bool links;             /* errors of joints are found backwards: there are not too many of them */
-    double *constant;       /* owned: by operation, error of the constants */
-    double *error;          /* owned: by operation, above |computed - exact|; +infinity: no bound */
-    double *relative;       /* owned: by operation, above |computed - exact| / |exact| */
-    bool *linked;           /* owned: by operation, a joint whose error, found backwards, is less than forwards */
-    bool *nonnegative;      /* owned: by operation, the computed value is >= 0 for certain */
+    size_t *place;          /* owned: by operation; its index in `needed` */
+    bool links;             /* joints' errors are bounded backwards: there are few enough */
+    double *constant;       /* owned: by operation; error of the constants */
+    double *error;          /* owned: by operation; bounds |computed - exact|; +infinity: no bound */
+    double *relative;       /* owned: by operation; bounds |computed - exact| / |exact| */
+    bool *linked;           /* owned: by operation; a joint whose backward error bound is below the forward bound */
+    bool *nonnegative;      /* owned: by operation; the computed value is certainly >= 0 */
     struct sensitivity *by; /* owned: by operation; 0 between searches */
 };
 
-/** For the errors of operations of the program that the forms enclose. */
+/** Returns a workspace for the errors of operations that the forms enclose. */
 struct rounding *rounding_new(struct forms *w, const int *target, size_t targets);
 void rounding_free(struct rounding *e);
 
-/** Above |computed - exact| over the box that the forms were evaluated on last, whichever products are contracted to
- *  FMA, by target. */
+/** Bounds |computed - exact| over the box of the forms' last evaluation, whichever products are contracted to FMA;
+ *  indexed by target. */
 void rounding_errors(struct rounding *e, double *error);
 
 /* ---- what they are made of ---- */
 
-/* What the program is given, exactly: its inputs, which a region block may compute of others. */
+/* Returns true for exact values that the program receives: its inputs, which a region block may compute. */
 static inline bool rounding_is_given(const struct known *x, int op)
 {
     return (size_t)op < x->first;
 }
 
-/* Of sizes: 0 times what has no bound is 0. */
+/* Multiplies sizes: 0 times infinity is 0. */
 static inline double rounding_product(double a, double b)
 {
     return a == 0 || b == 0 ? 0 : above(a * b);
@@ -56,7 +57,7 @@ static inline double rounding_of_last(const struct rounding *e, double most)
     return e->arithmetic.unit * most + e->arithmetic.least;
 }
 
-/* All values that an operation takes on the way from exact to computed ones. */
+/* Encloses all values of an operation between exact and computed. */
 static inline struct interval rounding_inflated(const struct rounding *e, int i)
 {
     const struct interval x = e->forms->range[i];
@@ -65,19 +66,19 @@ static inline struct interval rounding_inflated(const struct rounding *e, int i)
 
 /* ---- forwards: rounding_forwards.c ---- */
 
-/** The errors of operation i from those of its operands. */
+/** Computes the errors of operation i from its operands' errors. */
 void rounding_propagate(struct rounding *e, size_t i);
 
-/** What rounding the operation itself adds: up to share |value| + constant. */
+/** Returns the rounding error of the operation itself: at most share |value| + constant. */
 double rounding_own_share(const struct rounding *e, int i, double *constant);
 
-/** 1/n of an n-th root, 0 of what is none. */
+/** Returns 1/n for an n-th root, otherwise 0. */
 double rounding_power(const struct op *op);
-/** Derivative of an n-th root of a, which is that root / (n a); of other functions nothing is known. */
+/** Encloses the derivative of an n-th root of a, root / (n a); the whole line for other functions. */
 struct interval rounding_function_slope(const struct op *op, struct interval a);
 
-/** A bound of the error of a value up to `most`, padded for the roundings of the bound itself; NaN, anything below 0, and what
- *  may overflow, is none. */
+/** Returns a bound of the error of a value up to `most`, padded for the roundings of the bound itself. Returns infinity
+ *  for NaN, negative numbers, and values that may overflow. */
 double rounding_checked(const struct rounding *e, double error, double most);
 
 #endif

@@ -9,13 +9,13 @@
 #include <string.h>
 
 enum { MIDDLES = 8, TRIED = 5, FIRST_JUDGED = 32 };
-#define CLOSE 1.02     /* a bound so near to the errors at points is good enough */
+#define CLOSE 1.02     /* a bound this close to the errors at points is good enough */
 #define LEAST_PACE 0.1 /* factors of 2 that a doubling of the boxes must gain */
 
 struct bound_search {
     struct region *region;
     struct rounding *rounding;
-    double reached; /* the largest bound at a point of the region: none for all of it can be less */
+    double reached; /* the largest bound at a point of the region, below which no bound can fall */
     struct boxes boxes;
     struct interval *box, *part; /* owned */
     double *share;               /* owned: by variable */
@@ -44,7 +44,7 @@ static void visit_middle(struct bound_search *s)
         s->reached = error;
 }
 
-/* How much each variable makes the values of the program vary, all of them counted alike. */
+/* Computes how much each variable varies the values of the program, all values weighted equally. */
 static void find_shares(struct bound_search *s)
 {
     const struct forms *w = s->rounding->forms;
@@ -67,8 +67,8 @@ static size_t largest_share(const struct bound_search *s)
     return best;
 }
 
-/* Of the variables with the largest shares, that which, made a point, leaves the least error; the number of variables if no
- * side is left to halve. */
+/* Chooses, among the variables with the largest shares, the variable that leaves the least error when fixed to a point.
+ * Returns the number of variables if no side is left to halve. */
 static size_t choose_variable(struct bound_search *s)
 {
     const size_t n = s->region->known->variables;
@@ -100,8 +100,8 @@ static double joints(const struct rounding *e)
     return n;
 }
 
-/* Returns true if it is no use to go on, judged each time that the boxes have doubled: at this pace the bound does not come
- * down to what is useful in the doublings left; or it is useful and hardly comes down any more. */
+/* Returns true if continuing is useless, judged whenever the boxes have doubled: at this pace the bound cannot become
+ * useful in the remaining doublings, or it is useful and hardly falls any more. */
 static bool is_hopeless(double before, double bound, double useful, double doublings)
 {
     if (before == INFINITY)
@@ -115,7 +115,7 @@ double bound_error(struct region *r, int op, struct bound_goal goal, long boxes,
     struct forms *w = forms_new(r->known, &op, 1);
     struct bound_search s = {.region = r, .rounding = rounding_new(w, &op, 1)};
     const size_t n = r->known->variables;
-    /* evaluations for the variables that are tried, and a way backwards from each joint */
+    /* evaluations for the variables tried, and a backward pass from each joint */
     const double box_work = (double)w->needs * 14 * ((double)n + 16) * (1 + joints(s.rounding) / 40.0);
     double bound = 0, before = INFINITY;
     long next = FIRST_JUDGED;
@@ -159,7 +159,7 @@ double bound_error(struct region *r, int op, struct bound_goal goal, long boxes,
     return bound;
 }
 
-/* Outputs of the program, as operations of the region's.  Caller frees. */
+/* Returns the outputs of the program as operations of the region's. The caller frees it. */
 static int *outputs_of(const struct region *r, const struct program *p)
 {
     int *op = new_array(p->outputs, sizeof *op);
@@ -179,7 +179,7 @@ struct point_bound *point_bound_new(const struct region *r, const struct program
     struct point_bound *b = new_array(1, sizeof *b);
     int *op = outputs_of(r, p);
     b->forms = forms_new(r->known, op, p->outputs);
-    b->forms->affine = false; /* nothing varies that could cancel */
+    b->forms->affine = false; /* nothing varies, so nothing could cancel */
     b->rounding = rounding_new(b->forms, op, p->outputs);
     b->box = new_array(r->known->variables, sizeof *b->box);
     free(op);

@@ -1,16 +1,16 @@
-/* Bounds of rounding errors, forwards; see rounding.h.
+/* Bounds rounding errors forwards; see rounding.h.
  *
- * Forwards (running error analysis): with x the exact and x' the computed value of an operation, |x' - x| <= e and |x'
- * - x| <= r |x|: what the operands' errors make of the exact result, and one rounding, at most u |result| + h with u the
- * unit roundoff and h the smallest number above 0 (of products and quotients; a sum that underflows is exact).  A product
- * contracted into a sum is not rounded; the sum's rounding, u |sum| or h, is at most what is counted for both.  So the
- * bounds hold with and without contraction.  Absolute and relative bound narrow each other: relative ones do not care
- * by what factor a quotient's divisor varies over the box, absolute ones do not mind zeros. */
+ * Running error analysis: with x the exact and x' the computed value of an operation, |x' - x| <= e and |x' - x| <= r
+ * |x|. e is the effect of the operands' errors on the exact result, plus one rounding of at most u |result| + h, with u
+ * the unit roundoff and h the smallest number above 0 (for products and quotients; a sum that underflows is exact). A
+ * product contracted into a sum is not rounded; the sum's rounding, u |sum| or h, is at most what is counted for both.
+ * So the bounds hold with and without contraction. Absolute and relative bounds narrow each other: relative bounds do
+ * not depend on how much a quotient's divisor varies over the box, absolute bounds tolerate zeros. */
 #include "rounding.h"
 
 #include "../region/enclosure.h"
 
-#define GROW (1 + 0x1p-45) /* above the roundings of the terms of a bound, all positive */
+#define GROW (1 + 0x1p-45) /* exceeds the roundings of the terms of a bound, all positive */
 
 double rounding_power(const struct op *op)
 {
@@ -30,13 +30,14 @@ static bool is_exact_zero(const struct rounding *e, int op)
     return x.lo == 0 && x.hi == 0 && e->error[op] == 0;
 }
 
-/* A number without an error, as a constant or what a clamp has chosen; not what an enclosure happens to say of a result. */
+/* Returns true for a number without error, such as a constant or a clamped value; not for a result that an enclosure
+ * happens to fix. */
 static bool is_number(const struct rounding *e, int op)
 {
     return e->error[op] == 0 && e->forms->range[op].lo == e->forms->range[op].hi;
 }
 
-/* The sum or product of two numbers is one. */
+/* Returns true if the sum or product of two numbers is exact. */
 static bool is_exact_result(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -44,7 +45,8 @@ static bool is_exact_result(const struct rounding *e, size_t i)
            result_is_exact(&e->arithmetic, op->kind, e->forms->range[op->a].lo, e->forms->range[op->b].lo);
 }
 
-/* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
+/* Returns true if a sum doubles a number, which is exact unless the number is a contracted product: fma(x, y, x *
+ * y). */
 static bool is_exact_sum(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -53,7 +55,7 @@ static bool is_exact_sum(const struct rounding *e, size_t i)
            (op->kind == OP_ADD && op->a == op->b && kind != OP_MUL && kind != OP_NEG);
 }
 
-/* 0 times what may overflow is not 0. */
+/* Returns true if a product is exactly 0: 0 times a value that may overflow is not. */
 static bool is_exact_product(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -81,7 +83,7 @@ static double product_error(const struct rounding *e, size_t i, double most)
                                                                            : rounding_of_last(e, most + error));
 }
 
-/* a'/b' - a/b = (da - (a/b) db) / b'. */
+/* Uses a'/b' - a/b = (da - (a/b) db) / b'. */
 static double quotient_error(const struct rounding *e, const struct op *op, double most)
 {
     const double divisor = interval_least(e->forms->range[op->b]) * (1 - lesser(e->relative[op->b], 1)) * (1 - 0x1p-50);
@@ -91,7 +93,7 @@ static double quotient_error(const struct rounding *e, const struct op *op, doub
     return error + (is_power_of_two(e, op->b) ? e->arithmetic.least : rounding_of_last(e, most + error));
 }
 
-/* sqrt(a') - sqrt(a) = da / (sqrt(a') + sqrt(a)), and at most sqrt(|da|). */
+/* Uses sqrt(a') - sqrt(a) = da / (sqrt(a') + sqrt(a)), at most sqrt(|da|). */
 static double root_error(const struct rounding *e, const struct op *op, double most)
 {
     const double ea = e->error[op->a], lo = e->forms->range[op->a].lo, computed = lo - ea * (1 + 0x1p-50);
@@ -101,7 +103,7 @@ static double root_error(const struct rounding *e, const struct op *op, double m
     return error * (1 + 0x1p-48) + e->arithmetic.unit * (most + error);
 }
 
-/* By the mean value theorem. */
+/* Uses the mean value theorem. */
 static double function_error(const struct rounding *e, const struct op *op, double most)
 {
     const double ea = e->error[op->a];
@@ -109,7 +111,7 @@ static double function_error(const struct rounding *e, const struct op *op, doub
     return error + op_unary(op->kind)->error * e->arithmetic.unit * (most + error) + e->arithmetic.least;
 }
 
-/* The operand that is chosen, where the other one lies certainly beyond. */
+/* Returns the error of the chosen operand if the other certainly lies beyond it. */
 static double choice_error(const struct rounding *e, const struct op *op, double sign)
 {
     const struct interval *x = e->forms->range;
@@ -150,7 +152,7 @@ static double error_of(const struct rounding *e, size_t i)
     }
 }
 
-/* Relative bound of a product, quotient or root, infinite for others. */
+/* Returns the relative bound of a product, quotient or root; infinite for other operations. */
 static double relative_error_of(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -170,7 +172,8 @@ static double relative_error_of(const struct rounding *e, size_t i)
     return error + e->arithmetic.unit * (1 + error) + tiny;
 }
 
-/* Rounding is monotonic: what is >= 0 exactly from operands >= 0 is computed so. */
+/* Returns true if the computed value is >= 0, since rounding is monotonic: exact results >= 0 of operands >= 0 stay
+ * so. */
 static bool is_nonnegative(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
@@ -195,7 +198,7 @@ static bool is_nonnegative(const struct rounding *e, size_t i)
     }
 }
 
-/* NaN, anything below 0, and what may overflow, is no bound. */
+/* Returns infinity for NaN, negative numbers, and values that may overflow. */
 double rounding_checked(const struct rounding *e, double error, double most)
 {
     const double padded = error > 0 ? error * GROW + e->arithmetic.least : error;

@@ -1,8 +1,8 @@
 /* Random points and climbs; see sampled_errors.h.
  *
- * Errors are measured against pairs of doubles, at several points side by side; only a point that looks worse than all
- * before it is looked at exactly.  Where few points of the box belong to the region, one point leads to the next: from
- * none to most of its coordinates are kept. */
+ * Errors are measured against pairs of doubles, at several points side by side. Only a point that looks worse than all
+ * earlier points is evaluated exactly. If few points of the box belong to the region, each point is derived from the
+ * last, of which it keeps from 0 to most coordinates. */
 #include "sampled_errors.h"
 
 #include "../program/evaluate.h"
@@ -15,38 +15,38 @@
 #include <string.h>
 
 enum {
-    TRIES = 50, /* for a point */
+    TRIES = 50, /* attempts for a point */
     FIRST_TRIES = 200000,
-    CLIMBING = 8,     /* a climb for each output, all of them together one point in eight */
-    LAST_DIGITS = 52, /* a step of a climb is from all of a range to its last digits */
-    MOST_ODD = 1000   /* points where no number is computed, looked at exactly */
+    CLIMBING = 8,     /* a climb for each output; all climbs together take one point in eight */
+    LAST_DIGITS = 52, /* a step of a climb changes between the whole range and its last digits */
+    MOST_ODD = 1000   /* points without a computed number that are evaluated exactly */
 };
-#define MOST_VALUES 2e9 /* that are computed: some seconds */
+#define MOST_VALUES 2e9 /* values computed: some seconds */
 
-/* One of the programs. */
+/* A sampled program. */
 struct subject {
-    struct arena arena;                /* of its arrays but lanes */
+    struct arena arena;                /* of its arrays except lanes */
     const struct program *program;     /* not owned */
-    const struct segment_kind *scaled; /* floats are relative to it; or NULL */
+    const struct segment_kind *scaled; /* floats are relative to it; may be NULL */
     bool single;
     struct lanes_plan plan;           /* owned */
     struct lanes *value, *high, *low; /* owned: by place */
     struct lanes *computed[2];        /* owned: by output, without and with contraction */
     float *coordinate, *number;       /* owned: by input, twice, and operation */
-    double **top;                     /* owned: by output, where its error is worst, by variable */
+    double **top;                     /* owned: by output; the point with its worst error, by variable */
     arb_ptr exact;                    /* owned: by output */
     long odd;
     struct sampled_errors *found; /* not owned */
 };
 
 struct sampler {
-    struct arena arena;      /* of its arrays but lanes */
+    struct arena arena;      /* of its arrays except lanes */
     struct region *region;   /* owned */
     struct subject *subject; /* owned */
     size_t subjects;
-    struct lanes_plan shape;            /* owned: of the region's program, as far as it is exact */
-    struct lanes *own, *required;       /* owned: by input and place of it */
-    struct lanes *input, *rounded;      /* owned: by input of the programs; the same in float */
+    struct lanes_plan shape;            /* owned: the exact part of the region's program */
+    struct lanes *own, *required;       /* owned: by its inputs and places */
+    struct lanes *input, *rounded;      /* owned: by input of the programs; in double and rounded to float */
     double *point[LANES], *pool[LANES]; /* owned: candidates, and points of the region; by variable */
     size_t pooled;
     struct interval *box; /* owned */
@@ -57,7 +57,8 @@ struct sampler {
 
 /* ---- points ---- */
 
-/* A bit for each candidate that is in the region, as far as rounded values tell.  Leaves their inputs in `required`. */
+/* Returns a bit for each candidate that is in the region, as far as rounded values show. Leaves their inputs in
+ * `required`. */
 static unsigned find_inside(struct sampler *s)
 {
     const struct known *x = s->region->known;
@@ -76,7 +77,7 @@ static unsigned find_inside(struct sampler *s)
     return inside;
 }
 
-/* Takes the candidates that are inside into the pool, as far as there is room. */
+/* Moves candidates in the region to the pool, as long as there is room. */
 static void pool_candidates(struct sampler *s)
 {
     const struct known *x = s->region->known;
@@ -93,7 +94,7 @@ static void pool_candidates(struct sampler *s)
     }
 }
 
-/* Candidates for the walk through the region. */
+/* Proposes candidates for the walk through the region. */
 static void propose_anywhere(struct sampler *s, const double *from)
 {
     static const double keep[] = {0, 0.5, 0.8, 0.95};
@@ -104,7 +105,7 @@ static void propose_anywhere(struct sampler *s, const double *from)
         }
 }
 
-/* One coordinate changed, by up to all of its range or only its last digits. */
+/* Proposes points with one coordinate changed, by up to its whole range or only in its last digits. */
 static void propose_near(struct sampler *s, const double *from)
 {
     const struct known *x = s->region->known;
@@ -134,7 +135,7 @@ static void compute_floats(struct subject *s, const struct lanes *input, size_t 
     }
 }
 
-/* The outputs as they are computed, and as pairs. */
+/* Computes the outputs as the code does, and as pairs. */
 static void compute(struct subject *s, const struct lanes *input, size_t n, uint64_t *random)
 {
     const struct program *p = s->program;
@@ -160,7 +161,8 @@ static double exact_error(double computed, const arb_t exact)
     return far;
 }
 
-/* The exact outputs at a point of the pool; false where they are undefined, or the point is not proved to be inside. */
+/* Computes the exact outputs at a point of the pool; returns false if they are undefined or the point is not proved to
+ * be in the region. */
 static bool look_exactly(struct sampler *s, struct subject *of, const struct lanes *input, size_t l)
 {
     const struct known *x = s->region->known;
@@ -172,7 +174,7 @@ static bool look_exactly(struct sampler *s, struct subject *of, const struct lan
            point_exact(of->program, s->at, of->exact);
 }
 
-/* Whether the error of output i at a point looks worse than all before it. */
+/* Returns true if the error of output i at a point looks worse than all earlier errors. */
 static bool looks_worse(struct subject *s, size_t i, size_t l, double computed)
 {
     const int at = s->plan.slot[s->program->output[i]];
@@ -193,14 +195,14 @@ static void take_errors(struct sampler *s, struct subject *of, const struct lane
             if (!exact && !(exact = look_exactly(s, of, input, l)))
                 return;
             const double far = exact_error(computed, of->exact + i);
-            if (far > of->found->worst[i] && isfinite(far)) { /* what is not finite has a status */
+            if (far > of->found->worst[i] && isfinite(far)) { /* results that are not finite have a status */
                 of->found->worst[i] = far;
                 memcpy(of->top[i], s->pool[l], s->region->known->variables * sizeof *of->top[i]);
             }
         }
 }
 
-/* Whether an error may look worse than all before it, at any place; most points end here. */
+/* Returns true if any error may be worse than all earlier errors; most points end here. */
 static bool has_worse(const struct subject *s)
 {
     int worse = 0;
@@ -216,7 +218,7 @@ static bool has_worse(const struct subject *s)
     return worse;
 }
 
-/* The errors of a program at the points of the pool. */
+/* Measures the errors of a program at the points of the pool. */
 static void look(struct sampler *s, struct subject *of)
 {
     const struct lanes *input = of->single ? s->rounded : s->input;
@@ -241,7 +243,7 @@ static void find_most(struct subject *s, size_t points)
     }
 }
 
-/* Returns how many points there were. */
+/* Walks through the region; returns the number of points. */
 static long walk(struct sampler *s, double *from, long most)
 {
     long points = 0;
@@ -263,7 +265,7 @@ static long walk(struct sampler *s, double *from, long most)
     return points;
 }
 
-/* Uphill from where an output's error is worst. */
+/* Climbs uphill from the point of an output's worst error. */
 static void climb(struct sampler *s, struct subject *of, size_t output, long points)
 {
     for (s->tries = points; s->tries > 0 && of->found->worst[output] > 0; s->pooled = 0) {
@@ -333,7 +335,7 @@ static void subject_free(struct subject *s)
     _arb_vec_clear(s->exact, (slong)s->program->outputs);
 }
 
-/* The region of the inputs that any of the programs reads. */
+/* Returns the region of the inputs that any of the programs reads. */
 static struct region *common_region(const struct genome_file *f, const struct sampled *of, size_t n)
 {
     struct program *all = program_new(f, 0);
@@ -376,7 +378,7 @@ static void sampler_free(struct sampler *s)
     region_free(s->region);
 }
 
-/* How many points there is time for. */
+/* Returns how many points there is time for. */
 static long affordable(const struct sampler *s, long points)
 {
     double ops = 0;
@@ -386,7 +388,7 @@ static long affordable(const struct sampler *s, long points)
     return (double)points < most ? points : (long)most;
 }
 
-/* Of the functions one by one. */
+/* Samples each function separately. */
 static void sample_each(const struct genome_file *f, const struct sampled *of, size_t n, long points,
                         unsigned long seed, struct sampled_errors *found)
 {

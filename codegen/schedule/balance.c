@@ -1,11 +1,12 @@
-/* When values are ready; see balance.h.  A node is ready when its last operand is and it has been computed. */
+/* Orders operands by the time at which they are ready; see balance.h. A node is ready when its last operand is ready
+ * and its own operation is done. */
 #include "balance.h"
 
 #include "scales.h"
 
 #include <stdlib.h>
 
-enum { MOST_OPERANDS = 200 }; /* longer lists stay as they are */
+enum { MOST_OPERANDS = 200 }; /* longer lists are not sorted */
 
 struct operand {
     struct edge edge;
@@ -17,7 +18,7 @@ static double later(double a, double b)
     return a > b ? a : b;
 }
 
-/* Keeps a list sorted by time, the latest first. */
+/* Inserts into a list sorted by time, latest first. */
 static void put_operand(struct operand *list, size_t *n, struct operand o)
 {
     size_t i = (*n)++;
@@ -26,7 +27,7 @@ static void put_operand(struct operand *list, size_t *n, struct operand o)
     list[i] = o;
 }
 
-/* Factors one by one, terms with the time of their coefficient. */
+/* Lists factors one by one, and terms with the time of their coefficient. */
 static size_t list_operands(const struct node *n, const double *ready, const struct cost_model *m, struct operand *list)
 {
     size_t count = 0;
@@ -58,7 +59,7 @@ static double function_time(const struct node *n, const double *ready, const str
     return n->edges > 0 ? start + step : 0;
 }
 
-/* Time at which a chain over the sorted operands is ready. */
+/* Sorts a node's operands; returns the time at which the chain over them is ready. */
 static double sort_node(struct dag *g, int n, const double *ready, const struct cost_model *m)
 {
     const double step = g->node[n].kind == NODE_SUM ? m->add : m->mul;

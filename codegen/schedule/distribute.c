@@ -1,6 +1,6 @@
-/* (1 - x) e and (1 + x) e are e - x e and e + x e, one multiplication for two; see distribute.h.  Products of two
- * factors are read both ways, e (c + v) and e' (c' + v'), and those of the same e and v come together.  No circle can
- * arise: e v is always built on less than e (c + v). */
+/* Rewrites (1 - x) e and (1 + x) e as e - x e and e + x e, one multiplication for two; see distribute.h. Products of
+ * two factors are read both ways, e (c + v) and e' (c' + v'), and grouped by e and v. No cycle can arise: e v uses
+ * fewer values than e (c + v). */
 #include "distribute.h"
 
 #include "scales.h"
@@ -64,7 +64,7 @@ static void read_products(struct readings *r, const struct schedule *s)
     }
 }
 
-/* Saved by writing the product as e v + c e, if there is e v. */
+/* Returns the saving if the product is written as e v + c e, given e v. */
 static double saving(const struct schedule *s, const struct reading *x)
 {
     const int doublings = schedule_doublings(s, x->c);
@@ -74,7 +74,7 @@ static double saving(const struct schedule *s, const struct reading *x)
     return s->model->mul - coefficient - (s->uses[x->factor] > 1 ? s->model->add : 0);
 }
 
-/* The products of one e and one v; a reading with c = 0 comes first. */
+/* Rewrites the products of one e and one v; a reading with c = 0 comes first. */
 static bool distribute(struct dag *g, const struct schedule *s, const struct reading *x, size_t n, bool *done)
 {
     const bool plain = x[0].c == ZERO;
@@ -103,12 +103,12 @@ static bool distribute(struct dag *g, const struct schedule *s, const struct rea
 
 /* ---- sums of products ---- */
 
-/* A product that nothing but one sum uses, e (v + c) with c = +-1: operand `edge` of the sum. */
+/* A product e (v + c), c = +-1, with a sum as its only user, of which it is operand `edge`. */
 struct term {
     size_t edge;
     int e, v;
     rational c;
-    bool single; /* nothing else uses v + c */
+    bool single; /* v + c has no other user */
 };
 
 static bool read_term(const struct schedule *s, int sum, size_t edge, int position, struct term *t)
@@ -136,7 +136,7 @@ static int compare_terms(const void *a, const void *b)
     return x->v != y->v ? (x->v > y->v) - (x->v < y->v) : (x->edge > y->edge) - (x->edge < y->edge);
 }
 
-/* Terms of one v: a e (v + 1) + b f (v - 1) becomes a e - b f + v (a e + b f). */
+/* Rewrites terms of one v: a e (v + 1) + b f (v - 1) becomes a e - b f + v (a e + b f). */
 static void spread_terms(struct dag *g, int sum, const struct term *t, size_t n)
 {
     struct edges inner = {0};
@@ -156,7 +156,8 @@ static void spread_terms(struct dag *g, int sum, const struct term *t, size_t n)
     edges_clear(&inner);
 }
 
-/* One multiplication for several, an addition more for each, and one less for each v + c that is gone. */
+/* Trades several multiplications for one, with an extra addition for each, and one fewer for each v + c that
+ * vanishes. */
 static void spread_sum(struct dag *g, const struct schedule *s, int sum)
 {
     const size_t edges = g->node[sum].edges;

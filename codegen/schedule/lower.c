@@ -1,17 +1,18 @@
-/* From a schedule to statements.  A value that is used once and short stands where it is used; any other gets a name.
- * Until then it is a tree of operations (operation_tree.h): numerator and denominator apart, so that its user divides once. */
+/* Converts a schedule to statements. A short value with a single use is written at its use; any other value gets a
+ * name. Until then it is a tree of operations (operation_tree.h), numerator and denominator separate, so that its user
+ * divides once. */
 #include "lower.h"
 
 #include "operation_tree.h"
 
 #include <stdlib.h>
 
-enum { INLINE_WIDTH = 56, MOST_SEARCHED = 64 /* constants; older ones are named anew */ };
+enum { INLINE_WIDTH = 56, MOST_SEARCHED = 64 /* constants; older constants are named again */ };
 
-/* What a node is made of: trees. */
+/* A node's trees. */
 struct form {
     int num, den; /* NO_TREE: 1 */
-    bool product; /* num's factors may stand one by one in another product */
+    bool product; /* num's factors may be separate factors of another product */
 };
 
 struct named_constant {
@@ -27,10 +28,11 @@ struct lowering {
     struct forest forest;
     struct form *form;               /* owned; by node */
     bool *named;                     /* owned: must have a name, because it is written twice */
-    bool *early;                     /* owned: a sum that is used in a later stage than its own */
-    bool *last;                      /* owned: reaches an output past no choice (min, max, protected quotient) */
-    int *shared;                     /* owned: by place in the schedule's table, the name of this term; 0: none yet */
-    long values, parts;              /* names so far: of nodes, t1, t2, ..., and of what is no node, u1, u2, ... */
+    bool *early;                     /* owned: a sum used in a later stage than its own */
+    bool *last;                      /* owned: reaches an output without passing a choice (min, max, protected
+                                      * quotient) */
+    int *shared;                     /* owned: by place in the schedule's table; the name of this term, or 0 */
+    long values, parts;              /* names so far: t1, t2, ... of nodes, and u1, u2, ... of other values */
     struct named_constant *constant; /* owned */
     size_t constants, constant_room;
     long negations;
@@ -60,7 +62,7 @@ static int whole(struct lowering *l, const struct form *x)
     return x->den == NO_TREE ? num : forest_binary(&l->forest, OP_DIV, num, x->den);
 }
 
-/* Numerator and denominator, and so their quotient, are far inside the range of double. */
+/* Returns true if numerator and denominator, and so their quotient, are far inside the range of double. */
 static bool in_range(rational r)
 {
     const fmpq *c = rational_value(r);
@@ -79,14 +81,14 @@ static int negated(struct lowering *l, int tree)
     return forest_negate(&l->forest, tree);
 }
 
-/* x + x, or that of a name for x + x: additions without rounding error. */
+/* Returns x + x, or the sum of a name for x + x with itself: additions without rounding error. */
 static int doubled(struct lowering *l, int x, int times)
 {
     const int twice = forest_binary(&l->forest, OP_ADD, x, x);
     return times > 1 ? doubled(l, name_part(l, twice), times - 1) : twice;
 }
 
-/* coef * x for a coefficient > 0. */
+/* Returns coef * x; coef must be > 0. */
 static int scaled(struct lowering *l, rational coef, const struct form *x)
 {
     const int doublings = schedule_doublings(l->s, coef);
@@ -107,7 +109,7 @@ static bool is_negative(const struct addend *t)
     return rational_sign(t->coef) < 0;
 }
 
-/* size * node as a term of a sum; what several sums have is named once. */
+/* Returns size * node as a term of a sum; a term of several sums is named once. */
 static int term(struct lowering *l, rational size, int node)
 {
     if (size == ONE || node == 0 || !schedule_shares_term(l->s, size, node))
@@ -118,8 +120,8 @@ static int term(struct lowering *l, rational size, int node)
     return *name;
 }
 
-/* Terms that share their coefficient but for signs, as size * (node +- node ...), with the sign of `first`, which comes
- * first. */
+/* Returns terms with the same coefficient up to sign as size * (node +- node ...), with the sign of `first`, which
+ * comes first. */
 static int group(struct lowering *l, const struct node *sum, const struct addend *terms, size_t n,
                  const struct addend *first)
 {
@@ -132,12 +134,12 @@ static int group(struct lowering *l, const struct node *sum, const struct addend
         const enum op_kind kind = is_negative(t) == is_negative(first) ? OP_ADD : OP_SUB;
         inside.num = k == 0 ? tree : forest_binary(&l->forest, kind, inside.num, tree);
     }
-    if (schedule_doublings(l->s, first->size) > 0) /* what is doubled is written twice: it needs a name */
+    if (schedule_doublings(l->s, first->size) > 0) /* a doubled value is written twice and needs a name */
         inside.num = name_part(l, inside.num);
     return scaled(l, first->size, &inside);
 }
 
-/* The edge to begin with: a positive term, not a constant if there is another. */
+/* Returns the first edge of the sum: a positive term, and a constant only if no other term is positive. */
 static size_t first_edge(const struct node *sum, const struct addend *const *term_of)
 {
     size_t first = 0;
@@ -207,7 +209,7 @@ static struct form product_form(struct lowering *l, int n)
     return all;
 }
 
-/* Where divisions are cheap, each user of an inverse divides by itself instead of multiplying by the inverse. */
+/* Returns true if each user of an inverse divides instead of multiplying by the inverse, since divisions are cheap. */
 static bool divides_anew(const struct lowering *l, int n)
 {
     return l->s->uses[n] > 1 && !l->named[n] && !schedule_has_numerator(l->s, n);
@@ -225,7 +227,7 @@ static struct form inverse_form(struct lowering *l, int n)
 
 /* ---- functions ---- */
 
-/* An operand that is written twice: its name, or that of coef * it. */
+/* Returns an operand that is written twice: its name, or the name of coef times it. */
 static int operand(struct lowering *l, int n, size_t i)
 {
     const struct edge *edge = &l->s->dag->node[n].edge[i];
@@ -241,7 +243,7 @@ static int operand(struct lowering *l, int n, size_t i)
     return name_part(l, rational_sign(coef) < 0 ? negated(l, product) : product);
 }
 
-/* A constant that is compared has a name. */
+/* Names a constant that is compared. */
 static int compared_constant(struct lowering *l, rational c)
 {
     size_t i = l->constants > MOST_SEARCHED ? l->constants - MOST_SEARCHED : 0;
@@ -253,9 +255,9 @@ static int compared_constant(struct lowering *l, rational c)
     return l->constant[i].tree;
 }
 
-/* A constant comes first: c < x ? c : x passes on what is no number.  So does !(x >= c) ? x : c, which a constant that
- * comes second means and which is better for the second choice of a clamp on the way to an output: in a loop it needs
- * fewer masks, where compilers know the constant. */
+/* Writes a choice. A constant comes first, as c < x ? c : x passes on NaN. !(x >= c) ? x : c also does, for a constant
+ * that comes second. It is better for the second choice of a clamp near an output: in a loop it needs fewer masks if
+ * compilers know the constant. */
 static int choice(struct lowering *l, int n)
 {
     const struct node *node = &l->s->dag->node[n];
@@ -303,7 +305,7 @@ static void lower_node(struct lowering *l, int n)
     } else
         x->num = function_tree(l, n);
     if (divided_anew || (x->den == NO_TREE && forest_is_plain(&l->forest, numerator(l, x))))
-        return; /* an alias needs no name of its own */
+        return; /* an alias needs no name */
     const bool clamps = node->kind == NODE_MIN || node->kind == NODE_MAX, early = l->early[n] && x->den == NO_TREE;
     const int all = whole(l, x);
     if (clamps || early || l->s->uses[n] > 1 || l->named[n] || forest_width(&l->forest, all) > INLINE_WIDTH)
@@ -316,9 +318,9 @@ static rational output_coefficient(const struct schedule *s, size_t o)
     return rational_mul(v->coef, rational_inv(s->scale[v->node]));
 }
 
-/* Values that are written twice (a square, 2x as x + x) need names; so does a divisor of more than one factor or term,
- * and what is inverted by several users.  A sum that is known before a choice is computed before it, not where it is
- * used after: else its operands would have to wait in registers. */
+/* Marks values that need names: values written twice (a square, 2x as x + x), divisors of more than one factor or term,
+ * and arguments of inverses with several users. A sum that is known before a choice is computed before it, not at a
+ * later use; otherwise its operands would occupy registers. */
 static void mark_named(struct lowering *l)
 {
     const struct dag *g = l->s->dag;
@@ -346,7 +348,7 @@ static void mark_named(struct lowering *l)
     }
 }
 
-/* What reaches an output past no choice. */
+/* Marks values that reach an output without passing a choice. */
 static void mark_last(struct lowering *l)
 {
     const struct dag *g = l->s->dag;

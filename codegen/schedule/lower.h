@@ -1,4 +1,4 @@
-/* A schedule becomes a straight-line program: operations in the order of their statements, counted as they are. */
+/* Converts a schedule to a straight-line program, with operations in the order of their statements, and counts them. */
 #ifndef FOOTPOINT_LOWER_H
 #define FOOTPOINT_LOWER_H
 
@@ -9,11 +9,11 @@
 struct lowered {
     struct program *program; /* owned */
     struct operations ops;
-    long negations;    /* leading minus signs, which are no operations but take time */
-    bool out_of_range; /* a constant factor is no normal double, or its quotient's parts are none */
+    long negations;    /* leading minus signs, which take time but do not count as operations */
+    bool out_of_range; /* a constant factor, or a part of its quotient, is not a normal double */
 };
 
-/** Never fails; program_free(l->program). */
+/** Lowers the schedule; never fails. The caller frees l->program. */
 void lower(const struct genome_file *f, const struct schedule *s, struct lowered *l);
 
 #endif

@@ -1,4 +1,4 @@
-/* Trees of operations, and how wide their text is; see operation_tree.h. */
+/* Trees of operations, and the width of their text; see operation_tree.h. */
 #include "operation_tree.h"
 
 #include "../base/text.h"
@@ -52,7 +52,7 @@ int forest_constant(struct forest *x, rational c)
     return rational_sign(c) < 0 ? forest_unary(x, OP_NEG, constant) : constant;
 }
 
-/* As an operand of that level at least, with parentheses if need be. */
+/* Returns the width as an operand with at least this level, including parentheses if needed. */
 static size_t operand_width(const struct forest *x, int tree, enum level least)
 {
     return x->tree[tree].width + (x->tree[tree].level < least ? 2 : 0);
@@ -128,7 +128,7 @@ static void wait_for(struct forest *x, int tree)
     APPEND(x->waiting, x->waits, x->wait_room) = tree;
 }
 
-/* Appends a tree's operations, operands first.  Sums of any length lean to the left, which takes no recursion. */
+/* Appends a tree's operations, operands first. Sums of any length lean to the left, which needs no recursion. */
 static int append(struct forest *x, int tree)
 {
     const size_t before = x->waits;

@@ -1,5 +1,5 @@
-/* What nodes cost in the scales of a move; see scale_costs.h.  Costs are kept by node, so that a move touches only what
- * depends on it, and only nodes whose coefficients it changes. */
+/* Costs of nodes in the scales of a move; see scale_costs.h. Costs are stored by node, so that a move visits only nodes
+ * that depend on it and whose coefficients change. */
 #include "scale_costs.h"
 
 #include <string.h>
@@ -8,7 +8,7 @@ enum { MOST_TERMS = SCALING_MOST_TERMS };
 
 #define LEAST_GAIN 1e-9
 
-/* In the scales of the move under way. */
+/* Returns a coefficient in the scales of the current move. */
 static rational coefficient(const struct scaling *x, int n, size_t i)
 {
     const rational c = scaling_best_coefficient(x, n, i), ratio = x->ratio[n],
@@ -31,14 +31,14 @@ void scaling_set_coefficients(struct scaling *x, int n)
     }
 }
 
-/* Cost of multiplying by a coefficient: nothing for +-1, else doublings or a multiplication. */
+/* Returns the cost of multiplying by a coefficient: 0 for +-1, otherwise doublings or a multiplication. */
 static double coefficient_cost(const struct schedule *s, rational c)
 {
     const int doublings = schedule_doublings(s, c);
     return c == ONE || c == MINUS_ONE ? 0 : doublings > 0 ? doublings * s->model->add : s->model->mul;
 }
 
-/* The sizes of a sum's coefficients, ZERO for its constant; returns how many are looked at. */
+/* Finds the sizes of a sum's coefficients, ZERO for its constant; returns how many are examined. */
 static size_t find_sizes(const struct scaling *x, int n, rational size[MOST_TERMS], bool *positive)
 {
     const struct node *node = &x->s->dag->node[n];
@@ -53,7 +53,7 @@ static size_t find_sizes(const struct scaling *x, int n, rational size[MOST_TERM
     return edges;
 }
 
-/* How often a size other than 1 occurs; 0 if it has occurred before. */
+/* Returns how often a size other than 1 occurs, or 0 if it occurred before. */
 static size_t count_size(const rational *size, size_t n, size_t i)
 {
     size_t times = 1;
@@ -67,7 +67,7 @@ static size_t count_size(const rational *size, size_t n, size_t i)
     return times;
 }
 
-/* Equal coefficients of a sum are taken out together and count once; a sum without any positive term counts, too. */
+/* Weighs a sum: equal coefficients are factored out and count once; a sum without a positive term costs extra. */
 static void weigh_sum(struct scaling *x, int n, struct weight *w)
 {
     const struct node *node = &x->s->dag->node[n];
@@ -89,7 +89,7 @@ static void weigh_sum(struct scaling *x, int n, struct weight *w)
     }
 }
 
-/* As if nobody else had the terms that stand alone. */
+/* Returns the cost as if no other sum had its separate terms. */
 double scaling_sum_cost(const struct scaling *x, int n)
 {
     rational size[MOST_TERMS];
@@ -101,7 +101,7 @@ double scaling_sum_cost(const struct scaling *x, int n)
     return cost;
 }
 
-/* w->term has room for the node's edges. */
+/* Weighs a node; w->term must have room for its edges. */
 static void weigh(struct scaling *x, int n, struct weight *w)
 {
     const struct dag *g = x->s->dag;
@@ -123,7 +123,8 @@ static void weigh(struct scaling *x, int n, struct weight *w)
     }
 }
 
-/* Change of the total when a weight comes (+1) or goes (-1): of terms that stand alone only the first of a kind costs. */
+/* Returns the change of the total if a weight is added (+1) or removed (-1). Of equal separate terms, only the first
+ * costs. */
 double scaling_charge(const struct scaling *x, const struct weight *w, int sign)
 {
     double cost = w->own;
@@ -136,7 +137,7 @@ double scaling_charge(const struct scaling *x, const struct weight *w, int sign)
     return sign * cost;
 }
 
-/* The work of comparing a sum's coefficients. */
+/* Returns the work of comparing a sum's coefficients. */
 double scaling_pairs_of(const struct scaling *x, int n)
 {
     const struct dag *g = x->s->dag;
@@ -145,7 +146,7 @@ double scaling_pairs_of(const struct scaling *x, int n)
     return (double)(edges * edges);
 }
 
-/* The table of terms from the best scales. */
+/* Fills the table of terms from the best scales. */
 void scaling_fill_terms(struct scaling *x)
 {
     const size_t all = x->s->dag->nodes + x->s->dag->outputs;
@@ -160,8 +161,8 @@ void scaling_fill_terms(struct scaling *x)
     }
 }
 
-/* Costs of a sum without coefficients, some of whose terms have changed by one ratio: if it stays as it is, and if it
- * follows them. */
+/* Computes two costs of a sum without coefficients, some of whose terms changed by the same ratio: if it keeps its
+ * scale, and if it follows them. */
 void scaling_plain_costs(const struct scaling *x, int n, rational ratio, double *stays, double *follows)
 {
     const struct node *node = &x->s->dag->node[n];
@@ -178,8 +179,8 @@ void scaling_plain_costs(const struct scaling *x, int n, rational ratio, double 
     *follows = (rest ? coefficient_cost(x->s, ratio) : 0) + (positive[1] ? 0 : NEGATION);
 }
 
-/* True unless the node has the cost that it had: products have none, and where a sum has followed all of its operands, its
- * coefficients are as they were. */
+/* Returns false if the node's cost cannot have changed: products cost nothing, and a sum that followed all its operands
+ * keeps its coefficients. */
 static bool is_charged(const struct scaling *x, int n)
 {
     if ((size_t)n >= x->s->dag->nodes)

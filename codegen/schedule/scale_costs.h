@@ -1,4 +1,4 @@
-/* The state of a search for scales, and what nodes cost in them: scale_costs.c. */
+/* The state of a search for scales, and the costs of nodes in them: scale_costs.c. */
 #ifndef FOOTPOINT_SCALE_COSTS_H
 #define FOOTPOINT_SCALE_COSTS_H
 
@@ -8,9 +8,9 @@
 
 enum { SCALING_MOST_TERMS = 24, SCALING_MOST_FACTORS = 32 };
 
-#define NEGATION 0.25 /* a leading minus: at most an operation, at best none */
+#define NEGATION 0.25 /* a leading minus: at most an operation, at best free */
 
-/* What a node costs: by itself, and the terms that stand alone in it, which several sums may share. */
+/* The cost of a node: its own, and the terms that are separate in it, which several sums may share. */
 struct weight {
     int node;
     double own;
@@ -18,75 +18,77 @@ struct weight {
     size_t terms;
 };
 
-/* Factors that a circle of sums was multiplied by, in vain, since the last move that stands. */
+/* Factors that were tried in vain on a circle of sums since the last accepted move. */
 struct tried {
-    long kept; /* moves that stood then */
+    long kept; /* number of accepted moves then */
     size_t n;
     rational factor[SCALING_MOST_FACTORS];
     double work[SCALING_MOST_FACTORS];
 };
 
-/* State of the search: the schedule's scales are those of the move under way, `best` the best so far.  An output counts
- * as a node beyond the graph's.  Sets are bits, indexed by place in the order. */
+/* State of the search: the schedule's scales belong to the current move, `best` contains the best so far. Outputs count
+ * as nodes after the graph's. Sets are bit sets, indexed by place in the order. */
 struct scaling {
-    struct arena arena; /* of all that is owned */
+    struct arena arena; /* of all owned arrays */
     struct schedule *s;
     rational *best;          /* owned: by node */
-    rational *ratio;         /* owned: by node, of the schedule's scale to the best */
-    size_t *first_edge;      /* owned: by node, where its operands begin in `coef` and `own` */
+    rational *ratio;         /* owned: by node; the schedule's scale over the best scale */
+    size_t *first_edge;      /* owned: by node; first index of its operands in `coef` and `own` */
     rational *coef;          /* owned: coefficients of operands in the best scales */
-    bool *plain;             /* owned: by node, all of these are 1 or -1 */
-    size_t *place;           /* owned: by node, its place in the order */
-    int *twin;               /* owned: by node, the next of the sums like it, in a circle */
-    int *circle;             /* owned: by node, the first of these */
-    struct tried *tried;     /* owned: by first of a circle, what was tried on all of it */
-    size_t *first_user;      /* owned: user[first_user[n]] to user[first_user[n + 1] - 1] are those of node n */
+    bool *plain;             /* owned: by node; all its coefficients are 1 or -1 */
+    size_t *place;           /* owned: by node; its place in the order */
+    int *twin;               /* owned: by node; the next similar sum, in a circle */
+    int *circle;             /* owned: by node; the first of its circle */
+    struct tried *tried;     /* owned: by first of a circle; factors tried on the whole circle */
+    size_t *first_user;      /* owned: node n's users are user[first_user[n]] to user[first_user[n + 1] - 1] */
     int *user;               /* owned */
-    bool *moves;             /* owned: by node, the move begins with its scale; false between moves */
-    uint64_t *dirty;         /* owned: set of nodes that move or whose operands' scales have changed */
+    bool *moves;             /* owned: by node; the move starts with its scale; false between moves */
+    uint64_t *dirty;         /* owned: set of nodes that move or whose operands' scales changed */
     size_t words;            /* of a set */
     int *changed, *affected; /* owned: nodes whose scale the move changed; these and their users */
     size_t changes, affects, charges, weighed;
-    bool *listed;          /* owned: by node, is in `affected` */
-    struct weight *weight; /* owned: by node, in the best scales */
-    struct weight *trial;  /* owned: of the nodes whose costs the move may change, in its scales; `charges` of them, of
-                               which `weighed` are */
+    bool *listed;             /* owned: by node; is in `affected` */
+    struct weight *weight;    /* owned: by node, in the best scales */
+    struct weight *trial;     /* owned: weights in the move's scales of the `charges` nodes whose costs may change, of
+                            * which `weighed` are computed */
     struct shared_term **own; /* owned: the terms of `weight` and of `trial` */
-    struct shared_term *term; /* owned: the terms that stand alone, with the best scales */
+    struct shared_term *term; /* owned: the separate terms, in the best scales */
     size_t terms, used;
-    rational factor[SCALING_MOST_FACTORS]; /* to try on the sum at hand */
+    rational factor[SCALING_MOST_FACTORS]; /* to try on the current sum */
     size_t factors;
-    long kept;    /* moves that stand */
-    long *failed; /* owned: by place, `kept` when no trial of the node improved anything */
+    long kept;    /* number of accepted moves */
+    long *failed; /* owned: by place; `kept` when no trial of the node improved anything */
     bool improved;
     double work; /* pairs of terms compared */
 };
 
-/** The coefficient of operand i of node n in the best scales; scaling_set_coefficients finds those of a node. */
+/** Returns the coefficient of operand i of node n in the best scales. scaling_set_coefficients must have computed
+ *  it. */
 static inline rational scaling_best_coefficient(const struct scaling *x, int n, size_t i)
 {
     return x->coef[x->first_edge[n] + i];
 }
 void scaling_set_coefficients(struct scaling *x, int n);
 
-/** The cost of a sum in the scales of the move under way, as if nobody else had the terms that stand alone. */
+/** Returns the cost of a sum in the scales of the current move, as if no other sum had its separate terms. */
 double scaling_sum_cost(const struct scaling *x, int n);
 
-/** The same of a sum without coefficients, some of whose terms have changed by one ratio: if it stays as it is, and if it
- *  follows them. */
+/** Computes two costs of a sum without coefficients, some of whose terms changed by one ratio: if it keeps its scale,
+ *  and if it follows them. */
 void scaling_plain_costs(const struct scaling *x, int n, rational ratio, double *stays, double *follows);
 
-/** The work of comparing a sum's coefficients. */
+/** Returns the work of comparing a sum's coefficients. */
 double scaling_pairs_of(const struct scaling *x, int n);
 
-/** Change of the total when a weight comes (+1) or goes (-1): of terms that stand alone only the first of a kind costs. */
+/** Returns the change of the total if a weight is added (+1) or removed (-1). Of equal separate terms, only the first
+ *  costs. */
 double scaling_charge(const struct scaling *x, const struct weight *w, int sign);
 
-/** Charges the move under way, that is the nodes of x->affected, as far as the total may still fall.  Returns whether it
- *  does. */
+/** Charges the current move, that is the nodes of x->affected, as long as the total may still fall. Returns whether it
+ *  falls. */
 bool scaling_charge_move(struct scaling *x);
 
-/** Makes the table of terms from the best scales. */
+/** Fills the table of terms from the best scales. */
 void scaling_fill_terms(struct scaling *x);
 
 #endif

@@ -1,7 +1,7 @@
-/* A sum may be computed as any multiple of itself, since whoever uses it can take the multiple back; so may an inverse
- * that has a name, as c / d.  A local search moves the scales of single ones, of like sums together (the x, y and z of
- * a vector), and of all that stand in a sum with the same coefficient, and lets everything homogeneous in them follow,
- * to leave the fewest coefficients other than 1 and -1. */
+/* A sum may be computed as any multiple of itself, because its users can undo the factor. So may an inverse with a
+ * name, as c / d. A local search changes the scales of single sums, of similar sums together (x, y and z of a vector),
+ * and of all operands that share a coefficient in a sum; everything homogeneous in them follows. It minimises the
+ * number of coefficients other than 1 and -1. */
 #include "scales.h"
 
 #include "scale_costs.h"
@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum { MOST_NODES = 1000, MOST_TERMS = SCALING_MOST_TERMS, MOST_FACTORS = SCALING_MOST_FACTORS, SWEEPS = 3, DEPTH = 4 };
-enum { MOST_BITS = 1 << 12 }; /* of a scale: far beyond double's range, and powers of powers would go on growing */
+enum { MOST_BITS = 1 << 12 }; /* of a scale: far beyond double's range, which powers of powers would exceed */
 
 static void add_to_set(const struct scaling *x, uint64_t *set, int n)
 {
@@ -32,7 +32,8 @@ static bool is_wild(rational scale, int power)
     return scale == ZERO || (scale > MINUS_EIGHT && rational_bits(scale) * power > MOST_BITS); /* most are +-1 to +-8 */
 }
 
-/* Scale of node n when it follows its operands; ZERO if it is wild.  An inverse keeps its numerator. */
+/* Returns the scale of node n if it follows its operands, or ZERO if it is out of bounds. An inverse keeps its
+ * numerator. */
 static rational derived_scale(const struct scaling *x, int n)
 {
     const struct schedule *s = x->s;
@@ -55,7 +56,7 @@ static rational derived_scale(const struct scaling *x, int n)
 
 /* ---- moves ---- */
 
-/* The ratio by which all terms have changed that have; ZERO if there are several. */
+/* Returns the ratio by which all changed terms changed, or ZERO if there are several ratios. */
 static rational common_ratio(const struct scaling *x, const struct node *sum)
 {
     rational common = ONE;
@@ -68,8 +69,8 @@ static rational common_ratio(const struct scaling *x, const struct node *sum)
     return common;
 }
 
-/* A sum whose terms have changed by factors takes the one of them that makes it cheapest: if all are the same, its
- * coefficients stay as they are. */
+/* Lets a sum, whose terms changed by factors, follow the factor that makes it cheapest. If all factors are equal, its
+ * coefficients do not change. */
 static void follow(struct scaling *x, int n)
 {
     const struct node *node = &x->s->dag->node[n];
@@ -98,7 +99,7 @@ static void follow(struct scaling *x, int n)
     x->ratio[n] = cheapest;
 }
 
-/* The new scale of a node that is to move or whose operands have changed. */
+/* Computes the new scale of a node that moves or whose operands changed. */
 static void rescale(struct scaling *x, int n, rational factor)
 {
     rational *scale = &x->s->scale[n];
@@ -144,7 +145,8 @@ static void note_change(struct scaling *x, int n)
     }
 }
 
-/* Multiplies the scales of the nodes that are to move by `factor`; what uses them follows.  False if a scale is wild. */
+/* Multiplies the scales of the moving nodes by `factor`; their users follow. Returns false if a scale is out of
+ * bounds. */
 static bool move(struct scaling *x, rational factor)
 {
     struct schedule *s = x->s;
@@ -176,7 +178,7 @@ static void undo_move(struct scaling *x)
         x->s->scale[x->changed[i]] = x->best[x->changed[i]];
 }
 
-/* The move stands. */
+/* Accepts the move. */
 static void keep_move(struct scaling *x)
 {
     for (size_t i = 0; i < x->charges; i++) {
@@ -196,7 +198,7 @@ static void keep_move(struct scaling *x)
     x->kept++;
 }
 
-/* Tries the move of the nodes that were begun with; it stands if the total falls and no scale is wild. */
+/* Tries to move the starting nodes by a factor; accepts the move if the total falls and no scale is out of bounds. */
 static void try_factor(struct scaling *x, rational factor)
 {
     if (2 * x->used > x->terms)
@@ -224,14 +226,14 @@ static void add_factor(struct scaling *x, rational c)
         x->factor[x->factors++] = c;
 }
 
-/* A sum of two nodes or of a constant and one, without coefficients: scales pass through it. */
+/* Returns true for a sum of two nodes, or of a constant and a node, without coefficients: scales pass through it. */
 static bool passes(const struct node *n)
 {
     return n->kind == NODE_SUM && n->edges == 2 && (n->edge[0].coef == ONE || n->edge[0].coef == MINUS_ONE) &&
            (n->edge[1].coef == ONE || n->edge[1].coef == MINUS_ONE);
 }
 
-/* The coefficients with which a node, or a product that it is a factor of, stands in sums, functions and outputs. */
+/* Adds the coefficients that a node, or a product with it, has in sums, functions and outputs. */
 static void add_user_factors(struct scaling *x, int n, int depth)
 {
     const struct dag *g = x->s->dag;
@@ -251,7 +253,7 @@ static void add_user_factors(struct scaling *x, int n, int depth)
     }
 }
 
-/* Factors that make one coefficient of the sum, or of a user of the sum or inverse, 1 or -1. */
+/* Finds factors that turn a coefficient of the sum, or of a user of the sum or inverse, into 1 or -1. */
 static void find_factors(struct scaling *x, int n)
 {
     const struct node *node = &x->s->dag->node[n];
@@ -263,7 +265,7 @@ static void find_factors(struct scaling *x, int n)
     add_user_factors(x, n, DEPTH);
 }
 
-/* Tries a factor on all sums like n, unless it was tried on another one of them and nothing has changed since. */
+/* Tries a factor on all sums similar to n, unless another of them tried it and nothing has changed since. */
 static void try_circle(struct scaling *x, int n, rational factor)
 {
     struct tried *t = &x->tried[x->circle[n]];
@@ -287,7 +289,7 @@ static void try_circle(struct scaling *x, int n, rational factor)
     }
 }
 
-/* A node is tried again only if something has changed. */
+/* Tries to improve a node, unless nothing has changed since its last trial. */
 static void improve_node(struct scaling *x, size_t position)
 {
     const int n = x->s->order[position];
@@ -309,7 +311,7 @@ static bool is_movable(const struct scaling *x, int n)
     return x->s->dag->node[n].kind == NODE_SUM || schedule_has_numerator(x->s, n);
 }
 
-/* What gives operand n another scale: itself or a factor of it; -1 if nothing does. */
+/* Returns the node whose move rescales operand n: itself or a factor of it; -1 if there is no such node. */
 static int mover_of(const struct scaling *x, int n)
 {
     const struct node *node = &x->s->dag->node[n];
@@ -321,7 +323,7 @@ static int mover_of(const struct scaling *x, int n)
     return -1;
 }
 
-/* Operands that share a coefficient of sum n take it over, all at once. */
+/* Moves all operands that share a coefficient of sum n at once, so that they absorb it. */
 static void improve_group(struct scaling *x, int n)
 {
     const struct node *node = &x->s->dag->node[n];
@@ -375,7 +377,7 @@ static bool alike(const struct dag *g, const int *level, int m, int n)
     return same;
 }
 
-/* Sums as far from the inputs as others, and with the same coefficients, in circles. */
+/* Links sums at the same distance from the inputs with the same coefficients into circles. */
 static void find_twins(struct scaling *x)
 {
     const struct schedule *s = x->s;
@@ -455,7 +457,7 @@ static void scaling_free(struct scaling *x)
     free(x);
 }
 
-/* Changes the scales, all ONE so far; returns the work, in pairs of terms compared. */
+/* Changes the scales, which must all be ONE; returns the work, in pairs of terms compared. */
 static double improve(struct schedule *s, bool groups)
 {
     if (s->n > MOST_NODES)

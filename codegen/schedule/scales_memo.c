@@ -1,4 +1,4 @@
-/* Scales of the graphs that were met last; see scales_memo.h.  A graph takes the place of another one of like key. */
+/* Memo of the scales of recent graphs; see scales_memo.h. A graph replaces another with a similar key. */
 #include "scales_memo.h"
 
 #include "../base/random.h"
@@ -33,8 +33,8 @@ static void mix(uint64_t key[2], uint64_t with)
     key[1] = random_mix(key[1] + with) + 1;
 }
 
-/* All that the search depends on: the used nodes, their operands, the outputs.  Two graphs have one key by a chance of about
- * 2^-100. */
+/* Computes a key of everything that the search depends on: used nodes, operands, outputs. Two graphs share a key with a
+ * chance of about 2^-100. */
 static void find_key(const struct schedule *s, bool groups, uint64_t key[2])
 {
     const struct dag *g = s->dag;

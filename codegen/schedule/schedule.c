@@ -1,10 +1,10 @@
-/* Order: everything that no choice (min, max, protected quotient) decides before the first choice, then those choices,
- * then everything that they alone decide, and so on.  So arithmetic stands in long runs, and the two choices of a clamp
- * beside each other: compilers make jumps of choices, and what stands between two jumps is neither reordered nor, once
- * they are masks of a loop, free of them.  Inside a stage of arithmetic what the longest chain to an output waits for
- * comes first: processors look only so far ahead, and compilers keep the order.  Like chains, as those of x, y and z,
- * so run side by side.  But among what waits about as long that comes first which needs most values for the last time:
- * registers are few.  The scales are chosen in scales.c. */
+/* Orders statements in stages: everything that no choice (min, max, protected quotient) decides precedes the first
+ * choices, then come those choices, then everything that only they decide, and so on. So arithmetic forms long runs,
+ * and the two choices of a clamp are adjacent. Compilers turn choices into jumps and do not reorder across them; in
+ * vectorised loops, code between choices needs masks. Inside a stage of arithmetic, the node with the longest chain to
+ * an output comes first, because processors look ahead only so far and compilers keep the order. So similar chains,
+ * such as x, y and z, run in parallel. Among nodes with chains of similar length, the node that frees most values comes
+ * first, because registers are few. scales.c chooses the scales. */
 #include "schedule.h"
 
 #include <limits.h>
@@ -12,9 +12,9 @@
 #include <string.h>
 
 enum {
-    MOST_COUNTED = 20000, /* edges of sums; beyond, no terms are shared */
-    SLACK = 16,           /* cycles, four operations: about as long */
-    WINDOW = 1000         /* nodes that are looked at for one place */
+    MOST_COUNTED = 20000, /* edges of sums; in larger graphs, no terms are shared */
+    SLACK = 16,           /* cycles, four operations: similar length */
+    WINDOW = 1000         /* nodes examined for a place */
 };
 
 static void order_nodes(struct schedule *s)
@@ -65,7 +65,7 @@ static int find_stage(const struct node *n, const int *stage)
     return latest;
 }
 
-/* Sorts the order by stages; inside a stage it stays. */
+/* Sorts the order by stages; the order inside a stage is kept. */
 static void order_stages(struct schedule *s)
 {
     int *order = arena_array(&s->arena, s->dag->nodes, sizeof *order), last = 0;
@@ -84,7 +84,7 @@ static void order_stages(struct schedule *s)
     s->order = order;
 }
 
-/* Time from when operand i of node n is ready until the node is, as the text of c's operations chains them. */
+/* Returns the time from operand i of node n being ready until the node is ready, as the C text chains operations. */
 static double find_delay(const struct node *n, size_t i, const struct cost_model *c)
 {
     const struct edge *e = &n->edge[i];
@@ -119,7 +119,7 @@ static int compare_places(const void *a, const void *b)
     return (x->before > y->before) - (x->before < y->before);
 }
 
-/* How many values, inputs aside, the node is the last to need. */
+/* Counts the values, inputs aside, that have the node as their last user. */
 static int count_freed(const struct schedule *s, const struct node *n, const int *left)
 {
     int freed = 0;
@@ -130,7 +130,7 @@ static int count_freed(const struct schedule *s, const struct node *n, const int
     return freed;
 }
 
-/* The place that goes next, of those from `first` on, which is ready. */
+/* Chooses the next ready place among those from `first` on. */
 static size_t choose_place(const struct schedule *s, const struct place *place, size_t first, const int *left,
                            const bool *done)
 {
@@ -152,10 +152,10 @@ static size_t choose_place(const struct schedule *s, const struct place *place, 
     return best;
 }
 
-/* From the sorted places to the order; choices stay as they are sorted. */
+/* Converts sorted places to the order; choices stay sorted. */
 static void order_places(struct schedule *s, const struct place *place)
 {
-    int *left = new_array(s->dag->nodes, sizeof *left); /* by node, uses to come */
+    int *left = new_array(s->dag->nodes, sizeof *left); /* by node; remaining uses */
     bool *done = new_array(s->dag->nodes, sizeof *done);
     size_t first = 0;
     memcpy(left, s->uses, s->dag->nodes * sizeof *left);
@@ -173,8 +173,7 @@ static void order_places(struct schedule *s, const struct place *place)
     free(done);
 }
 
-/* Sorts each stage of arithmetic by the chains that wait; no node waits for longer than its operands, and as before if
- * as long. */
+/* Sorts each stage of arithmetic by waiting chains. No node waits longer than its operands; ties keep the order. */
 static void order_urgent(struct schedule *s)
 {
     struct place *place = new_array(s->n, sizeof *place);
@@ -223,7 +222,7 @@ void schedule_sort_addends(const struct schedule *s, int n, struct addend *sorte
     qsort(sorted, node->edges, sizeof *sorted, compare_addends);
 }
 
-/* Counts in how many sums each term size * node stands alone with its coefficient. */
+/* Counts in how many sums each term size * node is separate, with its own coefficient. */
 static void count_terms(struct schedule *s, size_t most_edges)
 {
     struct addend *term = new_array(most_edges, sizeof *term);

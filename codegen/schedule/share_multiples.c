@@ -1,14 +1,14 @@
-/* c f + ... and c f g + ... take one multiplication by c: (c f) is given a node of its own; see share_multiples.h.  It comes
- * after the search for scales, which decides the coefficients.  The pair (c, f) that most terms have goes first. */
+/* Shares (c f) between c f + ... and c f g + ..., which saves a multiplication by c; see share_multiples.h. It runs
+ * after the search for scales, which decides the coefficients. The pair (c, f) of most terms goes first. */
 #include "share_multiples.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ENTRIES = 5000 }; /* in larger graphs nothing is looked for */
+enum { MOST_ENTRIES = 5000 }; /* larger graphs are not searched */
 
-/* Term `edge` of sum `sum`, which stands alone with a coefficient of that size, is node `factor` or a product with it
- * that nothing else uses. */
+/* Term `edge` of sum `sum`, separate with a coefficient of this size, is node `factor` or a product with it that has no
+ * other user. */
 struct entry {
     int factor;
     rational size;
@@ -74,8 +74,8 @@ static struct entries find_entries(const struct schedule *s)
     return x;
 }
 
-/* The run of entries with one factor and size that begins at `first`: its end, and what sharing saves.  Equal terms
- * are one already. */
+/* Returns the end of the run of entries with the same factor and size that begins at `first`, and the multiplications
+ * saved. Equal terms are shared already. */
 static size_t end_of_run(const struct entries *x, size_t first, size_t *saved)
 {
     size_t i = first, products = 0;
@@ -86,7 +86,7 @@ static size_t end_of_run(const struct entries *x, size_t first, size_t *saved)
     return i;
 }
 
-/* Same nodes, same numbers, though they are in no order and not unique any more, as dag_copy() wants them. */
+/* Copies a graph with its node numbers, although they are neither ordered nor unique, as dag_copy() requires. */
 static struct dag *same_graph(const struct dag *g)
 {
     struct dag *copy = dag_new(g->inputs);
@@ -105,8 +105,8 @@ static struct dag *same_graph(const struct dag *g)
     return copy;
 }
 
-/* The scales of the schedule, by node, but for inverses: they are 1 / emitted value here, as a graph has them.  Their
- * numerators are left to another search.  Caller frees. */
+/* Returns the scales of the schedule by node, except for inverses: here they are 1 / emitted value, as in a graph.
+ * Another search chooses their numerators. The caller frees it. */
 static rational *plain_scales(const struct schedule *s)
 {
     rational *scale = new_array(s->dag->nodes, sizeof *scale);
@@ -122,7 +122,7 @@ static rational *plain_scales(const struct schedule *s)
     return scale;
 }
 
-/* The graph with the schedule's scales as coefficients. */
+/* Returns the graph with the schedule's scales as coefficients. */
 static struct dag *scaled_graph(const struct schedule *s)
 {
     struct dag *g = same_graph(s->dag);
@@ -142,7 +142,7 @@ static rational sign_of(rational c)
     return rational_sign(c) < 0 ? MINUS_ONE : ONE;
 }
 
-/* Puts node `multiple`, size times a factor, in the place of both. */
+/* Replaces size and factor by node `multiple`, their product. */
 static void use_multiple(struct dag *g, const struct entry *e, int multiple)
 {
     struct edge *term = &g->node[e->sum].edge[e->edge];
@@ -165,7 +165,7 @@ static void use_multiple(struct dag *g, const struct entry *e, int multiple)
     product->edges = kept;
 }
 
-/* The run goes into the graph, all other entries of its terms out of the list. */
+/* Moves the run into the graph and removes all other entries of its terms from the list. */
 static void take_run(struct dag *g, struct entries *x, size_t first, size_t end)
 {
     const struct edge own = {x->list[first].size, x->list[first].factor, 1};

@@ -1,11 +1,11 @@
-/* Multiples of values that several terms have in common. */
+/* Shares multiples of values between terms. */
 #ifndef FOOTPOINT_SHARE_MULTIPLES_H
 #define FOOTPOINT_SHARE_MULTIPLES_H
 
 #include "schedule.h"
 
-/** A graph whose values are those of the schedule, in which c f is computed once for terms c f and c f g of several
- *  sums; NULL if there is nothing of the kind.  *saved: the multiplications that this saves. */
+/** Returns a graph with the schedule's values in which c f is computed once for terms c f and c f g of several sums, or
+ *  NULL if there are no such terms. *saved: the multiplications saved. */
 struct dag *multiples_taken(const struct schedule *s, size_t *saved);
 
 #endif

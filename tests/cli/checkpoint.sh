@@ -103,7 +103,7 @@ resealed 's/^version .*/version 9/'; refused 'another version' 1 "$work/bad: err
 resealed 's/^islands 3/islands 2/'; refused 'other islands' 1 "$work/bad: error: checkpoint lacks islands"
 resealed "s/^population $population/population 50/"; refused 'other states' 1 "$work/bad: error: island 0 of the checkpoint is malformed"
 resealed 's/^islands 3/islands x/'; refused 'no number' 2 "footpoint-evolve: error: --islands needs a whole number, not 'x'"
-resealed '/^scene /d'; refused 'no scene' 2 'footpoint-evolve: error: --scene is missing; see --help'
+resealed '/^scene /d'; refused 'no scene' 2 'footpoint-evolve: error: --scene is missing; try --help'
 resealed ''; refused 'another seed' 2 'footpoint-evolve: error: --seed 6 contradicts the checkpoint, which has 5' --seed 6
 refused 'another preset' 2 'footpoint-evolve: error: --islands 5 contradicts the checkpoint, which has 3' --preset paper
 refused 'too few generations' 2 "$work/bad: error: checkpoint is at generation 6, beyond --generations 5" --generations 5

@@ -38,22 +38,22 @@ done
 expect 'missing file' 3 '' "$work/none.gen: error: cannot open: No such file or directory" "$codegen" --count "$work/none.gen"
 
 : > "$g";                                           refused 'empty file' 1:1 "not a genome file: the first word must be 'footpoint-genome'"
-echo 'footpoint-genome 4' > "$g";                   refused 'wrong version' 1:18 "format version '4' is not supported (this program reads versions 1 to 3)"
+echo 'footpoint-genome 4' > "$g";                   refused 'wrong version' 1:18 "format version '4' is not supported; this program reads versions 1 to 3"
 genome 'input x' 'genome g' 'r = sqr x' 'end';      refused 'unknown gene' 4:5 "unknown gene 'sqr'"
-genome 'input x' 'genome g' 'r = + x' 'end';        refused 'stack underflow' 5:1 "the expression of 'r' ends early: 1 operand is missing"
-genome 'input x' 'genome g' 'r = + x x x' 'end';    refused 'stack overflow' 4:11 "gene 'x' follows a complete expression"
-genome 'input x' 'genome g' 'r = * x';              refused 'truncated in an expression' 5:1 "the expression of 'r' ends early: 1 operand is missing"
-genome 'input x' 'genome g' 'r = x';                refused 'truncated before end' 5:1 "the file ends inside genome 'g'"
-genome 'input x' 'genome g' 'end';                  refused 'no output' 4:1 "genome 'g' has no output"
+genome 'input x' 'genome g' 'r = + x' 'end';        refused 'stack underflow' 5:1 "expression of 'r' is incomplete: 1 operand is missing"
+genome 'input x' 'genome g' 'r = + x x x' 'end';    refused 'stack overflow' 4:11 "unexpected gene 'x' after a complete expression"
+genome 'input x' 'genome g' 'r = * x';              refused 'truncated in an expression' 5:1 "expression of 'r' is incomplete: 1 operand is missing"
+genome 'input x' 'genome g' 'r = x';                refused 'truncated before end' 5:1 "genome 'g' has no 'end'"
+genome 'input x' 'genome g' 'end';                  refused 'no output' 4:1 "genome 'g' needs an output"
 genome 'input x x' 'genome g' 'r = x' 'end';        refused 'input twice' 2:9 "name 'x' is defined already"
 genome 'input x' 'let y = / x - x x' 'genome g' 'r = y' 'end'; refused 'division by nothing' 3:1 "'y' divides by a value that is always 0"
 genome 'input x' 'genome g' 'r = + x sqrt - x + x 2' 'end'; refused 'root of a negative constant' 4:1 \
     "'r' takes the sqrt of a value that is always negative"
-genome 'input x' 'genome g' 'r = 1.2.3' 'end';      refused 'bad number' 4:5 "'1.2.3' is not a decimal number"
+genome 'input x' 'genome g' 'r = 1.2.3' 'end';      refused 'bad number' 4:5 "'1.2.3' must be a decimal number"
 genome 'input x' 'genome g' 'r = 1e400' 'end';      refused 'huge number' 4:5 "number '1e400' is out of range"
 genome 'speed 3';                                   refused 'unknown keyword' 2:1 "unknown keyword 'speed'"
 genome 'segment quad5 any';                         refused 'unknown segment' 2:9 "unknown segment kind 'quad5'"
-genome 'input x';                                   expect 'no genome' 1 '' "$g: error: the file holds no genome" "$codegen" --count "$g"
+genome 'input x';                                   expect 'no genome' 1 '' "$g: error: the file contains no genome" "$codegen" --count "$g"
 
 genome 'input x y' 'genome g' 'r = + * x y * x 2' 's = - x x' 'end'
 expect 'count' 0 'genome,mul,div,add,sqrt,compare
@@ -99,10 +99,10 @@ expect 'another mean' 0 "$first
 $even 1.510e-03 2.000e-02 9.000e-01, of 9 samples" '' error_table 1.510e-03 2.000e-02
 expect 'another 99 %' 0 "$first
 $even 1.000e-03 1.300e-02 9.000e-01, of 9 samples" '' error_table 1.000e-03 1.300e-02
-genome 'input x' 'genome g' 'r = * * x 1e300 1e300' 'end'; refused 'constant beyond double' 3:1 "genome 'g' needs a constant out of the range of double"
+genome 'input x' 'genome g' 'r = * * x 1e300 1e300' 'end'; refused 'constant beyond double' 3:1 "genome 'g' has a constant outside the range of double"
 genome 'input xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS' 'segment quad4 any' 'genome a' 'xi = xS' 'eta = yS' 'end' \
     'genome a_at' 'xi = xS' 'eta = yS' 'end'
-refused 'names that collide' 8:1 "genome 'a_at' takes the name of a function of 'a'"
+refused 'names that collide' 8:1 "genome 'a_at' conflicts with a function of 'a'"
 genome 'input x y' 'let unused = / 1 - abs x abs * -1 x' 'genome g' 'r = * 2 sqrt x' 'end'
 expect 'unused values do not count, nor does doubling a root' 0 'genome,mul,div,add,sqrt,compare
 g,1,0,0,1,0' '' "$codegen" --count "$g"
@@ -165,7 +165,7 @@ expect 'ranges show a pole' 1 '' \
     "$g:5:1: error: genome 'g' may divide by 0 (in_y + 3.0: has a zero); give the inputs' ranges, or --allow-poles" \
     "$codegen" "$g" -o "$work/none.h"
 genome 'input x y' 'range x 1 2' 'range y 1 2' 'require - 1.5 * x y' 'require - + x y 2.6' 'genome g' 'r = / 1 - x y' 'end'
-expect 'requires that contradict each other' 1 '' "$g:5:1: error: no inputs in the ranges have all requires > 0" \
+expect 'requires that contradict each other' 1 '' "$g:5:1: error: no inputs in the ranges satisfy all requires" \
     "$codegen" "$g" --allow-poles -o "$work/none.h"
 genome 'input x y' 'genome g' 'r = % x y' 'end'
 expect 'a protected quotient has no pole' 0 '' '' "$codegen" --quiet "$g" -o "$work/h.h"
@@ -176,7 +176,7 @@ expect 'a header of expressions names its command' 0 \
 # ---- names and hashes ----
 for tail in n points; do
     genome 'input x' 'genome a' 'r = x' 'end' "genome a_$tail" 'r = x' 'end'
-    refused "a name that collides with a_$tail" 6:1 "genome 'a_$tail' takes the name of a function of 'a'"
+    refused "a name that collides with a_$tail" 6:1 "genome 'a_$tail' conflicts with a function of 'a'"
 done
 genome 'input x' 'genome a' 'r = x' 'end' 'genome a_at' 'r = x' 'end'
 expect 'a_at is free without a segment' 0 '*' '' "$codegen" --count "$g"
@@ -222,22 +222,22 @@ report $((! $?)) 'a chain of protected quotients'
 header() { expect "$1" 1 '' "$g:$2: error: $3" "$codegen" --quiet --allow-poles $4 -o "$work/h.h" "$g"; }
 two() { printf '%s\n' "footpoint-genome 2" "$@" > "$g"; }
 two 'input x y' region 'input x y' 'range x 0 1, y 1 2' 'require - x 2' end 'genome g' 'r = / x + y 3' end
-header 'no inputs with all requires of a block' 6:1 'no inputs in the ranges have all requires > 0'
+header 'no inputs with all requires of a block' 6:1 'no inputs in the ranges satisfy all requires'
 two 'input x' 'range x -1 0' 'require x' 'genome g' 'r = x' end
-header 'a require that is 0 at most' 4:1 'no inputs in the ranges have all requires > 0'
+header 'a require that is 0 at most' 4:1 'no inputs in the ranges satisfy all requires'
 two 'input x' region 'input u' 'range u 0 1000' 'let x = u' end 'genome g' 'r = + * * x x x + x 0.1' end
 "$codegen" --quiet -o "$work/h.h" "$g"
 awk '/rounding: .* proved/ { good = $5 > 1e-8 } END { exit !good }' "$work/h.h"
 report $((! $?)) 'bounds where an input is one of the block'
 
 # ---- names that a header has ----
-genome 'input g' 'genome g' 'r = g' end; header 'a function called as its input' 3:1 "genome 'g' takes a name of the header's own, with prefix in" '--prefix in'
+genome 'input g' 'genome g' 'r = g' end; header 'a function called as its input' 3:1 "genome 'g' conflicts with a name of the header itself, with prefix in" '--prefix in'
 genome 'input x' 'genome detail_bits' 'r = x' end
-header 'a function called as a helper' 3:1 "genome 'detail_bits' takes a name of the header's own, with prefix footpoint" '--prefix footpoint'
+header 'a function called as a helper' 3:1 "genome 'detail_bits' conflicts with a name of the header itself, with prefix footpoint" '--prefix footpoint'
 two 'segment quad4 any' 'genome g' 'xi = / 1 - xA xB, eta = 0' end 'genome g_over_n' 'xi = 0, eta = 0' end
-header 'a function called as a loop' 6:1 "genome 'g_over_n' takes the name of a function of 'g'"
+header 'a function called as a loop' 6:1 "genome 'g_over_n' conflicts with a function of 'g'"
 two 'segment quad4 any' 'genome g_detail' 'xi = 0, eta = 0' end
-header 'a function called as a part of another' 3:1 "genome 'g_detail' takes a name of the header's own, with prefix footpoint_h"
+header 'a function called as a part of another' 3:1 "genome 'g_detail' conflicts with a name of the header itself, with prefix footpoint_h"
 
 # ---- test points ----
 genome 'input x y' 'range x 0.5 2' 'genome g' 'r = + * x y 0.3' end

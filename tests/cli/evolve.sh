@@ -10,8 +10,8 @@ refused() { expect "$1" 1 '' "$2" "$evolve" --scene "$work/s.scene" -o "$work/o.
 
 expect 'help' 0 '*' '' "$evolve" --help
 expect 'version' 0 'footpoint-evolve 0.3.0' '' "$evolve" --version
-expect 'no scene' 2 '' 'footpoint-evolve: error: --scene is missing; see --help' "$evolve"
-expect 'unknown option' 2 '' "footpoint-evolve: error: unknown option '--speed'; see --help" "$evolve" --speed
+expect 'no scene' 2 '' 'footpoint-evolve: error: --scene is missing; try --help' "$evolve"
+expect 'unknown option' 2 '' "footpoint-evolve: error: unknown option '--speed'; try --help" "$evolve" --speed
 expect 'no islands' 2 '' 'footpoint-evolve: error: --islands 0 is out of range' "$evolve" --scene quad4 --islands 0
 expect 'one individual' 2 '' 'footpoint-evolve: error: --population 1 is out of range' "$evolve" --scene quad4 --population 1
 expect 'contradiction' 2 '' 'footpoint-evolve: error: --start and --from-scratch exclude each other' \

@@ -290,7 +290,7 @@ for compiler in "$CC -std=c99" "$CXX -std=c++11 -x c++" ${FOOTPOINT_LONG:+"clang
 done
 
 genome 'input x' 'genome g' 'r = * 1e60 x' 'end'
-expect 'a constant beyond float' 1 '' "$g:3:1: error: genome 'g' needs a constant out of the range of float" \
+expect 'a constant beyond float' 1 '' "$g:3:1: error: genome 'g' has a constant outside the range of float" \
     codegen "$g" --precision float -o "$work/none"
 expect 'which double has' 0 '' '' codegen "$g" -o "$work/c.h"
 

@@ -76,8 +76,8 @@ static void test_unknown(void **state)
     struct cost_model m;
     struct diag d;
     assert_false(cost_model_find("fast", &m, &d));
-    assert_string_equal(
-        d.text, "fast: error: neither throughput, operations or paper nor a cost file: No such file or directory");
+    assert_string_equal(d.text,
+                        "fast: error: must be throughput, operations, paper or a cost file: No such file or directory");
     assert_int_equal(d.code, EXIT_SYSTEM);
     assert_false(cost_model_find("/tmp", &m, &d));
     assert_string_equal(d.text, "/tmp: error: cannot read: Is a directory");
@@ -105,9 +105,9 @@ static void test_version(void **state)
     refuses("", "1:1", "not a cost file: the first word must be 'footpoint-costs'");
     refuses("\nfootpoint-costs 1\n", "1:1", "not a cost file: the first word must be 'footpoint-costs'");
     refuses("footpoint-genome 1\n", "1:1", "not a cost file: the first word must be 'footpoint-costs'");
-    refuses("footpoint-costs\n", "1:16", "format version '' is not supported (this program reads version 1)");
-    refuses("footpoint-costs 2\n", "1:17", "format version '2' is not supported (this program reads version 1)");
-    refuses("footpoint-costs 1 2\n", "1:19", "'2' follows the version");
+    refuses("footpoint-costs\n", "1:16", "format version '' is not supported; this program reads version 1");
+    refuses("footpoint-costs 2\n", "1:17", "format version '2' is not supported; this program reads version 1");
+    refuses("footpoint-costs 1 2\n", "1:19", "unexpected '2' after the version");
 }
 
 #define START "footpoint-costs 1\nmul 1\n"
@@ -124,8 +124,8 @@ static void test_keys(void **state)
     refuses("footpoint-costs 1", "1:18", "key 'mul' is missing");
     refuses(START "a23456789b23456789c23456789d23456789e23456789 1\n", "3:1",
             "unknown key 'a23456789b23456789c23456789d23456789e234...'");
-    refuses_text(GOOD "\0add 1\n", sizeof GOOD + 6, "7:1", "a NUL character ends the text early");
-    refuses_text(START "add\0 1\n", sizeof START + 6, "3:1", "a NUL character ends the text early");
+    refuses_text(GOOD "\0add 1\n", sizeof GOOD + 6, "7:1", "text contains a NUL character");
+    refuses_text(START "add\0 1\n", sizeof START + 6, "3:1", "text contains a NUL character");
 }
 
 static void test_numbers(void **state)
@@ -136,19 +136,19 @@ static void test_numbers(void **state)
     char text[100], message[100];
     for (size_t i = 0; i < sizeof malformed / sizeof *malformed; i++) {
         snprintf(text, sizeof text, START "div  %s\n", malformed[i]);
-        snprintf(message, sizeof message, "'%s' is not a decimal number", malformed[i]);
+        snprintf(message, sizeof message, "'%s' must be a decimal number", malformed[i]);
         refuses(text, "3:6", message);
     }
     for (size_t i = 0; i < sizeof outside / sizeof *outside; i++) {
         snprintf(text, sizeof text, START "div  %s\n", outside[i]);
-        snprintf(message, sizeof message, "cost '%s' is not between 0 and 1e9", outside[i]);
+        snprintf(message, sizeof message, "cost '%s' must be between 0 and 1e9", outside[i]);
         refuses(text, "3:6", message);
     }
-    refuses(START "add\n", "3:4", "a number is missing");
-    refuses(START "add # 1\n", "3:8", "a number is missing");
-    refuses(START "add 1,5\n", "3:6", "',' follows the number");
-    refuses(START "add 1 2\n", "3:7", "'2' follows the number");
-    refuses(START "chain 1\n", "3:7", "'chain' is 0, not '1': costs of the longest chain are no longer supported");
+    refuses(START "add\n", "3:4", "expected a number");
+    refuses(START "add # 1\n", "3:8", "expected a number");
+    refuses(START "add 1,5\n", "3:6", "unexpected ',' after the number");
+    refuses(START "add 1 2\n", "3:7", "unexpected '2' after the number");
+    refuses(START "chain 1\n", "3:7", "'chain' must be 0, not '1': costs of the longest chain are no longer supported");
 }
 
 int main(void)

@@ -265,14 +265,14 @@ static void test_functions_of_frames(void **state)
 {
     (void)state;
     static const char *const bad[][2] = {
-        {"exchange x", "4:11: error: a value is missing here"},
+        {"exchange x", "4:11: error: expected a value"},
         {"exchange x 1", "4:12: error: '1' is not a value"},
-        {"exchange x y z", "4:14: error: 'z' is too much here"},
+        {"exchange x y z", "4:14: error: unexpected 'z'"},
         {"exchange x y\nexchange z y", "5:12: error: 'y' or its partner is exchanged already"},
-        {"function", "4:9: error: function without a name"},
+        {"function", "4:9: error: function needs a name"},
         {"function x x y s s", "4:10: error: name 'x' is defined already"},
         {"function halves x y s s", "4:10: error: function 'halves' is defined already"},
-        {"function f x y s", "4:17: error: a value is missing here"},
+        {"function f x y s", "4:17: error: expected a value"},
         {"function f x y s u", "4:18: error: unknown gene 'u'"},
         {"function f x y s s\nfunction f x y s s", "5:10: error: function 'f' is defined already"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -290,15 +290,15 @@ static void test_region(void **state)
 {
     (void)state;
     static const char *const bad[][2] = {
-        {"region\nlet x = 1\nend", "3:1: error: the region does not say where 'y' is"},
-        {"region\ninput x y\n", "3:1: error: the file ends inside the region"},
+        {"region\nlet x = 1\nend", "3:1: error: region must define 'y'"},
+        {"region\ninput x y\n", "3:1: error: region has no 'end'"},
         {"region\ninput x y\nend\nregion\nend", "6:1: error: a second 'region'"},
-        {"region\ninput x y\nnote a b\nend", "5:1: error: 'note' inside the region"},
+        {"region\ninput x y\nnote a b\nend", "5:1: error: 'note' must not be inside the region"},
         {"region\ninput x y t\nend\nlet u = * x t", "6:13: error: unknown gene 't'"},
         {"region\ninput x y t\nend\nrequire - 1 abs - x t step 2",
-         "6:23: error: gene 'step' follows a complete expression"},
-        {"range x 0 1,\nrange y 0 1", "3:13: error: range without an input"},
-        {"genome g\nr = x,\nend", "4:7: error: an output is missing behind the comma"}};
+         "6:23: error: unexpected gene 'step' after a complete expression"},
+        {"range x 0 1,\nrange y 0 1", "3:13: error: range needs an input"},
+        {"genome g\nr = x,\nend", "4:7: error: expected an output after the comma"}};
     struct diag d;
     size_t size, again;
     struct genome_file *f = genome_parse("region", region, sizeof region - 1, &d);

@@ -2,11 +2,12 @@
 # libCEED have few of them.  They are a symptom: rewrite the sentence, do not swap the word.  Rewritten rooms, but for the files
 # of `old`, must keep the limits; the rates of other rooms are printed.
 . tests/cli/expect.inc
-rewritten='evolve'
+rewritten='evolve codegen'
 old='evolve/evolve_main.c evolve/samples evolve/common/stream.* evolve/eval/errors.* evolve/eval/frame.h evolve/write/archive_*
     evolve/run/run.c evolve/run/run_verdict.* evolve/run/run_options.* evolve/region/sampled_region.*
     evolve/region/shape_requires.* evolve/surface/sample.* evolve/archive/archive_members.c evolve/input/scene.h
-    evolve/input/scene_table.c evolve/input/scene_tiers.c'
+    evolve/input/scene_table.c evolve/input/scene_tiers.c codegen/print codegen/codegen_*.[ch]
+    codegen/program/float_errors.*'
 others='evolve codegen runtime tests'
 
 # rates PATH...: a line "word rate limit" for each word, the least rate of "must" as a negative limit

@@ -7,10 +7,10 @@ error='footpoint-perceptron: error:'
 
 expect 'help' 0 '*' '' "$perceptron" --help
 expect 'version' 0 'footpoint-perceptron 0.3.0' '' "$perceptron" --version
-expect 'no scene' 2 '' "$error --scene is missing; see --help" "$perceptron"
-expect 'no output' 2 '' "$error --output is missing; see --help" "$perceptron" --scene $scene
-expect 'unknown option' 2 '' "$error unknown option '--speed'; see --help" "$perceptron" --speed
-expect 'no option' 2 '' "$error 'x' is no option; see --help" "$perceptron" x
+expect 'no scene' 2 '' "$error --scene is missing; try --help" "$perceptron"
+expect 'no output' 2 '' "$error --output is missing; try --help" "$perceptron" --scene $scene
+expect 'unknown option' 2 '' "$error unknown option '--speed'; try --help" "$perceptron" --speed
+expect 'no option' 2 '' "$error 'x' is not an option; try --help" "$perceptron" x
 expect 'no argument' 2 '' "$error --hidden needs an argument" "$perceptron" --hidden
 expect 'no neurons' 2 '' "$error --hidden 0 is out of range" "$perceptron" --hidden 8,0
 expect 'no number' 2 '' "$error --hidden needs a whole number, not 'x'" "$perceptron" --hidden 8,x

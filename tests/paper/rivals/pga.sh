@@ -8,14 +8,14 @@ scene=tests/scenes/small.scene
 
 expect 'help' 0 '*' '' "$pga" --help
 expect 'version' 0 'footpoint-pga 0.3.0' '' "$pga" --version
-expect 'no scene' 2 '' 'footpoint-pga: error: --scene is missing; see --help' "$pga"
-expect 'no output' 2 '' 'footpoint-pga: error: --output is missing; see --help' "$pga" --scene $scene
-expect 'unknown option' 2 '' "footpoint-pga: error: unknown option '--speed'; see --help" "$pga" --speed
+expect 'no scene' 2 '' 'footpoint-pga: error: --scene is missing; try --help' "$pga"
+expect 'no output' 2 '' 'footpoint-pga: error: --output is missing; try --help' "$pga" --scene $scene
+expect 'unknown option' 2 '' "footpoint-pga: error: unknown option '--speed'; try --help" "$pga" --speed
 expect 'no argument' 2 '' 'footpoint-pga: error: --order needs an argument' "$pga" --order
 expect 'order 9' 2 '' 'footpoint-pga: error: --order 9 is out of range' "$pga" --order 9
 expect 'no number' 2 '' "footpoint-pga: error: --seed needs a whole number, not '-1'" "$pga" --seed -1
 expect 'no part' 2 '' 'footpoint-pga: error: --mutation 1.5 is out of range (0 to 1)' "$pga" --mutation 1.5
-expect 'unknown coefficients' 2 '' "footpoint-pga: error: --coefficients knows no 'best'" "$pga" --coefficients best
+expect 'unknown coefficients' 2 '' "footpoint-pga: error: --coefficients has no choice 'best'" "$pga" --coefficients best
 expect 'bad list' 2 '' "footpoint-pga: error: --restrict needs a whole number, not 'x'" "$pga" --restrict 10,x
 expect 'bad name' 2 '' "footpoint-pga: error: --name needs letters, digits and _, not 'a b'" "$pga" --name 'a b'
 expect 'unknown tier' 1 '' "./$scene: error: no tier 'x'" "$pga" --scene ./$scene --tier x -o "$work/o.gen"
