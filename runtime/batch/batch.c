@@ -1,12 +1,12 @@
-/* Batches of pairs, and several slave nodes over one segment; see footpoint_batch.h.  Full blocks of pairs whose
- * indices are in range, and that all come out well, take the short way; all others are gathered and judged pair by
- * pair, and those that do not come out well then are searched by themselves. */
+/* Batches of pairs, and several slave nodes over one segment; see footpoint_batch.h. Full blocks of pairs with valid
+ * indices and good answers take the short path. All others are gathered and checked pair by pair, and pairs that still
+ * have no good answer are searched separately. */
 #include "batch_block.h"
 
 #include "../geometry/vector.h"
 #include "../search/locate.h"
 
-/* Where answers go: one of loc, locf. */
+/* Destination of answers: one of loc, locf. */
 struct answers {
     double *loc, *gap;
     float *locf, *gapf;
@@ -36,7 +36,7 @@ static void store_pair(const struct answers *to, const struct block *b, size_t f
         to->gapf[first + i] = (float)b->gap[i];
 }
 
-/* Answers of pairs first..first+BLOCK-1, all good: a loop for each array. */
+/* Stores the answers of pairs first..first+BLOCK-1, all good: a loop for each array. */
 static void store_block(const struct answers *to, const struct block *b, size_t first)
 {
     for (size_t i = 0; to->loc && i < BLOCK; i++) {
@@ -55,7 +55,7 @@ static void store_block(const struct answers *to, const struct block *b, size_t 
         to->status[first + i] = FOOTPOINT_OK;
 }
 
-/* Has the places of later answers brought into the cache. */
+/* Prefetches the places of later answers. */
 static void fetch_places(const struct answers *to, size_t first)
 {
 #ifdef __GNUC__
@@ -68,7 +68,7 @@ static void fetch_places(const struct answers *to, size_t first)
 #endif
 }
 
-/* The pairs that are not found good, one at a time; `prepared`: with the corners of the first one. */
+/* Searches again, one at a time, for pairs without a good answer. prepared: with the corners of the first pair. */
 static void search_again(struct block *b, size_t count, enum footpoint_tier tier, int sure, int prepared)
 {
     for (size_t i = 0; i < count; i++) {
@@ -84,7 +84,7 @@ static void search_again(struct block *b, size_t count, enum footpoint_tier tier
     }
 }
 
-/* Answers of `count` pairs, with their statuses; how many are not good. */
+/* Stores the answers of `count` pairs with their statuses; returns how many are not good. */
 static size_t store_judged(const struct answers *to, const struct block *b, size_t first, size_t count)
 {
     size_t failed = 0;
@@ -98,7 +98,7 @@ static size_t store_judged(const struct answers *to, const struct block *b, size
     return failed;
 }
 
-/* Coordinates of node k of pair i; 0 if there is no such node. */
+/* Reads the coordinates of node k of pair i; returns 0 if there is no such node. */
 static int node_of(const struct footpoint_pairs *p, size_t i, size_t k, double x[3])
 {
     const int64_t index =
@@ -112,8 +112,8 @@ static int node_of(const struct footpoint_pairs *p, size_t i, size_t k, double x
     return 1;
 }
 
-/* Columns of `count` pairs, then copies of the last up to a multiple of LANES; invalid: pairs without all their nodes,
- * a bit each. */
+/* Gathers columns of `count` pairs, then copies of the last pair up to a multiple of LANES. invalid: pairs without all
+ * their nodes, a bit each. */
 static size_t gather_checked(const struct footpoint_pairs *p, size_t first, size_t count, struct block *b,
                              uint64_t *invalid)
 {

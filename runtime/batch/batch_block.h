@@ -1,12 +1,11 @@
-/* Blocks of pairs as columns, and the functions that work on them, once for each instruction set; for batch*.c alone.
- */
+/* Blocks of pairs as columns, and the functions that process them, once for each instruction set. For batch*.c only. */
 #ifndef FOOTPOINT_BATCH_BLOCK_H
 #define FOOTPOINT_BATCH_BLOCK_H
 
 #include "../footpoint_batch.h"
 
-/* Pairs of a block: few enough for the processor to look ahead into the next one, and a multiple of LANES, which no
- * instruction set exceeds.  Nodes are fetched into the cache that many pairs before they are gathered. */
+/* Pairs of a block: few enough for the processor to look ahead into the next block, and a multiple of LANES, which no
+ * instruction set exceeds. Nodes are prefetched AHEAD pairs before they are gathered. */
 enum { BLOCK = 32, LANES = 8, AHEAD = 64, CACHE_LINE = 64 };
 
 struct block {
@@ -15,31 +14,33 @@ struct block {
     int64_t status[BLOCK];
 };
 
-/* Kinds of arrays: indices of 64 bits, coordinates in float, x, y and z of a node side by side. */
+/* Kinds of arrays: 64-bit indices, coordinates in float, x, y and z of a node adjacent. */
 enum { KIND_WIDE = 1, KIND_FLOAT = 2, KIND_TRIPLES = 4, KINDS = 8 };
 
-/* Counts are multiples of LANES. */
+/* Counts must be multiples of LANES. */
 struct lanes {
-    /* Columns x of the BLOCK pairs from number `first`, and a look ahead; 0, and no columns, if an index is out of
-     * range or, among triples, that of the last node, behind which there may be nothing to read. */
+    /* Gathers columns x of BLOCK pairs, starting at pair `first`, and prefetches. Returns 0, without columns, if an
+     * index is out of range or, in triples, names the last node, after which memory may end. */
     int (*gather[KINDS])(struct block *b, const struct footpoint_pairs *p, size_t first);
-    /* xi, eta and gap from x, and the status: FOOTPOINT_OK, or FOOTPOINT_ERR_DEGENERATE where footpoint_locate_one has the
-     * answer; 1 if all are FOOTPOINT_OK.  `prepared` takes the corners of the first pair for all. */
+    /* Computes xi, eta and gap from x, and the status: FOOTPOINT_OK, or FOOTPOINT_ERR_DEGENERATE if
+     * footpoint_locate_one must answer. Returns 1 if all are FOOTPOINT_OK. `prepared` uses the corners of the first
+     * pair for all. */
     int (*search[FOOTPOINT_TIERS])(struct block *b, size_t count);
     int (*prepared[FOOTPOINT_TIERS])(struct block *b, size_t count);
-    /* Statuses of answers that are not sure. */
+    /* Sets the statuses of answers that are not sure. */
     void (*verify)(struct block *b, size_t count);
 };
 
-/* Not for callers of the library. */
+/* Hidden from callers of the library. */
 #ifdef __GNUC__
 #pragma GCC visibility push(hidden)
 #endif
 
-/* The set that suits this machine best. */
+/* Returns the set that suits this machine best. */
 const struct lanes *footpoint_batch_lanes(void);
 
-/* Number `set`, from 0 (what the compiler was told) to LANE_SETS - 1; NULL if this machine has it not. */
+/* Returns set number `set`, from 0 (the compiler's target) to LANE_SETS - 1, or NULL if this machine does not support
+ * it. */
 enum { LANE_SETS = 3 };
 const struct lanes *footpoint_batch_lanes_of(int set);
 

@@ -1,4 +1,4 @@
-/* From the mesh's arrays into the columns of a block; for batch_lanes.c alone, which compiles it for each instruction
+/* Gathers the mesh's arrays into the columns of a block. For batch_lanes.c only, which compiles it for each instruction
  * set. */
 #ifndef FOOTPOINT_BATCH_GATHER_H
 #define FOOTPOINT_BATCH_GATHER_H
@@ -11,7 +11,7 @@
 #endif
 #endif
 
-/* Among indices from 0 to `last`, all of these have their highest bits clear. */
+/* For indices from 0 to `last`, the highest bit is clear. */
 #define OUTSIDE(index, last) ((index) | ((last) - (index)))
 
 FOOTPOINT_FN int any_outside(const struct footpoint_pairs *p, size_t first, int kind)
@@ -38,7 +38,7 @@ FOOTPOINT_FN int any_outside(const struct footpoint_pairs *p, size_t first, int 
     return out >> 31 != 0;
 }
 
-/* Index of node k of pair i. */
+/* Returns the index of node k of pair i. */
 FOOTPOINT_FN size_t index_of(const struct footpoint_pairs *p, size_t i, size_t k, int kind)
 {
     if (kind & KIND_WIDE)
@@ -46,8 +46,8 @@ FOOTPOINT_FN size_t index_of(const struct footpoint_pairs *p, size_t i, size_t k
     return (size_t)(k < 4 ? p->seg[4 * i + k] : p->slave[i]);
 }
 
-/* Has the nodes of later pairs brought into the cache: of every second pair the corners A and C and the slave node, as
- * neighbours share what is left.  Addresses are plain numbers: these indices have not been checked. */
+/* Prefetches nodes of later pairs: corners A and C and the slave node of every second pair, because neighbours share
+ * the rest. Addresses are plain numbers, because these indices are not checked yet. */
 FOOTPOINT_FN void fetch_nodes(const struct footpoint_pairs *p, size_t first, int kind)
 {
 #ifdef __GNUC__
@@ -61,7 +61,7 @@ FOOTPOINT_FN void fetch_nodes(const struct footpoint_pairs *p, size_t first, int
 #endif
 }
 
-/* Two pairs at a time, as processors write two neighbours at once. */
+/* Gathers two pairs at a time, because processors write two neighbours at once. */
 FOOTPOINT_FN void gather_pairs(struct block *b, const struct footpoint_pairs *p, size_t first, int kind)
 {
     for (size_t i = 0; i < BLOCK; i += 2)
@@ -84,7 +84,7 @@ typedef double octet __attribute__((vector_size(64)));
 typedef double quad_there __attribute__((vector_size(32), aligned(8), may_alias));
 typedef float quad_there_float __attribute__((vector_size(16), aligned(4), may_alias));
 
-/* Columns of eight pairs, in stores as wide as the loads that follow: others cannot be forwarded. */
+/* Writes columns of eight pairs, in stores as wide as the loads that follow; others cannot be forwarded. */
 FOOTPOINT_FN void put(double *column, const quad *low, const quad *high, int vectors)
 {
     if (vectors == 8) {
@@ -95,7 +95,8 @@ FOOTPOINT_FN void put(double *column, const quad *low, const quad *high, int vec
     }
 }
 
-/* Node k of four pairs out of columns, those of x, y and z; the processors' own gather instructions may be slow. */
+/* Reads node k of four pairs from columns of x, y and z, without the processors' gather instructions, which may be
+ * slow. */
 FOOTPOINT_FN void read_columns(const struct footpoint_pairs *p, size_t first, size_t k, int kind, size_t stride,
                                quad *x, quad *y, quad *z)
 {
@@ -112,7 +113,7 @@ FOOTPOINT_FN void read_columns(const struct footpoint_pairs *p, size_t first, si
     }
 }
 
-/* x, y and z of node k of a pair, and the number that follows them. */
+/* Reads x, y and z of node k of a pair, and the number that follows them. */
 FOOTPOINT_FN void read_triple(const struct footpoint_pairs *p, size_t pair, size_t k, int kind, size_t stride,
                               quad *node)
 {
@@ -123,7 +124,7 @@ FOOTPOINT_FN void read_triple(const struct footpoint_pairs *p, size_t pair, size
         *node = *(const quad_there *)(p->x + at);
 }
 
-/* The same as read_columns out of triples: transposed. */
+/* Reads node k of four pairs from triples, and transposes. */
 FOOTPOINT_FN void read_triples(const struct footpoint_pairs *p, size_t first, size_t k, int kind, size_t stride,
                                quad *x, quad *y, quad *z)
 {
@@ -161,13 +162,13 @@ FOOTPOINT_FN void gather_octets(struct block *b, const struct footpoint_pairs *p
 #define gather_octets(b, p, first, kind, vectors, stride) gather_pairs(b, p, first, kind)
 #endif
 
-/* Whether pairs follow each other in the mesh, too: then processors look ahead by themselves. */
+/* Returns true if pairs are also adjacent in the mesh, so that processors prefetch by themselves. */
 FOOTPOINT_FN int is_near(const struct footpoint_pairs *p, size_t first, size_t k, int kind)
 {
     return index_of(p, first + BLOCK - 1, k, kind) - index_of(p, first, k, kind) + 8 * BLOCK < 16 * BLOCK;
 }
 
-/* Columns of the pairs from number `first`; nodes out of triples far from each other are fetched ahead. */
+/* Gathers the columns of the pairs from `first`; nodes in triples far from each other are prefetched. */
 FOOTPOINT_FN int gather(struct block *b, const struct footpoint_pairs *p, size_t first, int kind, int vectors)
 {
     if (any_outside(p, first, kind))

@@ -1,6 +1,6 @@
 /* The work on one block of pairs, written once as plain loops and compiled for each instruction set; see batch_block.h.
- * Attributes stand for separate files with separate flags: whoever copies this folder needs neither.  Loops with square
- * roots and comparisons vectorise under -fno-math-errno -fno-trapping-math, which change no result. */
+ * Attributes replace separate files with separate flags, so that this folder can be copied into any build. Loops with
+ * square roots and comparisons vectorise under -fno-math-errno -fno-trapping-math, which change no result. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define FOOTPOINT_FN static inline __attribute__((always_inline))
 #else
@@ -18,14 +18,14 @@
 
 /* ---- nodes ---- */
 
-/* Corners of the first pair: values of their own, which no store through b can change. */
+/* Copies the corners of the first pair, so that no store through b can change them. */
 FOOTPOINT_FN void first_corners(const struct block *b, double c[12])
 {
     for (size_t k = 0; k < 12; k++)
         c[k] = b->x[k][0];
 }
 
-/* Nodes of pair i, with the corners c if `prepared`. */
+/* Node k of pair i, or of the corners c if `prepared`. */
 #define CORNER(b, c, prepared, i, k) ((prepared) ? (c)[k] : (b)->x[k][i])
 #define NODE(b, c, prepared, i, k)                                                                                     \
     {                                                                                                                  \
@@ -36,9 +36,9 @@ FOOTPOINT_FN void first_corners(const struct block *b, double c[12])
     const double xC[3] = NODE(b, c, prepared, i, 6), xD[3] = NODE(b, c, prepared, i, 9);                               \
     const double xS[3] = {(b)->x[12][i], (b)->x[13][i], (b)->x[14][i]}
 
-/* ---- what is sure ---- */
+/* ---- sure answers ---- */
 
-/* FOOTPOINT_ERR_DOMAIN where an answer is not sure. */
+/* Sets FOOTPOINT_ERR_DOMAIN for answers that are not sure. */
 FOOTPOINT_FN void verify(struct block *b, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -62,7 +62,7 @@ FOOTPOINT_FN void verify(struct block *b, size_t count)
     X(accurate, suffix, attributes)                                                                                    \
     X(full, suffix, attributes)
 
-/* What depends on a prepared segment alone is computed once by the compiler's own doing. */
+/* The compiler moves computations that depend only on a prepared segment out of the loop. */
 #define SEARCH_EITHER(tier, name, attributes, prepared)                                                                \
     attributes static int name(struct block *b, size_t count)                                                          \
     {                                                                                                                  \

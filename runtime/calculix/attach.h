@@ -1,35 +1,35 @@
-/* Closest point of a face of an FE mesh, the face being a closed piece of surface: edges and corners count.  For the
- * files of this folder; from elsewhere, see attach_2d.c.
+/* Closest point of a face of an FE mesh. The face is a closed piece of surface: edges and corners count. For the files
+ * of this folder; other code uses attach_2d.c.
  *
- * Nodes are numbered as CalculiX and Abaqus do it: corners counter-clockwise, then midside nodes, the first of them
- * between corners 1 and 2.  Local coordinates: xi, eta in [-1,1] with corners at (-1,-1), (1,-1), (1,1), (-1,1) for
- * quadrilaterals; xi, eta >= 0, xi + eta <= 1 with corners at (0,0), (1,0), (0,1) for triangles.  Coordinates must be
- * finite, in any one unit of length in which faces are from 1e-30 to 1e30 long: there no product leaves its range. */
+ * Nodes are numbered as in CalculiX and Abaqus: corners counter-clockwise, then midside nodes, the first between
+ * corners 1 and 2. Local coordinates: xi, eta in [-1,1] with corners at (-1,-1), (1,-1), (1,1), (-1,1) for
+ * quadrilaterals; xi, eta >= 0, xi + eta <= 1 with corners at (0,0), (1,0), (0,1) for triangles. Coordinates must be
+ * finite and share a unit of length in which faces are from 1e-30 to 1e30 long: there no product leaves its range. */
 #ifndef FOOTPOINT_ATTACH_H
 #define FOOTPOINT_ATTACH_H
 
 #include "../certain/ieee.h"
 #include "../geometry/vector.h"
 
-/* Not for callers of the library. */
+/* Hidden from callers of the library. */
 #ifdef __GNUC__
 #pragma GCC visibility push(hidden)
 #endif
 
-/** The closest point of the straight edges of a polygon of n corners x.
+/** Finds the closest point of the straight edges of a polygon with n corners x.
  *  @param[in]  corner  their local coordinates
  *  @return its squared distance */
 double footpoint_attach_edges(int n, const double x[][3], const double corner[][2], const double xs[3], double loc[2]);
 
-/** The closest point of a plane triangle, to rounding. */
+/** Finds the closest point of a plane triangle, to rounding. */
 void footpoint_attach_tri3(const double x[3][3], const double xs[3], double loc[2]);
 
-/** The closest point of a bilinear segment: the expressions of generated/footpoint_quad4.h, polished by Newton's method
- *  where the distance is convex over the segment; where it is not, the least of all stationary points and edges. */
+/** Finds the closest point of a bilinear segment: if the distance is convex over the segment, by the expressions of
+ *  generated/footpoint_quad4.h and Newton's method; otherwise as the minimum over all stationary points and edges. */
 void footpoint_attach_quad4(const double x[4][3], const double xs[3], double loc[2]);
 
-/** Finds the closest point of a quadratic triangle or serendipity quadrilateral: no other is nearer by more than 1e-10 of
- *  the largest difference of coordinates. */
+/** Finds the closest point of a quadratic triangle or serendipity quadrilateral: no other point is nearer by more than
+ *  1e-10 of the largest difference of coordinates. */
 void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[2]);
 void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc[2]);
 
@@ -56,7 +56,7 @@ static inline double clamp(double value, double low, double high)
 static const double square[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
 static const double triangle[3][2] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
 
-/* Where the model is least in all of the plane; H positive definite. */
+/* Computes the minimum of the model in the whole plane; H must be positive definite. */
 static inline void free_move(const struct model *m, double move[2])
 {
     const double scale = 1.0 / (m->h00 * m->h11 - m->h01 * m->h01);
@@ -64,9 +64,9 @@ static inline void free_move(const struct model *m, double move[2])
     move[1] = scale * (m->h01 * m->g[0] - m->h00 * m->g[1]);
 }
 
-/* The moves from `at` that make the model least in the square and in the triangle.  The least point is the free one if
- * that lies inside, else it lies on an edge that has the free one beyond it: from any other edge the line to the free
- * point starts inside and goes down. */
+/* Computes the move from `at` to the minimum of the model in the square (triangle). If the free minimum lies outside,
+ * the minimum is on an edge that has it beyond; from any other edge, the line to the free minimum starts inside and
+ * descends. */
 static inline void least_in_square(const struct model *m, const double at[2], double move[2])
 {
     free_move(m, move);

@@ -1,21 +1,23 @@
-/* For CalculiX: the closest point of a face, in place of the routine of that name, which finds it by a pattern search.
- * Nothing of CalculiX is in here but the list of arguments.  Link its program with this object, or with
+/* For CalculiX: replaces the routine of the same name, which finds the closest point of a face by a pattern search.
+ * Only the argument list comes from CalculiX. Link its program with this object, or with
+ *
  *     -u attach_2d_ -lfootpoint_ccx -lfootpoint
+ *
  * before the archive of its own objects; nothing else changes.
  *
- * CalculiX wants the closest point of the closed face: local coordinates never leave it, and where it lies on an edge
- * or a corner, what its tangent is made of holds as well as it did before. */
+ * CalculiX requires the closest point of the closed face: local coordinates never leave it. On an edge or a corner, the
+ * tangent that CalculiX computes is as valid as before. */
 #include "attach.h"
 
 /* gfortran's name for attach_2d(pneigh,pnode,nterms,ratio,dist,xil,etl); integer is 4 bytes, real*8.
- *  pneigh(3,9)  [in]      coordinates of the nodes of the face
- *  pnode(3)     [in,out]  the slave node; the closest point of the face
- *  nterms       [in]      3, 4, 6 or 8 nodes
- *  ratio(9)     [out]     the first nterms: shape functions at that point
- *  dist         [out]     how far the two points are apart, >= 0
- *  xil, etl     [out]     local coordinates, attach.h
- *  Coordinates that are not finite, or another nterms, give a distance that is not finite; faces are from 1e-30 to 1e30
- *  long. */
+ *
+ * pneigh(3,9)  [in]      coordinates of the nodes of the face pnode(3)     [in,out]  the slave node; the closest point
+ * of the face nterms       [in]      3, 4, 6 or 8 nodes ratio(9)     [out]     the first nterms: shape functions at
+ * that point dist         [out]     distance between the two points, >= 0 xil, etl     [out]     local coordinates,
+ * attach.h
+ *
+ * Faces must be from 1e-30 to 1e30 long. If a coordinate is not finite, or nterms has another value, the distance is
+ * not finite. */
 void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, double ratio[9], double *dist,
                 double *xil, double *etl);
 
@@ -55,8 +57,8 @@ static inline void shape_functions(int nodes, const double loc[2], double phi[])
     }
 }
 
-/* From local coordinates: shape functions, the point in place of the slave node, and their distance.  The number of
- * nodes is a constant wherever it is called. */
+/* Computes, from local coordinates, shape functions, the point (in place of the slave node), and their distance. Each
+ * call has a constant number of nodes. */
 static inline double project(int nodes, const double x[][3], const double loc[2], double xs[3], double ratio[])
 {
     double phi[8], point[3] = {0.0, 0.0, 0.0}, away[3];

@@ -1,16 +1,18 @@
-/* The closest point of a quadratic face, clamped to it.  With z = (s,t) the way in (u,v) from a point p of the face, where
- * g = r - xS,
+/* The closest point of a quadratic face, clamped to it. Let z = (s,t) be a move in (u,v) from a point p of the face,
+ * and g = r - xS. Then
+ *
  *     |r - xS|^2 - |g|^2 = 2 g . L z + |L z|^2 + 2 (g + L z) . y + |y|^2,   L z = r_u s + r_v t,
  *     y = r_uu s^2/2 + r_uv s t + r_vv t^2/2 + k6 s^2 t + k7 s t^2.
- * The last term is not negative.  Over the whole face the others are at least h11 s^2 - e |s t| + h22 t^2 less slopes as
- * far as they lead down, with bounds on the factors.  If that form is positive and the slopes are small, p is the closest
+ *
+ * The last term is not negative. Over the whole face, the others are at least h11 s^2 - e |s t| + h22 t^2 minus the
+ * slopes that descend, with bounds on the factors. If that form is positive and the slopes are small, p is the closest
  * point.
  *
- * On ordinary faces that proves a local minimum, which sequential quadratic programming finds: half the squared distance f
- * is replaced by its Taylor polynomial of second order, the least point of that over the triangle or square is found
- * exactly, and the step to it is halved until f falls.  Where the Hessian is not positive definite it gives way to Gauss
- * and Newton's, damped.  It starts from the closest point of the plane or bilinear face of the corners, or from a node
- * that is nearer.  On all other faces footpoint_face_robust answers. */
+ * On ordinary faces that proves a local minimum, which sequential quadratic programming finds: it replaces half the
+ * squared distance f by its second-order Taylor polynomial, finds the minimum of that over the triangle or square
+ * exactly, and halves the step until f decreases. If the Hessian is not positive definite, a damped Gauss-Newton matrix
+ * replaces it. The start is the closest point of the plane or bilinear face of the corners, or a node that is nearer.
+ * On all other faces footpoint_face_robust answers. */
 #include "../../generated/footpoint_quad4.h"
 #include "../footpoint_face.h"
 #include "attach.h"
@@ -19,11 +21,11 @@
 
 enum { TERMS = 8, MAX_STEPS = 50, MAX_HALVINGS = 30 };
 
-#define STRAIGHT 1e-12  /* what edges may be bent, over the size of the face, and still be straight */
-#define NEXT_STEP 1e-10 /* the iteration is done when its next step would be below this, */
-#define NEARLY 1e-6     /* or, without a Hessian inside, when its last one was */
-#define ON_EDGE 1e-6    /* how near a point on an edge is to it */
-#define NEARER 1e-11    /* over the face's size: what is nearer by less does not count */
+#define STRAIGHT 1e-12  /* largest deviation of straight edges, over the size of the face */
+#define NEXT_STEP 1e-10 /* the iteration ends when its next step would be below this, */
+#define NEARLY 1e-6     /* or, without a Hessian in the interior, when its last step was */
+#define ON_EDGE 1e-6    /* largest distance of a point on an edge */
+#define NEARER 1e-11    /* over the face's size: smaller gains in distance do not count */
 #define ROUNDING (64.0 * DBL_EPSILON)
 
 /* r - xS = k0 + k1 u + k2 v + k3 u^2 + k4 u v + k5 v^2 + k6 u^2 v + k7 u v^2, and the sum of squares of k3 to k7. */
@@ -63,7 +65,7 @@ static void set_serendipity(struct curved *f, const double x[][3], const double 
     }
 }
 
-/* Whether the midside nodes are the middles of straight edges, to rounding of coordinates. */
+/* Returns true if the midside nodes are the middles of straight edges, to rounding of coordinates. */
 static int is_straight(const struct curved *f, int corners)
 {
     double bent = 0.0, size = 0.0;
@@ -76,7 +78,7 @@ static int is_straight(const struct curved *f, int corners)
     return bent <= STRAIGHT * size;
 }
 
-/* r - xS at (u,v) = loc. */
+/* Computes r - xS at (u,v) = loc. */
 static inline void away(const struct curved *f, const double loc[2], double r[3])
 {
     const double u = loc[0], v = loc[1];
@@ -92,7 +94,7 @@ static int positive(const struct model *m)
     return m->h00 > 0.0 && m->h11 > 0.0 && m->h00 * m->h11 - m->h01 * m->h01 > 1e-9 * m->h00 * m->h11;
 }
 
-/* Gradient and Hessian, or Gauss and Newton's. */
+/* Returns the gradient with the Hessian, or with the Gauss-Newton matrix. */
 static inline struct model model_of(const struct curved *f, const double loc[2], const double r[3], int gauss)
 {
     const double u = loc[0], v = loc[1];
@@ -116,8 +118,8 @@ static inline struct model model_of(const struct curved *f, const double loc[2],
     return (struct model){{g0, g1}, h00 + r_uu, h01 + r_uv, h11 + r_vv};
 }
 
-/* The one that takes the Hessian's place where that is not positive definite, damped: where r_u and r_v are nearly
- * parallel, steps would else zigzag. */
+/* Returns the damped matrix that replaces a Hessian that is not positive definite. Without damping, steps would zigzag
+ * if r_u and r_v are nearly parallel. */
 static struct model substitute(const struct curved *f, const double loc[2], const double r[3])
 {
     struct model m = model_of(f, loc, r, 1);
@@ -127,7 +129,7 @@ static struct model substitute(const struct curved *f, const double loc[2], cons
     return m;
 }
 
-/* Into the domain: rounding may have led a little out of it. */
+/* Moves a point back into the domain, which rounding may have left. */
 static void confine(int corners, double loc[2])
 {
     const double low = corners == 3 ? 0.0 : -1.0;
@@ -135,8 +137,8 @@ static void confine(int corners, double loc[2])
     loc[1] = clamp(loc[1], low, corners == 3 ? 1.0 - loc[0] : 1.0);
 }
 
-/* 1 if the next step would be short.  With a Hessian its square is bounded by the third derivatives of f times the
- * square of this move, through the inverse of the Hessian. */
+/* Returns 1 if the next step would be short. With a Hessian, its square is bounded by the third derivatives of f times
+ * the square of this move, through the inverse of the Hessian. */
 static int settled(const struct curved *f, const struct model *m, int newton, double square_distance,
                    const double move[2])
 {
@@ -148,8 +150,8 @@ static int settled(const struct curved *f, const struct model *m, int newton, do
     return third2 * (moved2 * moved2) * (trace * trace) <= NEXT_STEP * NEXT_STEP * (det * det);
 }
 
-/* Where a move keeps to an edge, Newton's method along that edge instead, if the Hessian m is positive there: Gauss and
- * Newton's is slow where the face curves away from a distant slave node. */
+/* If a move stays on an edge, replaces it by a Newton step along the edge, provided that the Hessian m is positive
+ * there: Gauss-Newton is slow where the face curves away from a distant slave node. */
 static void prefer_edge(const struct model *m, int corners, const double loc[2], double move[2])
 {
     for (int i = 0; i < corners; i++) {
@@ -169,8 +171,8 @@ static void prefer_edge(const struct model *m, int corners, const double loc[2],
     }
 }
 
-/* The longest step from loc along `move` that takes f down enough; 0 if there is none to be told from rounding.  r and
- * *here are those of the point that it reaches. */
+/* Finds the longest step from loc along `move` that decreases f enough; returns 0 if rounding hides any decrease. r and
+ * *here become those of the new point. */
 static int step_down(const struct curved *f, int corners, double slope, const double move[2], double loc[2],
                      double r[3], double *here)
 {
@@ -190,7 +192,7 @@ static int step_down(const struct curved *f, int corners, double slope, const do
     return 0;
 }
 
-/* From loc, where r is r - xS. */
+/* Descends from loc, where r = r - xS. */
 static void descend(struct curved *f, int corners, double loc[2], double r[3])
 {
     double here = vector_dot(r, r), move[2];
@@ -218,7 +220,7 @@ static void descend(struct curved *f, int corners, double loc[2], double r[3])
     confine(corners, loc);
 }
 
-/* To the nearest of n nodes, at local coordinates `at`, if that is nearer than loc; and r - xS there. */
+/* Moves to the nearest of n nodes, at local coordinates `at`, if it is nearer than loc; r becomes r - xS there. */
 static inline void prefer_node(const struct curved *f, int n, const double x[][3], const double at[][2],
                                const double xs[3], double loc[2], double r[3])
 {
@@ -258,14 +260,15 @@ static inline void derive(const struct curved *f, const double loc[2], struct de
     }
 }
 
-/* How far a slope leads up (1) or down (-1), where a coordinate may only grow (1), only fall (-1), or do both (0). */
+/* Returns how steeply a slope ascends (1) or descends (-1) if a coordinate may only grow (1), only fall (-1), or do
+ * both (0). */
 static inline double part_of(double slope, int into, int sign)
 {
     const double up = into ? into * slope : -fabs(slope);
     return sign * up > 0.0 ? sign * up : 0.0;
 }
 
-/* The least of factor x over a range. */
+/* Returns the minimum of factor x over a range. */
 static inline double least(double factor, const double range[2])
 {
     return factor * (factor > 0.0 ? range[0] : range[1]);
@@ -276,15 +279,15 @@ static inline double twice(const double a[3], const double b[3])
     return 2.0 * vector_dot(a, b);
 }
 
-/* Whether h11 s^2 - e |s t| + h22 t^2 is positive, and what it loses by less 2 (p |s| + q |t|) is small. */
+/* Returns true if h11 s^2 - e |s t| + h22 t^2 is positive, and subtracting 2 (p |s| + q |t|) lowers it little. */
 static inline int is_positive(double h11, double e, double h22, double p, double q, double room)
 {
     const double det = h11 * h22 - 0.25 * e * e;
     return h11 > 0.0 && h22 > 0.0 && det > 0.0 && h22 * p * p + e * p * q + h11 * q * q <= room * det;
 }
 
-/* Whether no point of the face is nearer than loc by more than NEARER.  On the edge u + v = 1 of a triangle, what both
- * slopes have of its outward direction is held. */
+/* Returns true if no point of the face is nearer than loc by more than NEARER. On the edge u + v = 1 of a triangle, the
+ * part of both slopes in the outward direction is blocked. */
 static int is_closest(const struct curved *f, int corners, const double loc[2])
 {
     const double low = corners == 3 ? 0.0 : -1.0, *const k6 = f->k[6], *const k7 = f->k[7];
@@ -324,7 +327,7 @@ static double size_of(const struct curved *f)
     return sqrt(sum);
 }
 
-/* To the closest point, from loc: a local minimum, unless another point is nearer. */
+/* Moves from loc to the closest point: a local minimum, unless another point is nearer. */
 static void find_closest(struct curved *f, enum footpoint_face face, const double x[][3], const double xs[3],
                          double loc[2], double r[3])
 {

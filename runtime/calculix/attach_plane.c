@@ -4,7 +4,7 @@
 
 #include <float.h>
 
-/* The square of the sine of an angle, below which a triangle is a needle. */
+/* Squared sine of the angle below which a triangle is a needle. */
 #define NEEDLE 1e-4
 
 enum { REFINEMENTS = 4 };
@@ -31,8 +31,8 @@ double footpoint_attach_edges(int n, const double x[][3], const double corner[][
     return best;
 }
 
-/* The foot point on a triangle of next to no area, with twice the digits, and what they leave in further steps: 0 if it
- * lies outside, or if there is none. */
+/* Finds the foot point on a triangle of nearly no area with twice the digits, and corrects it in further steps. Returns
+ * 0 if it lies outside or does not exist. */
 static int find_widely(const double x[3][3], const double xs[3], double loc[2])
 {
     struct twofold a[3], b[3], d[3], u = {0.0, 0.0}, v = {0.0, 0.0};
@@ -63,7 +63,8 @@ static int find_widely(const double x[3][3], const double xs[3], double loc[2])
     return 1;
 }
 
-/* The distance is a quadratic function: its least point in one move; on an edge, in a second what rounding has left. */
+/* The distance is a quadratic function, so one move leads to its minimum; on an edge, a second move removes the
+ * rounding error. */
 void footpoint_attach_tri3(const double x[3][3], const double xs[3], double loc[2])
 {
     double e1[3], e2[3], d[3], move[2];

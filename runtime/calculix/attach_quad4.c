@@ -1,20 +1,19 @@
 /* The closest point of a bilinear segment r = c0 + c1 xi + c2 eta + c3 xi eta, clamped to it, with certainty.
  *
- * Half the squared distance f has the Hessian [a(eta) m; m b(xi)], a = |r_xi|^2, b = |r_eta|^2 and
- * m = r_xi . r_eta - c3 . (xS - r), which is bilinear in (xi, eta): so its bounds over the segment are those at
- * corners, and where a b > m^2 holds for them f is convex there, and a point that no direction leads down from is the
- * closest. Newton's method finds it from the value of an expression.
- * Elsewhere footpoint_robust finds it. */
+ * Half the squared distance f has the Hessian [a(eta) m; m b(xi)], a = |r_xi|^2, b = |r_eta|^2 and m = r_xi . r_eta -
+ * c3 . (xS - r). m is bilinear in (xi, eta), so its bounds over the segment are its values at corners. If a b > m^2
+ * holds for these bounds, f is convex, and a point from which no direction descends is the closest. Newton's method
+ * finds it, starting from the value of an expression. Otherwise footpoint_robust finds it. */
 #include "../../generated/footpoint_quad4.h"
 #include "../footpoint.h"
 #include "attach.h"
 
 enum { MAX_STEPS = 8 };
 
-/* Newton's method is done when its next step would be below this. */
+/* Newton's method ends when its next step would be below this. */
 #define NEXT_STEP 1e-10
 
-/* What the distance is made of: vectors, and their scalar products. */
+/* The data of the distance: vectors and their scalar products. */
 struct segment {
     double c1[3], c2[3], c3[3], q[3];
     double c11, c12, c13, c22, c23, c33, q1, q2, q3;
@@ -40,7 +39,7 @@ static void set_segment(struct segment *f, const double x[4][3], const double xs
     f->q3 = vector_dot(f->q, f->c3);
 }
 
-/* Not above the least of c + 2 b t + a t^2 for t in [-1,1]. */
+/* Returns a lower bound of c + 2 b t + a t^2 for t in [-1,1]. */
 static double below(double c, double b, double a)
 {
     return fabs(b) < a ? c - fabs(b) : c - 2.0 * fabs(b) + a;
@@ -51,7 +50,7 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
-/* The largest |m| over the segment, at a corner. */
+/* Returns the largest |m| over the segment, attained at a corner. */
 static double most_mixed(const struct segment *f)
 {
     const double m = f->c12 - f->q3, sum = 2.0 * (f->c13 + f->c23), difference = 2.0 * (f->c13 - f->c23);
@@ -59,7 +58,7 @@ static double most_mixed(const struct segment *f)
     return larger(even, odd);
 }
 
-/* Whether f is convex over the whole segment; false if that does not show. */
+/* Returns true if f is proved convex over the whole segment. */
 static int convex(const struct segment *f)
 {
     const double a = below(f->c11, f->c13, f->c33), b = below(f->c22, f->c23, f->c33), m = most_mixed(f);
@@ -77,8 +76,8 @@ static struct model model_of(const struct segment *f, double u, double v)
     return m;
 }
 
-/* Newton's method within the segment; 1 when it has settled: the next step would be at most the third and fourth
- * derivatives of f times the square of the last one, through the inverse of the Hessian. */
+/* Iterates Newton's method within the segment. Returns 1 when it has settled: the next step would be at most the third
+ * and fourth derivatives of f times the square of the last step, through the inverse of the Hessian. */
 static int settle(const struct segment *f, double loc[2])
 {
     const double bend = 2.0 * (fabs(f->c13) + fabs(f->c23)) + 8.0 * f->c33;
@@ -112,5 +111,5 @@ void footpoint_attach_quad4(const double x[4][3], const double xs[3], double loc
     }
     double dist;
     if (footpoint_robust(x[0], x[1], x[2], x[3], xs, loc, &dist) == FOOTPOINT_ERR_DOMAIN)
-        footpoint_attach_edges(4, x, square, xs, loc); /* from so far, any point of it is as close */
+        footpoint_attach_edges(4, x, square, xs, loc); /* for a distant slave node, any point is equally close */
 }

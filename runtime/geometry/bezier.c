@@ -3,7 +3,7 @@
 
 #include "vector.h"
 
-/* h: a third of the edge from corner p to corner q, projected on the plane normal to n. */
+/* Computes h: a third of the edge from corner p to corner q, projected on the plane normal to n. */
 static int handle(const double p[3], const double q[3], const double n[3], double h[3])
 {
     double d[3];
@@ -14,10 +14,10 @@ static int handle(const double p[3], const double q[3], const double n[3], doubl
     return number_normal(vector_dot(h, h)) ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
 }
 
-/* Net index of a corner, and of the corner at the other end of its edge along xi. */
+/* Net indices of the corners, and the corner at the other end of each corner's edge along xi. */
 static const int place[4][2] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}}, along_xi[4] = {1, 0, 3, 2};
 
-/* From a corner's index one inwards. */
+/* Returns the index next to a corner's, inwards. */
 static int inwards(int i)
 {
     return i == 0 ? 1 : 2;
@@ -47,7 +47,7 @@ int footpoint_bezier_points(const double x[4][3], const double n[4][3], struct f
     return FOOTPOINT_OK;
 }
 
-/* Bernstein polynomials (46) of degree 3 at t, their first and second derivatives. */
+/* Computes Bernstein polynomials (46) of degree 3 at t, with first and second derivatives. */
 static void bernstein(double t, double b[3][4])
 {
     const double s = 1.0 - t;
@@ -65,7 +65,7 @@ static void bernstein(double t, double b[3][4])
     b[2][3] = 6.0 * t;
 }
 
-/* sum scale a_i b_j P_ij. */
+/* Computes sum = scale times the sum of a_i b_j P_ij. */
 static void combine(const struct footpoint_bezier *patch, const double a[4], const double b[4], double scale,
                     double sum[3])
 {

@@ -1,6 +1,6 @@
-/* Geometry of the nine-node segment, the face of a 27-node hexahedron: -1 <= xi, eta <= 1; corners A (-1,-1),
- * B (1,-1), C (1,1), D (-1,1), then the mid-side nodes E of AB, F of BC, G of CD, H of DA, and I in the middle.  A
- * leaf; nothing is lost far from the origin, see footpoint-quad4-geometry.h. */
+/* Geometry of the nine-node segment, the face of a 27-node hexahedron: -1 <= xi, eta <= 1; corners A (-1,-1), B (1,-1),
+ * C (1,1), D (-1,1), then the mid-side nodes E of AB, F of BC, G of CD, H of DA, and I in the middle. No digits are
+ * lost far from the origin, see footpoint-quad4-geometry.h. */
 #ifndef FOOTPOINT_QUAD9_GEOMETRY_INCLUDED
 #define FOOTPOINT_QUAD9_GEOMETRY_INCLUDED
 
@@ -8,17 +8,17 @@
 extern "C" {
 #endif
 
-/** Shape functions of A, B, ..., I at (xi,eta) and, in the rows after them, their derivatives by xi, eta, xi xi, xi eta
- *  and eta eta: row j starts at phi[9 j]. */
+/** Computes shape functions of A, B, ..., I at (xi,eta) and, in the rows after them, their derivatives by xi, eta, xi
+ *  xi, xi eta and eta eta: row j starts at phi[9 j]. */
 void footpoint_quad9_shape(double xi, double eta, double phi[54]);
 
-/** Point r(xi,eta) of the segment; x: its nodes; mesh length. */
+/** Computes the point r(xi,eta) of the segment; x: its nodes; mesh length. */
 void footpoint_quad9_position(const double *const x[9], double xi, double eta, double r[3]);
 
-/** First derivatives of r by xi and by eta; mesh length. */
+/** Computes the first derivatives of r by xi and by eta; mesh length. */
 void footpoint_quad9_derivatives(const double *const x[9], double xi, double eta, double r_xi[3], double r_eta[3]);
 
-/** Second derivatives of r; mesh length. */
+/** Computes the second derivatives of r; mesh length. */
 void footpoint_quad9_second_derivatives(const double *const x[9], double xi, double eta, double r_xixi[3],
                                         double r_xieta[3], double r_etaeta[3]);
 

@@ -1,28 +1,30 @@
 /* Gregory patches; see footpoint-gregory-geometry.h.
  *
- * Inner points.  Let c_0, c_1, c_2 be the differences of an edge's four control points, a_0 ... a_3 those from them to
- * the next row, of which a_0 and a_3 are given.  With g_0 = n_0 x c_0 and g_3 = n_3 x c_2, the edge's tangents turned
- * about the normals of its ends, the derivative across the edge is made (g(t) k(t) + h(t) c(t))/3 with g, k and h
- * linear, c the edge's own derivative: the plane of g and c depends on nothing but the edge.  In Bernstein form
+ * Inner points. Let c_0, c_1, c_2 be the differences of an edge's four control points, and a_0 ... a_3 the differences
+ * from them to the next row, of which a_0 and a_3 are given. With g_0 = n_0 x c_0 and g_3 = n_3 x c_2, the edge's
+ * tangents rotated about the normals of its ends, the derivative across the edge is set to (g(t) k(t) + h(t) c(t))/3
+ * with g, k and h linear and c the edge's own derivative. So the plane of g and c depends only on the edge. In
+ * Bernstein form
+ *
  *     3 a_1 = (k_0 + k_1) g_0 + k_0 g_3 + 2 h_0 c_1 + h_1 c_0
  *     3 a_2 = k_1 g_0 + (k_0 + k_1) g_3 + h_0 c_2 + 2 h_1 c_1,    a_0 = k_0 g_0 + h_0 c_0,  a_3 = k_1 g_3 + h_1 c_2.
  *
- * Evaluation.  (47) is P_110 + w (P_111 - P_110), w = v/(u + v), so that the patch is the Bezier patch of the net and,
- * at each corner, q e with e = P_111 - P_110 and q = 9 (1-u)^2 (1-v)^2 f, f = u v^2/(u + v).  With z = u/(u + v) = 1 -
- * w, f = u v w,  f_u = v w^2,  f_v = u w (1 + z),  f_uu = -2 w^3,  f_uv = w^2 (1 + 2 z),  f_vv = 2 z^3: nothing is
- * divided but to form w. */
+ * Evaluation. (47) is P_110 + w (P_111 - P_110), w = v/(u + v), so the patch is the Bezier patch of the net plus, at
+ * each corner, q e with e = P_111 - P_110 and q = 9 (1-u)^2 (1-v)^2 f, f = u v^2/(u + v). With z = u/(u + v) = 1 - w, f
+ * = u v w,  f_u = v w^2,  f_v = u w (1 + z),  f_uu = -2 w^3,  f_uv = w^2 (1 + 2 z),  f_vv = 2 z^3: only w needs a
+ * division. */
 #include "footpoint-gregory-geometry.h"
 
 #include "vector.h"
 
-/* One edge: net points p0 ... p3 along it, q0 and q3 the next row's at its ends, n0 and n3 the normals there.  Makes
- * the next row's q1 and q2. */
+/* One edge: net points p0 ... p3 along it, q0 and q3 of the next row at its ends, and the normals n0 and n3 there.
+ * Determines q1 and q2 of the next row. */
 struct edge {
     const double *p0, *p1, *p2, *p3, *q0, *q3, *n0, *n3;
     double *q1, *q2;
 };
 
-/* a = k g + h c, for g = n x c. */
+/* Resolves a = k g + h c, for g = n x c. */
 static void resolve(const double a[3], const double g[3], const double c[3], double *k, double *h)
 {
     const double square = vector_dot(c, c);
@@ -72,7 +74,7 @@ int footpoint_gregory_points(const double x[4][3], const double n[4][3], struct 
     return FOOTPOINT_OK;
 }
 
-/* q and its derivatives by u and v: 0, u, v, uu, uv, vv. */
+/* Computes q and its derivatives by u and v: 0, u, v, uu, uv, vv. */
 static void blend(double u, double v, double q[6])
 {
     const double s = 1.0 - u, t = 1.0 - v, above_u = u > 0.0 ? u : 0.0, above_v = v > 0.0 ? v : 0.0;

@@ -1,10 +1,10 @@
-/* What the segments whose shape functions are tables share: sums of nodes times weights, formed from differences of
- * nodes as in footpoint-quad4-geometry.h.  Weights of shape functions add up to 1, those of their derivatives to 0.
+/* Shared by segments whose shape functions are tables: sums of nodes times weights, computed from differences of nodes
+ * as in footpoint-quad4-geometry.h. Weights of shape functions add up to 1, weights of their derivatives to 0.
  * Internal. */
 #ifndef FOOTPOINT_ISOPARAMETRIC_H
 #define FOOTPOINT_ISOPARAMETRIC_H
 
-/** Rows of a table of shape functions: they themselves and their derivatives. */
+/** Rows of a table of shape functions: the functions and their derivatives. */
 enum {
     FOOTPOINT_ROW_VALUE,
     FOOTPOINT_ROW_XI,
@@ -15,7 +15,7 @@ enum {
     FOOTPOINT_ROWS
 };
 
-/* sum = sum over k of weight[k] (x[k] - x[0]) */
+/* Computes the sum over k of weight[k] (x[k] - x[0]). */
 static inline void isoparametric_sum(const double *const *x, int n, const double *weight, double sum[3])
 {
     sum[0] = sum[1] = sum[2] = 0.0;
@@ -24,7 +24,7 @@ static inline void isoparametric_sum(const double *const *x, int n, const double
             sum[i] += weight[k] * (x[k][i] - x[0][i]);
 }
 
-/* The point itself. */
+/* Computes the point itself. */
 static inline void isoparametric_point(const double *const *x, int n, const double *weight, double r[3])
 {
     isoparametric_sum(x, n, weight, r);

@@ -12,7 +12,8 @@ void footpoint_quad4_shape(double xi, double eta, double phi[4])
     phi[3] = s0 * t1;
 }
 
-/* Vector from A to r(xi,eta), component i: s along AB, then t along the line that joins AB to DC there. */
+/* Returns component i of the vector from A to r(xi,eta): s along AB, then t along the line that joins AB to DC
+ * there. */
 static double from_a(const double xA[3], const double xB[3], const double xC[3], const double xD[3], double s, double t,
                      int i)
 {

@@ -5,7 +5,7 @@
 
 enum { NODES = 9 };
 
-/* The parabolas that are 1 at -1, 0 and 1, and their first and second derivatives. */
+/* Computes the parabolas that are 1 at -1, 0 and 1, and their first and second derivatives. */
 static void parabolas(double t, double f[3][3])
 {
     const double row[3][3] = {

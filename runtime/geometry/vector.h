@@ -1,4 +1,4 @@
-/* Vectors of three coordinates, for the files of this folder alone. */
+/* Vectors of three coordinates, only for the files of this folder. */
 #ifndef FOOTPOINT_VECTOR_H
 #define FOOTPOINT_VECTOR_H
 
@@ -8,8 +8,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Bits of |x|: those of infinity are above all others', those of NaN above these.  Integers are compared where statuses are
- * told, as -ffast-math takes isfinite() and comparisons with NaN away. */
+/* Returns the bits of |x|: infinity's exceed those of all finite numbers, and NaN's exceed infinity's. Statuses compare
+ * integers, because -ffast-math removes isfinite() and comparisons with NaN. */
 static inline uint64_t number_bits(double x)
 {
     uint64_t bits;
@@ -22,7 +22,7 @@ static inline int number_finite(double x)
     return number_bits(x) < (uint64_t)0x7ff << 52;
 }
 
-/* Finite, and no less than the least number with all its digits. */
+/* Returns true if x is finite and not smaller than the least normal number. */
 static inline int number_normal(double x)
 {
     return number_bits(x) >= (uint64_t)1 << 52 && number_finite(x);
@@ -40,7 +40,7 @@ static inline void vector_cross(const double a[3], const double b[3], double c[3
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* c = a - b */
+/* Computes c = a - b. */
 static inline void vector_sub(const double a[3], const double b[3], double c[3])
 {
     for (int i = 0; i < 3; i++)
@@ -52,7 +52,8 @@ static inline int vector_finite(const double a[3])
     return number_finite(a[0]) && number_finite(a[1]) && number_finite(a[2]);
 }
 
-/* The power of 2 that a's largest component is below, at most 2 times; -1100, less than any, if all are 0. */
+/* Returns the exponent of the power of 2 above a's largest component, by a factor of at most 2; -1100, less than any
+ * exponent, if all are 0. */
 static inline int vector_exponent(const double a[3])
 {
     const double most = fmax(fmax(fabs(a[0]), fabs(a[1])), fabs(a[2]));
@@ -61,12 +62,12 @@ static inline int vector_exponent(const double a[3])
     return most > 0.0 ? exponent : -1100;
 }
 
-/* The square of the sine of an angle, below which vectors count as parallel, as in generated/: what is left of their
- * product then is rounding. */
+/* Squared sine of the angle below which vectors count as parallel, as in generated/: their vector product is then
+ * mostly rounding. */
 #define VECTOR_PARALLEL 1e-20
 
-/* n = a x b / |a x b|; FOOTPOINT_ERR_DEGENERATE if a and b are parallel, to rounding, if one is 0, or if a number is not
- * finite, whatever the unit of length. */
+/* Computes n = a x b / |a x b|. Returns FOOTPOINT_ERR_DEGENERATE if a and b are parallel to rounding, if one is 0, or
+ * if a number is not finite, whatever the unit of length. */
 static inline int vector_normal(const double a[3], const double b[3], double n[3])
 {
     double c[3], d[3], e[3];

@@ -1,6 +1,6 @@
-/* sfepy 2021.4, sfepy/mechanics/extmods/contres.c: evaluateContactConstraints, in place of the function of that name.
- * Which Gauss point meets which segment is decided as there, by cells and by triangles about a segment's middle; where
- * on the segment is the headers' answer, without a guess and without iterating, for segments of 4, 6 and 8 nodes. */
+/* Replaces evaluateContactConstraints of sfepy 2021.4, sfepy/mechanics/extmods/contres.c. As in sfepy, cells and
+ * triangles about a segment's middle determine which segment a Gauss point meets. The headers find the place on the
+ * segment without a guess and without iteration, for segments of 4, 6 and 8 nodes. */
 #include "footpoint_quad4.h"
 #include "footpoint_quad8.h"
 #include "footpoint_tri6.h"
@@ -28,7 +28,7 @@ static void minus(const double a[3], const double b[3], double c[3])
         c[i] = a[i] - b[i];
 }
 
-/* The line through two nodes in the plane. */
+/* Searches the line through two nodes in the plane. */
 static int on_line(double x[8][3], const double at[3], double loc[2], double *gap)
 {
     double side[3], from[3];
@@ -42,7 +42,7 @@ static int on_line(double x[8][3], const double at[3], double loc[2], double *ga
     return 0;
 }
 
-/* Where the foot point of `at` is on a segment, and how far; < 0: nowhere. */
+/* Finds the foot point of `at` on a segment and its distance; returns < 0 if there is none. */
 static int search(int nodes, double x[8][3], const double at[3], double loc[2], double *gap)
 {
     switch (nodes) {
@@ -59,7 +59,8 @@ static int search(int nodes, double x[8][3], const double at[3], double loc[2], 
     }
 }
 
-/* Whether a triangle, or in the plane a line, lies below or above a point, and how far below its plane the point is. */
+/* Returns true if a triangle, or in the plane a line, lies below or above a point; *height: the position of the point
+ * along the normal, from the plane. */
 static int meets(int dimensions, double corner[3][3], const double normal[3], const double at[3], double *height)
 {
     double side[3], from[3], c[3], area[3];
@@ -84,10 +85,10 @@ static double cut(double x, double most)
     return x < 0 ? 0 : x > most ? most : x;
 }
 
-/* The parameters are sfepy's: GPs has a row for each Gauss point, and columns: its place (nsd), element, segment, gap,
- * local coordinates (nsd), whether it is in contact, the element and the segment that it meets.  X is coordinates by
- * columns; ISN the nodes of an element's segments, by columns; IEN the nodes of elements; head and next are the lists of
- * Gauss points in N[0] x N[1] x N[2] cells of the box. */
+/* The parameters are sfepy's. GPs has a row for each Gauss point, with columns for its place (nsd), element, segment,
+ * gap, local coordinates (nsd), contact flag, and the element and segment that it meets. X contains coordinates by
+ * columns, ISN the nodes of an element's segments, by columns, IEN the nodes of elements. head and next are the lists
+ * of Gauss points in N[0] x N[1] x N[2] cells of the box. */
 void evaluateContactConstraints(double *GPs, int32_t *ISN, int32_t *IEN, int32_t *N, double *AABBmin, double *AABBmax,
                                 int32_t *head, int32_t *next, double *X, uint32_t *elementID, uint32_t *segmentID,
                                 int n, int nsn, int nsd, int npd, int ngp, int nen, int nes, int neq,
