@@ -437,12 +437,42 @@ static void arrays_match_single_calls(void **state)
     }
 }
 
+/* Of two faces: OK only if no point of either is nearer than the distance that is returned, but for rounding. */
+static void the_nearest_of_two_faces_is_proved(void **state)
+{
+    uint64_t stream = 64;
+    long proved = 0;
+    (void)state;
+    for (int i = 0; i < BLOCK; i++) {
+        struct hard_case h[2];
+        for (int k = 0; k < 2; k++)
+            draw_swept(&stream, &h[k]);
+        memcpy(h[1].x[4], h[0].x[4], sizeof h[0].x[4]);
+        const struct single s[2] = {rounded(&h[0]), rounded(&h[1])};
+        const float *nodes[8];
+        fine best[2], least = INFINITY;
+        float loc[2], dist;
+        int region;
+        size_t which;
+        for (int k = 0; k < 8; k++)
+            nodes[k] = s[k / 4].x[k % 4];
+        if (footpoint_quad4_float_accurate_closest_of(2, nodes, s[0].x[4], loc, &dist, &region, &which) != FOOTPOINT_OK)
+            continue;
+        proved++;
+        for (int k = 0; k < 2; k++)
+            least = fminl(least, sqrtl(2 * nearest(&s[k], best)));
+        assert_true(fabsl(fabsl((fine)dist) - least) <= 1e-5L);
+    }
+    assert_true(proved > BLOCK / 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(answers_keep_the_promise),
         cmocka_unit_test(answers_to_hard_cases_keep_the_promise),
         cmocka_unit_test(arrays_match_single_calls),
+        cmocka_unit_test(the_nearest_of_two_faces_is_proved),
     };
     return cmocka_run_group_tests_name("float promises", tests, NULL, NULL);
 }
