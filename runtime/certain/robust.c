@@ -1,13 +1,10 @@
-/* The closest point of a segment, with certainty: the search of the header, which proves its foot point, and the test of
- * check.h that no other point is nearer.  For slave nodes over ordinary segments that is all.  Otherwise steps of Newton's
- * method lead to a foot point inside, with the proof of certify.c, unless the header has proved that it lies outside; then
- * the nearest point of the four edges is tried, each with the test that no other point is nearer.  Where all of this
- * fails, all candidates are compared with twice the digits: the nearest points of the edges, and all stationary points, a
- * list that stationary.c proves complete. */
+/* The closest point of a segment, with certainty: the header's, if that proves it. Otherwise steps of Newton's method lead to a foot
+ * point inside, with the proof of certify.c; then the nearest point of the four edges is tried, each with the test that no other
+ * point is nearer. If all of this fails, all candidates are compared with twice the digits: the nearest points of the edges and all
+ * stationary points, a list that stationary.c proves complete. */
 #include "robust.h"
 
 #include "bilinear.h"
-#include "convex.h"
 #include "stationary.h"
 
 #include "../../generated/footpoint_quad4.h"
@@ -21,8 +18,6 @@
 #define SIZABLE 1e-20 /* |r_xi x r_eta|^2 over m^4: more than rounding makes of nodes on a line */
 #define CLEAR 1e-6    /* of squares of areas, lengths and angles: what rounding does not hide */
 #define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
-#define INSIDE (1.0 - 10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE) /* a foot point with |xi|, |eta| below is inside */
-#define BESIDE (1.0 + 10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE) /* one above is not */
 
 enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
 
@@ -296,9 +291,10 @@ static int is_behind(const double *const x[5], const struct bilinear *f, const d
     return footpoint_detail_quad4_behind(z, loc, is_on_edge(loc), NULL);
 }
 
-/* Without the header's proof, or where that does not settle it. */
-static int closest_with_certainty(const double *const x[5], const struct robust_start *start, double loc[2],
-                                  double *dist)
+static const double middle[2];
+
+/* Where the header proves nothing: from a place near a foot point. */
+static int closest_with_certainty(const double *const x[5], const double from[2], double loc[2], double *dist)
 {
     struct bilinear f;
     struct answer answer = {.side = 0};
@@ -307,9 +303,7 @@ static int closest_with_certainty(const double *const x[5], const struct robust_
         return nearest_of_point(x[0], x[4], loc, dist);
     if (status != FOOTPOINT_OK)
         return status;
-    const double *const at = start->loc;
-    const int beside = start->status == FOOTPOINT_OK && (fabs(at[0]) > BESIDE || fabs(at[1]) > BESIDE);
-    if ((beside || !find_foot(&f, at[0], at[1], &answer)) && !find_edge(&f, &answer))
+    if (!find_foot(&f, from[0], from[1], &answer) && !find_edge(&f, &answer))
         status = compare_all(x, &f, &answer);
     if (answer.side < 0 || (answer.side == 0 && status != FOOTPOINT_NO_AREA && is_behind(x, &f, answer.loc)))
         answer.dist = -answer.dist;
@@ -323,60 +317,22 @@ static int closest_with_certainty(const double *const x[5], const struct robust_
     return status == FOOTPOINT_OK && is_on_edge(loc) ? FOOTPOINT_OUTSIDE : status;
 }
 
-static inline int is_inside(const struct robust_start *start)
-{
-    return start->status == FOOTPOINT_OK && fabs(start->loc[0]) < INSIDE && fabs(start->loc[1]) < INSIDE;
-}
-
-/* The distance at loc, with its sign. */
-static inline double distance_at(const double *const x[5], const struct convex *v, const double loc[2])
-{
-    const double s = 0.5 * (1.0 + loc[0]), t = 0.5 * (1.0 + loc[1]);
-    double a[3], b[3], d[3], normal[3];
-    for (int i = 0; i < 3; i++) {
-        const double ab = x[1][i] - x[0][i];
-        a[i] = ab + t * v->c[i];
-        b[i] = (x[3][i] - x[0][i]) + s * v->c[i];
-        d[i] = v->f[i] - s * ab - t * b[i];
-    }
-    vector_cross(a, b, normal);
-    return copysign(sqrt(vector_dot(d, d)), vector_dot(normal, d));
-}
-
-/* Where the header's foot point is the closest point, as it is over ordinary segments, writes that. */
-static inline int finish(const double *const x[5], const struct convex *v, int is_convex, int is_plump,
-                         const struct robust_start *start, double loc[2], double *dist)
-{
-    if (!is_convex || !is_inside(start))
-        return closest_with_certainty(x, start, loc, dist);
-    loc[0] = start->loc[0];
-    loc[1] = start->loc[1];
-    *dist = is_plump ? start->gap : distance_at(x, v, loc);
-    return FOOTPOINT_OK;
-}
-
-/* Of segments that the header's search is not asked about. */
-static const struct robust_start nothing = {FOOTPOINT_UNPROVED, {0.0, 0.0}, 0.0};
-
 int footpoint_robust_from(const double *const x[5], const struct robust_start *start, double loc[2], double *dist)
 {
-    struct convex v;
-    convex_of(x, &v);
-    if (!convex_is_ordinary(&v))
-        return closest_with_certainty(x, &nothing, loc, dist);
-    return finish(x, &v, convex_holds(&v, 1.0), convex_is_plump(&v), start, loc, dist);
+    if (start->status != FOOTPOINT_OK)
+        return closest_with_certainty(x, start->status > FOOTPOINT_OK ? start->loc : middle, loc, dist);
+    loc[0] = start->loc[0];
+    loc[1] = start->loc[1];
+    *dist = start->distance;
+    return is_on_edge(loc) ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
 }
 
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *dist)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
-    struct robust_start start = nothing;
-    struct convex v;
-    convex_of(x, &v);
-    if (!convex_is_ordinary(&v))
-        return closest_with_certainty(x, &nothing, loc, dist);
-    const int is_convex = convex_holds(&v, 1.0), is_plump = convex_is_plump(&v);
-    start.status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, start.loc, &start.gap);
-    return finish(x, &v, is_convex, is_plump, &start, loc, dist);
+    struct robust_start start;
+    int region;
+    start.status = footpoint_quad4_accurate_closest(xA, xB, xC, xD, xS, start.loc, &start.distance, &region);
+    return footpoint_robust_from(x, &start, loc, dist);
 }

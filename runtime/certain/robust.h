@@ -1,4 +1,4 @@
-/* The closest point of a bilinear segment, from an answer of the header's search; see robust.c. */
+/* The closest point of a bilinear segment, from the answer of the header; see robust.c. */
 #ifndef FOOTPOINT_ROBUST_H
 #define FOOTPOINT_ROBUST_H
 
@@ -6,10 +6,11 @@
 #pragma GCC visibility push(hidden)
 #endif
 
-/* What a search returned and, if its status is >= 0, wrote; of a four-node segment footpoint_quad4_accurate. */
+/* The status of a header's function, and its answer if that is >= 0: of a four-node segment those of footpoint_quad4_accurate_closest,
+ * of other faces those of a search for the foot point, whose gap is the distance. */
 struct robust_start {
     int status;
-    double loc[2], gap;
+    double loc[2], distance;
 };
 
 /** Finds what footpoint_robust returns, of the nodes A, B, C, D, S. */

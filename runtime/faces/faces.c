@@ -102,7 +102,7 @@ static int closest_of_triangle(const struct face *f, const double *x, const stru
         return footpoint_triangle_closest(x, loc, distance);
     loc[0] = start->loc[0];
     loc[1] = start->loc[1];
-    *distance = fabs(start->gap);
+    *distance = fabs(start->distance);
     return FOOTPOINT_OK;
 }
 
@@ -112,7 +112,7 @@ static int closest_of_curved(const struct face *f, const double *x, const struct
 {
     const double middle = f->pairs.nodes == 6 ? 1.0 / 3.0 : 0.0, from[2] = {middle, middle};
     const struct rows r = rows_of(f, x);
-    double at[2] = {start->loc[0], start->loc[1]}, away = start->gap;
+    double at[2] = {start->loc[0], start->loc[1]}, away = start->distance;
     int boxes = MOST_BOXES, region;
     if ((start->status == FOOTPOINT_OK && f->is_closest(r.x, r.s, at)) ||
         f->closest(r.x, r.s, at, &away, &region) == FOOTPOINT_OK) {
@@ -150,13 +150,8 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
-    if (face == FOOTPOINT_QUAD4) {
-        const int status = footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, loc, distance);
-        *region = status >= FOOTPOINT_OK ? region_of(4, loc) : *region;
-        return status;
-    }
     if (face != FOOTPOINT_TRI3 || f->promise > 0.0)
-        start.status = f->start.locate(r.x, r.s, start.loc, &start.gap);
+        start.status = f->start.locate(r.x, r.s, start.loc, &start.distance);
     return robust_from(f, x, &start, loc, distance, region);
 }
 
