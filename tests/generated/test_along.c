@@ -3,7 +3,7 @@
  * face has no other one; other statuses are right, and the nearest of several points is the answer.  Faces are mild, strongly
  * curved, arched, half circles, with mid-side nodes at a quarter or 0.3 to 0.5 off, collapsed, folded, wavy and slim, at the origin and
  * 1e6 edges away from it, of sizes from 1e-100 to 1e100, with lines in any direction, near the normal, near chords, through nodes, along
- * edges, and such that touch the face or nearly do.  4,000 lines a kind, 1e6 with FOOTPOINT_LONG. */
+ * edges, and such that touch the face or nearly do.  3,200 lines a kind, 1e6 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
@@ -24,7 +24,7 @@
 
 #include <cmocka.h>
 
-enum { ROWS = 64, SAMPLES = 60 * ROWS, SAMPLES_LONG = 15625 * ROWS, VECTORS = 10 };
+enum { ROWS = 64, SAMPLES = 50 * ROWS, SAMPLES_LONG = 15625 * ROWS, VECTORS = 10 };
 enum { SEED = 20119, SEED_STATUS = 20120, SEED_SIZE = 20121 };
 #define CLEAR 1e-9 /* of xi and eta: what lies on an edge, to rounding */
 

@@ -124,8 +124,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
                                                      REAL at[3], int *status)
 {
     REAL c[3][9], k[9], l[9], a[3], b[3], m[3], n[3], w[3], off[2], slope[2], across, over, beyond;
-    const REAL pp = footpoint_detail_dot(p, p), unit = footpoint_detail_unit();
-    const REAL flat = 400.0 / REAL_FLAT * (unit * unit); /* p may be in the plane of c1 and c2 */
+    const REAL pp = footpoint_detail_dot(p, p);
     REAL_BITS doubt, hit;
     int i;
     FOOTPOINT_UNROLL
@@ -163,7 +162,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
     beyond = footpoint_detail_SHAPE_beyond(at[0], at[1]);
     *status = beyond > 0.0 ? FOOTPOINT_OUTSIDE : footpoint_detail_met();
     hit |= footpoint_detail_above(w[2], REAL_MARGIN) | footpoint_detail_bits(beyond - REAL_MIN) |
-           footpoint_detail_above(off[0] * off[0] + off[1] * off[1], flat);
+           footpoint_detail_above(off[0] + off[1], ALONG_PROMISE);
     return (doubt & hit) | footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
            footpoint_detail_above(w[0] * w[0] + w[1] * w[1], 1e4);
 }

@@ -108,10 +108,11 @@ FOOTPOINT_FN int footpoint_detail_KIND_beside(const REAL *const *x, const REAL p
     return FOOTPOINT_ERR_DOMAIN;
 }
 
-/* (xi,eta) and the distance of a point that is found; without a proof, where steps lead from there if they do. */
+/* (xi,eta) and the distance of a point that is found; beyond the edges or without a proof, where steps lead from there if they do. */
 FOOTPOINT_FN void footpoint_detail_KIND_place(const REAL *const *x, const REAL p[3],
                                               const REAL found[3], REAL at[3])
 {
+    const REAL promise = 2.0 * ALONG_PROMISE;
     REAL y[3];
     footpoint_detail_SHAPE_start(0, at);
     at[0] += found[0];
@@ -119,7 +120,9 @@ FOOTPOINT_FN void footpoint_detail_KIND_place(const REAL *const *x, const REAL p
     y[0] = at[0];
     y[1] = at[1];
     y[2] = 0.0;
-    if (found[2] > 0.0 && !(footpoint_detail_KIND_walk(x, p, y) >> REAL_TOP)) {
+    if ((found[2] > 0.0 || footpoint_detail_SHAPE_beyond(at[0], at[1]) > promise) &&
+        !(footpoint_detail_KIND_walk(x, p, y) >> REAL_TOP) &&
+        (found[2] > 0.0 || fabs(y[0] - at[0]) + fabs(y[1] - at[1]) <= promise)) {
         at[0] = y[0];
         at[1] = y[1];
     }
