@@ -85,8 +85,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* xi, eta and the gap (9) from where a search ended, by `bare` steps and one that is proved.  The gap, and the normal along which it is,
- * follow from the values of the last step to its second order. */
+/* xi, eta and the gap (9) from where a search ended, by `bare` steps and one that is proved.  The gap, and the normal along which it is, follow
+ * from the values of the last step, to its second order, where that is short. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL promise, int bare,
                                                      REAL least, REAL *xi, REAL *eta, REAL *gap)
 {
@@ -105,12 +105,16 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL 
     doubt = footpoint_detail_KIND_step(&of, &r, promise, xi, eta);
     s = *xi - p;
     t = *eta - q;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const REAL u = s * r.uu[k] + t * r.uv[k], v = s * r.uv[k] + t * r.vv[k];
-        r.d[k] -= s * (r.u[k] + 0.5 * u) + t * (r.v[k] + 0.5 * v);
-        r.u[k] += u;
-        r.v[k] += v;
+    if (promise > 1e-6)
+        footpoint_detail_KIND_local(&of, *xi, *eta, &r);
+    else {
+        FOOTPOINT_UNROLL
+        for (k = 0; k < 3; k++) {
+            const REAL u = s * r.uu[k] + t * r.uv[k], v = s * r.uv[k] + t * r.vv[k];
+            r.d[k] -= s * (r.u[k] + 0.5 * u) + t * (r.v[k] + 0.5 * v);
+            r.u[k] += u;
+            r.v[k] += v;
+        }
     }
     size = of.net.base * of.net.base;
     return doubt | footpoint_detail_normal_gap(r.u, r.v, r.d, size, size, 0.0625 * size, least,
