@@ -303,7 +303,7 @@ static bool is_right(const struct kind *k, struct line *l, const struct answer *
     if (a->status >= FOOTPOINT_OK && a->status != FOOTPOINT_UNPROVED) {
         const double reach = 1 + fabs(a->loc[0]) + fabs(a->loc[1]), off = off_line(k, l, a) / (span * reach * reach);
         t->off = fmax(t->off, off);
-        if (off > 1e-9)
+        if (off > 4 * FOOTPOINT_ALONG_PROMISE) /* which moves r by up to twice the span */
             return false;
     }
     t->unclear += !clear && l->lead != TOUCHING && l->lead != NODE_OR_EDGE;
@@ -313,7 +313,7 @@ static bool is_right(const struct kind *k, struct line *l, const struct answer *
     t->nowhere += a->status == FOOTPOINT_ERR_DOMAIN;
     return is_counted(k, l, a, inside) &&
            (inside == 0 || a->status == FOOTPOINT_UNPROVED ||
-            fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread + 2 * error) * span);
+            fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread + 8 * error) * span);
 }
 
 static void count(long number, const struct line *l, const struct answer *a, struct tally *t)

@@ -5,7 +5,7 @@
  *           normal that is the gap.  These are proved, rounding errors included: FOOTPOINT_OK, the line meets the
  *           surface at a point within ALONG_PROMISE of loc, and the segment at no other one;
  *           FOOTPOINT_NOT_UNIQUE, it meets the segment more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE,
- *           it passes by, and the answer is where it meets the surface beyond the edges, to rounding.
+ *           it passes by, and the answer is where it meets the surface beyond the edges, to about as much.
  *           FOOTPOINT_UNPROVED: any of these, as where it nearly touches the segment.  loc and dist are untouched where it returns
  *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the edges
  *           is known;
