@@ -393,8 +393,8 @@ build-tests: $(TESTS) all bench-program paper-programs
 # A line at once, then the longest first, so that processors are busy to the end.
 LONGEST := header evolve languages checkpoint bench make example statuses programs
 LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh)
-paper_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh
-in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh) $(paper_tests))
+other_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh tests/queries/queries.sh
+in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh) $(other_tests))
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \
     $(filter-out %/test_header_bounds,$(in_order)) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
@@ -434,7 +434,7 @@ rivals: runtime ## beside other libraries: table, and pictures in build/rivals/i
 
 # The committed set and its scores, or with COUNT= another set.
 queries: runtime ## the public set of queries and the scores on it; with SEED= COUNT= another set, build/queries/queries.txt
-	$(Q)BIN=$(BIN) CC=$(CC) sh tests/queries/queries.sh $(if $(COUNT),set $(SEED) $(COUNT),fill)
+	$(Q)BIN=$(BIN) CC=$(CC) sh tests/queries/set.sh $(if $(COUNT),set $(SEED) $(COUNT),fill)
 
 figures: $(if $(RECORD),runtime) ## the figures of READMEs, between markers, from headers and recorded tables: RECORD=1 records the hard cases first
 	$(Q)BIN=$(BIN) CC=$(CC) sh tests/report/figures.sh $(if $(RECORD),--record)

@@ -1,66 +1,40 @@
-#!/bin/sh
-# queries.sh make SEED COUNT: queries on standard output, COUNT of each kind of face and family.
-# queries.sh set SEED COUNT: the same in build/queries/queries.txt.
-# queries.sh score QUERIES: judges our searches, their rivals, and the libraries that `make rivals` has built: a table.
-# queries.sh fill: puts that table of queries.txt.gz into README.md.
-here=tests/queries BIN=${BIN:-build} CC=${CC:-gcc}
-built=$BIN/queries
-flags='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -O1 -ffp-contract=off'
-mkdir -p "$built" || exit 3
+# The public set of queries: read by a program of 30 lines that includes nothing of footpoint's; a judge that knows right from
+# wrong and refused; all of it made again, the same bytes, when FOOTPOINT_LONG is set.
+. tests/cli/expect.inc
+CC=${CC:-gcc} queries=tests/queries
+gzip -dc $queries/queries.txt.gz > "$work/queries.txt"; report $((! $?)) 'unpacks'
+[ "$(wc -c < $queries/queries.txt.gz)" -le 1000000 ]; report $((! $?)) 'in at most a megabyte'
 
-# build PROGRAM FILES AND LIBRARIES...
-build() {
-    program=$1
-    shift
-    # shellcheck disable=SC2086
-    $CC $flags "$here/${program}_main.c" "$@" -o "$built/$program" || exit 3
+[ "$(wc -l < $queries/read_queries_main.c)" -le 30 ] && ! grep -q '#include "' $queries/read_queries_main.c
+report $((! $?)) 'the reader has 30 lines and includes nothing of ours'
+several=$(awk '$3 > 1' "$work/queries.txt" | wc -l)
+$CC -std=c99 -Wall -Wextra -Wpedantic -Werror $queries/read_queries_main.c -o "$work/read"
+expect 'and reads it all' 0 "4000 queries, $several with several closest points" '' sh -c "'$work/read' < '$work/queries.txt'"
+awk '{ n[$1 " " $2]++ } END { for (k in n) { kinds++; bad += n[k] != 50 } exit bad || kinds != 80 }' "$work/queries.txt"
+report $((! $?)) 'fifty of each kind of face and family'
+[ "$several" -ge 200 ]; report $((! $?)) 'ties among them'
+
+# The judge, on four queries of each family and kind.
+awk 'n[$1 " " $2]++ < 4' "$work/queries.txt" > "$work/few.txt"
+$CC -std=c11 -D_DEFAULT_SOURCE $queries/judge_queries_main.c $queries/query_text.c -o "$work/judge" -lm
+judged() { # judged ANSWERS: asked, right, placed, wrong, none
+    "$work/judge" "$work/few.txt" "$1" x | awk -F, '{ for (i = 3; i <= 7; i++) n[i] += $i } END { print n[3], n[4], n[5], n[6], n[7] }'
 }
+nodes='function nodes(kind) { return kind == "tri3" ? 3 : kind == "quad4" ? 4 : substr(kind, length(kind)) }'
+awk "$nodes"' { at = 8 + 3 * nodes($1); print $(at + 1), $(at + 2), $at }' "$work/few.txt" > "$work/answers"
+expect 'the truth is right' 0 '320 320 320 0 0' '' judged "$work/answers"
+awk '{ print -$1 + 0.3, $2, $3 }' "$work/answers" > "$work/other"
+judged "$work/other" | awk '{ exit !($4 > 300 && $2 < 20) }'; report $((! $?)) 'other points are wrong'
+awk '{ print $1, $2, 1.001 * $3 + 1e-3 }' "$work/answers" > "$work/other"
+judged "$work/other" | awk '{ exit !($4 > 280) }'; report $((! $?)) 'and so are other distances'
+awk '{ print NR % 2 ? "none" : "skip" }' "$work/answers" > "$work/other"
+expect 'refused and skipped' 0 '160 0 0 0 160' '' judged "$work/other"
+echo 'nonsense' > "$work/other"
+expect 'no answer' 1 '' "$work/other:1: error: not 'XI ETA [DISTANCE]', 'point X Y Z', 'none' or 'skip'" \
+    "$work/judge" "$work/few.txt" "$work/other" x
+expect 'too few' 1 '' "/dev/null: error: 0 answers are not enough" "$work/judge" "$work/few.txt" /dev/null x
 
-# scores QUERIES LABEL INSIDE COMMAND...: what the judge says of the answers, or nothing where there are none
-scores() {
-    queries=$1 label=$2 inside=$3
-    shift 3
-    timeout 300 "$@" < "$queries" > "$built/answers" && "$built/judge_queries" "$queries" "$built/answers" "$label" $inside
-}
-
-# score QUERIES: kind by kind, as CSV
-score() {
-    build judge_queries $here/query_text.c -lm
-    build answer_queries $here/query_text.c "$BIN/libfootpoint.a" -ldl -lm
-    for library in '' "$BIN"/rivals/*.so; do
-        case $library in *\** | */footpoint.so | */planted.so) continue ;; esac
-        "$built/answer_queries" ${library:+"$library"} | while read -r name question; do
-            [ "$question" = inside ] || question=
-            label=$(basename "${library:-x}" .so) && [ -n "$library" ] && label="$label $name" || label=$name
-            scores "$1" "$label" "$question" "$built/answer_queries" ${library:+"$library"} "$name"
-        done
-    done
-}
-
-table() {
-    echo '| search | kinds | asked | right | of these placed | wrong | none |'
-    echo '|---|---|---|---|---|---|---|'
-    awk -F, '!($1 in asked) { name[++n] = $1 }
-        { kinds[$1] = kinds[$1] (kinds[$1] ? ", " : "") $2; asked[$1] += $3; right[$1] += $4; placed[$1] += $5; wrong[$1] += $6
-          none[$1] += $7 }
-        END { for (i = 1; i <= n; i++) { s = name[i]; k = kinds[s] == "tri3, quad4, tri6, quad8, quad9" ? "all" : kinds[s]
-            print "| `" s "` | " k " | " asked[s] " | " right[s] " | " placed[s] " | " wrong[s] " | " none[s] " |" } }'
-}
-
-make_queries() {
-    build make_queries $here/distance_polynomial.c $here/draw_queries.c $here/global_minimum.c -lflint-arb -lflint -lmpfr -lgmp -lm
-    "$built/make_queries" "$1" "$2"
-}
-
-case $1 in
-make) make_queries "$2" "$3" ;;
-set) make_queries "$2" "$3" > "$built/queries.txt" && echo "$built/queries.txt" ;;
-score) score "$2" | table ;;
-fill)
-    gzip -dc $here/queries.txt.gz > "$built/queries.txt" || exit 3
-    score "$built/queries.txt" | table > "$built/table" || exit 3
-    awk -v table="$built/table" '/^<!-- scores -->$/ { print; while ((getline line < table) > 0) print line; skip = 1 }
-        /^<!-- end -->$/ { skip = 0 } !skip' $here/README.md > "$built/page" && mv "$built/page" $here/README.md
-    ;;
-*) echo 'usage: queries.sh make SEED COUNT | set SEED COUNT | score QUERIES | fill' >&2; exit 2 ;;
-esac
+later 'queries: all of them made again'
+if [ -n "$FOOTPOINT_LONG" ]; then
+    sh $queries/set.sh make 1 50 2> /dev/null | cmp -s - "$work/queries.txt"; report $((! $?)) 'made again, the same bytes'
+fi
