@@ -17,7 +17,7 @@ usage 'resume and start' '--resume and --start exclude each other' '--resume x -
 usage 'checkpoints without a file' '--checkpoint-every needs --checkpoint' '--checkpoint-every 5'
 usage 'no time' "--time-limit 0 is out of range" '--time-limit 0'
 usage 'odd time' "--time-limit needs seconds or H:MM:SS, not '1:99'" '--time-limit 1:99'
-usage 'odd topology' "--topology knows no 'star'" '--topology star'
+usage 'odd topology' "--topology has no choice 'star'" '--topology star'
 usage 'more migrants than individuals' '--migrate-fraction 1.5 is out of range (0 to 0.5)' '--migrate-fraction 1.5'
 usage 'one file for two things' '--checkpoint and --log are one file: f' '--checkpoint f --log f'
 
