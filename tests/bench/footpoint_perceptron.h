@@ -13,7 +13,8 @@
  *
  * Above each function: poles and rounding errors are bounded over the region, with or without FMA; of the latter
  * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
- * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
+ * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it,
+ * worst errors also by climbing from the worst hundred samples where this is said.
  */
 #ifndef FOOTPOINT_PERCEPTRON_H
 #define FOOTPOINT_PERCEPTRON_H
@@ -310,6 +311,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3],
 typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
+/* A status, but FOOTPOINT_UNPROVED instead of FOOTPOINT_OK of functions that prove nothing, which have promise < 0. */
+FOOTPOINT_PART int footpoint_detail_claim(int status, double promise)
+{
+    return promise < 0.0 && status == FOOTPOINT_OK ? FOOTPOINT_UNPROVED : status;
+}
+
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
  * long; with nodes = 0 not. */
 FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const double *const *x,
@@ -370,71 +377,22 @@ FOOTPOINT_PART double footpoint_detail_most(const double a[3])
     return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
 }
 
-/* Of more edges or less than 2^this a product of the search may leave its range. */
-#define FOOTPOINT_DETAIL_ORDINARY 32
+/* The scalar product of a, >= 0, and |b|. */
+FOOTPOINT_PART double footpoint_detail_weigh(const double a[3], const double b[3])
+{
+    return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
+}
 #endif
 
 #ifndef FOOTPOINT_QUAD4_ANSWER
 #define FOOTPOINT_QUAD4_ANSWER
-/* A Newton step to the foot point of r = c0 + xi a + eta b + xi eta c, d = (xS - c0) / over, by xi and eta.  The highest bit of
- * what it returns is not set if a minimum of the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
- *
- * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv];
- * beta = |H^-1|, `step` = |H^-1 F|.  In the ball of twice the step, of at most 1/6, H has the Lipschitz constant
- * 4 (|r_xi . c| + |r_eta . c|) + c . c.  If h = beta Lipschitz step <= 1/4, then there is a root in the ball within 0.8 h step
- * of the answer, and H is positive definite all the way there.  Rounding: if coordinates of a, b, c (and d) are off by
- * k units of rounding of |a| + |b| + |c| (and |d|) there, and rounding = (k + 8) units, then F is off by no more than
- * rounding far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of any order.
- * The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
-FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_prove(const double a[3], const double b[3],
-                                                               const double c[3], const double d[3], double over,
-                                                               double rounding, double promise, double *xi,
-                                                               double *eta)
-{
-    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
-    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
-    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
-    const double w[3] = {over * d[0] - p * a[0] - q * v[0], over * d[1] - p * a[1] - q * v[1],
-                       over * d[2] - p * a[2] - q * v[2]};
-    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
-    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
-    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
-    const double det = uu * vv - r12 * r12, per = 1.0 / det;
-    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
-    const double step = footpoint_detail_greater(fabs(s), fabs(t));
-    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
-    const double second = footpoint_detail_sum(b);
-    const double far =
-        fabs(over) * footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
-    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
-    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
-    const double off =
-        rounding * far * per *
-        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
-    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
-    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
-                   (4.0 * turns + cc + 1e-13 * (far * far));
-    double room, other;
-    *xi = p + s;
-    *eta = q + t;
-    room = 0.999 * promise *
-               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
-           (0.8 * h * step + 1.2 * off);
-    other = 0.249 - h;
-    room = other < room ? other : room;
-    other = 0.083 - step;
-    room = other < room ? other : room;
-    other = det * (1.0 - 1e-6) - 1e-6 * (r12 * r12);
-    room = other < room ? other : room;
-    return footpoint_detail_bits(room) | footpoint_detail_infinite(room + h + off + s + t) |
-           footpoint_detail_fast();
-}
-
-/* What the proof knows of the vectors of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over` of the d here: size = a . a +
- * b . b + c . c, and of what their rounding errors are.  Coordinates of a are off by some units of rounding of those of |a| + |c| + 0.08 |b|,
- * of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with 3; of d, of |a| + |b| + |c| + |d|; products
- * of two, by as many units as `rounding`, less 10, has, of the product of what bounds the two. */
+/* What a proof knows of a segment and a slave node: their vectors x; those of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over`
+ * of the d here; size = a . a + b . b + c . c; and of what their rounding errors are.  Coordinates of a are off by some units of
+ * rounding of those of |a| + |c| + 0.08 |b|, of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with
+ * 3; of d, of |a| + |b| + |c| + |d|; products of two, by as many units as `rounding`, less 10, has, of the product of what bounds the
+ * two, where that of d has 0.5 (|a| + |b| + |c|) + |d|. */
 typedef struct {
+    const double *const *x;
     const double *a, *b, *c, *d;
     double over, size, rounding;
     int twist;
@@ -451,11 +409,110 @@ FOOTPOINT_PART double footpoint_detail_root_bound(double x)
     return both.number;
 }
 
-/* A bound on P T, see footpoint_detail_quad4_step(), by row through |H^-1|, with |xi| and |eta| up to p and q; of Euclidean
- * norms, by Cauchy and Schwarz. */
-FOOTPOINT_PART double footpoint_detail_quad4_off(const double products[9],
-                                                 const footpoint_detail_quad4_vectors *r, double p,
-                                                 double q, double uu, double mixed, double vv)
+/* What is at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and of each coordinate the sum of the absolute values of its
+ * terms, U, V, W, C.  By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
+typedef struct {
+    double u[3], v[3], w[3], c[3], U[3], V[3], W[3], C[3];
+} footpoint_detail_quad4_place;
+
+FOOTPOINT_PART void footpoint_detail_quad4_visit(const double *const *x, double xi, double eta,
+                                                 footpoint_detail_quad4_place *at)
+{
+    const double left = 1.0 - xi, right = 1.0 + xi, below = 1.0 - eta, above = 1.0 + eta;
+    const double a = left * below, b = right * below, c = right * above, d = left * above;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const double ab = x[1][i] - x[0][i], dc = x[2][i] - x[3][i];
+        const double ad = x[3][i] - x[0][i], bc = x[2][i] - x[1][i];
+        const double of_a = a * (x[4][i] - x[0][i]), of_b = b * (x[4][i] - x[1][i]);
+        const double of_c = c * (x[4][i] - x[2][i]), of_d = d * (x[4][i] - x[3][i]);
+        at->u[i] = below * ab + above * dc;
+        at->U[i] = fabs(below * ab) + fabs(above * dc);
+        at->v[i] = left * ad + right * bc;
+        at->V[i] = fabs(left * ad) + fabs(right * bc);
+        at->w[i] = (of_a + of_b) + (of_c + of_d);
+        at->W[i] = (fabs(of_a) + fabs(of_b)) + (fabs(of_c) + fabs(of_d));
+        at->c[i] = dc - ab;
+        at->C[i] = fabs(dc) + fabs(ab);
+    }
+}
+
+/* A Newton step to the foot point of r, by xi and eta.  The highest bit of what it returns is not set if a minimum of the
+ * distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+ *
+ * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u . v - c . w;
+ * beta = |H^-1|, `step` = |H^-1 F|.  In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|) + c . c.  If
+ * h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact answer, and H is positive
+ * definite all the way there.
+ *
+ * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and what products of two errors make; H by 13 of rows
+ * U (U + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is no more than 1e-4 det / (2 units); L is off by 40 of
+ * C (U + V + C).  `tilt` bounds |H^-1| times the errors of H: with a step they are errors of F, too.  It makes beta and errors of F
+ * 1.06 times as large at most. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_newton(const double *const *x, double promise, double *xi,
+                                                                double *eta)
+{
+    footpoint_detail_quad4_place r;
+    double UV[3], all[3], uu, vv, r12, mixed, f, g, det, per, s, t, step, off_f, off_g, tilt, off, h;
+    double both, row, column, room;
+    int i;
+    footpoint_detail_quad4_visit(x, *xi, *eta, &r);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        UV[i] = r.U[i] + r.V[i];
+        all[i] = UV[i] + r.C[i];
+    }
+    uu = footpoint_detail_dot(r.u, r.u);
+    vv = footpoint_detail_dot(r.v, r.v);
+    r12 = footpoint_detail_dot(r.u, r.v) - footpoint_detail_dot(r.c, r.w);
+    mixed = fabs(r12);
+    f = footpoint_detail_dot(r.u, r.w);
+    g = footpoint_detail_dot(r.v, r.w);
+    det = uu * vv - r12 * r12;
+    per = 1.0 / det;
+    s = (vv * f - r12 * g) * per;
+    t = (uu * g - r12 * f) * per;
+    step = footpoint_detail_greater(fabs(s), fabs(t));
+    both = 1e-6 * footpoint_detail_dot(r.W, UV);
+    off_f = footpoint_detail_weigh(r.U, r.w) + footpoint_detail_weigh(r.W, r.u) + both;
+    off_g = footpoint_detail_weigh(r.V, r.w) + footpoint_detail_weigh(r.W, r.v) + both;
+    both = footpoint_detail_dot(r.C, r.W);
+    row = footpoint_detail_dot(r.U, UV) + both;
+    column = footpoint_detail_dot(r.V, UV) + both;
+    tilt = 25.0 * 1.12e-16 * per *
+           footpoint_detail_greater(vv * row + mixed * column, uu * column + mixed * row);
+    off = 7.0 * 1.12e-16 * per *
+              footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f) +
+          tilt * step;
+    h = 4.0 * (fabs(footpoint_detail_dot(r.u, r.c)) + fabs(footpoint_detail_dot(r.v, r.c))) +
+        footpoint_detail_dot(r.c, r.c) + 40.0 * 1.12e-16 * footpoint_detail_dot(r.C, all);
+    h *= (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off);
+    *xi += s;
+    *eta += t;
+    room = 0.999 * promise - 2.0 * 1.12e-16;
+    room = footpoint_detail_greater(room, room * footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.3 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(0.249 - h) |
+           footpoint_detail_bits(0.05 - tilt) | footpoint_detail_bits(0.1 - (step + 2.0 * off)) |
+           footpoint_detail_bits(det - 20000.0 * 1.12e-16 * (r12 * r12)) |
+           footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
+}
+
+/* The same, where it is seldom called. */
+FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_prove(const double *const *x, double promise, double *xi,
+                                                               double *eta)
+{
+    return footpoint_detail_quad4_newton(x, promise, xi, eta);
+}
+
+/* Bounds P T and Q T, times `rounding`, see footpoint_detail_quad4_step(), with |xi| and |eta| up to p and q, of Euclidean norms, by
+ * Cauchy and Schwarz, of the bounds on coordinates that footpoint_detail_quad4_vectors has.  With r->rounding they bound what the
+ * slopes r_xi . D and r_eta . D of vectors are off by: tangents by k + 2 units of theirs, D by k + 5 of T and another half of |a| + |b| +
+ * |c|, the scalar product adds 3, and `rounding` has at least 2 k + 13. */
+FOOTPOINT_PART void footpoint_detail_quad4_off(const double products[9],
+                                               const footpoint_detail_quad4_vectors *r,
+                                               double rounding, double p, double q, double *f, double *g)
 {
     const double a = footpoint_detail_root_bound(products[0]);
     const double b = footpoint_detail_root_bound(products[2]);
@@ -463,9 +520,10 @@ FOOTPOINT_PART double footpoint_detail_quad4_off(const double products[9],
     const double first = a + c + 0.08 * b, second = b + c + 0.08 * a;
     const double turn = r->twist == 1 ? first : r->twist == 2 ? second : first + second;
     const double u = first + q * turn, v = second + p * turn;
-    const double far =
-        fabs(r->over) * footpoint_detail_sum(r->d) + (first + second) + p * first + q * v;
-    return far * footpoint_detail_greater(vv * u + mixed * v, uu * v + mixed * u);
+    const double d = fabs(r->over) * footpoint_detail_root_bound(footpoint_detail_dot(r->d, r->d));
+    const double far = rounding * (d + 0.5 * (first + second) + p * first + q * v);
+    *f = u * far;
+    *g = v * far;
 }
 
 /* A step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] = a a, a b, b b,
@@ -479,9 +537,12 @@ FOOTPOINT_PART double footpoint_detail_quad4_off(const double products[9],
  * bounds the distance of the answer from a root within a factor of 1 / (1 - h), and H is positive definite all the way there.
  * Without the correction, |s| / 3 stands for |x|: the next one is at most beta L |s|^2 / 2 + R.
  *
- * R: products are off by k units, see above, polynomials add 8, Cramer's rule 2 and 20 |s|.  In row xi F is off by that times P T,
- * P >= |r_xi| + 2 |s| |c| and T >= |d| + |xi a| + ..., by what bounds errors; H s and N by 24 |s| times as much each.  0.2, 1.4 and
- * 1.3 leave for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
+ * R: with P = |a| + ..., what bounds the errors of coordinates of r_xi, Q of r_eta, C of c, T of D as |d| + |xi a| + ..., the
+ * products give F's row xi within k units of P T, and its polynomials add 6, H's within k + 6 units of P P and of P Q + C T.  With
+ * Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P (P + Q) + C T, and by N's rounding, as 2 |s| |c| is in P, 1.25 times
+ * that again: in all by (k + 6) units of P T + 4 |s| (P (P + Q) + C T).  P and T of |xi| and |eta| longer by 6 |s| contain that: P
+ * grows by 4 |s| C, T by 4 |s| (P + Q).  Off the finest promises a coarser bound is enough, of |s| < 1/6.  0.2, 1.4 and 1.3 leave
+ * for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
                                                               const footpoint_detail_quad4_vectors *r,
                                                               double promise, double *xi, double *eta)
@@ -497,14 +558,18 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
     const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
     const double step = footpoint_detail_greater(fabs(s), fabs(t));
     const double beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    const double rounding = r->rounding - 4.0 * 1.12e-16; /* k + 6 */
     double off, left = step * (1.0 / 3.0), h, room, other;
-    if (promise < 1e-9)
-        off = per * footpoint_detail_quad4_off(products, r, fabs(p) + 2.0 * step,
-                                               fabs(q) + 2.0 * step, uu, mixed, vv);
-    else
-        off = beta * (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
-                      (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
-    off *= r->rounding + 50.0 * r->rounding * step;
+    if (promise < 1e-9) {
+        double off_f, off_g;
+        footpoint_detail_quad4_off(products, r, rounding, fabs(p) + 6.0 * step,
+                                   fabs(q) + 6.0 * step, &off_f, &off_g);
+        off =
+            per * footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    } else
+        off = beta * rounding *
+              (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
+               (1.0 + p * p) * (1.0 + q * q) * (300.0 * r->size));
     *xi = p + s;
     *eta = q + t;
     if (promise < 1e-3) {
@@ -555,14 +620,13 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
         doubt = footpoint_detail_infinite(*xi + *eta) |
                 footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
     }
-    /* where products have lost too many digits, vectors have not; their own rounding is 8 units more than (k - 3) / 2 */
+    /* where products have lost too many digits, vectors have not */
     if (promise < 1e-9 && !(footpoint_detail_infinite(*xi + *eta) >> 63))
-        return footpoint_detail_quad4_prove(r->a, r->b, r->c, r->d, r->over, 0.65 * r->rounding,
-                                            promise, xi, eta);
+        return footpoint_detail_quad4_prove(r->x, promise, xi, eta);
     return (unsigned long long)1 << 63;
 }
 
-/* The square of the distance at (xi,eta), of vectors as in footpoint_detail_quad4_prove with over = 1; and where gauss is not
+/* The square of the distance at (xi,eta), of vectors with over = 1; and where gauss is not
  * NULL, the step of Gauss and Newton from there, which leads downhill. */
 FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const double b[3], const double c[3],
                                                    const double d[3], double xi, double eta, double *gauss)
@@ -628,12 +692,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double
 }
 
 /* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
- * segment is about 1 long; coordinates of what is made of them are off by 3 units of rounding, see footpoint_detail_quad4_prove(). */
+ * segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise, double *xi,
                                                  double *eta)
 {
-    const double rounding = 11.0 * 1.12e-16;
     double a[3], b[3], c[3], d[3], at[2], to[2], apart, moved;
+    const double *const x[5] = {y[0], y[1], y[2], y[3], y[4]};
     int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_quad4_edges(y, a, b, c, d);
     at[0] = fabs(*xi) < 1e3 ? *xi : 0.0;
@@ -642,8 +706,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
     for (steps = 0; steps < 20; steps++) {
         to[0] = at[0];
         to[1] = at[1];
-        if (!(footpoint_detail_quad4_prove(a, b, c, d, 1.0, rounding, promise, &to[0], &to[1]) >>
-              63)) {
+        if (!(footpoint_detail_quad4_prove(x, promise, &to[0], &to[1]) >> 63)) {
             at[0] = to[0];
             at[1] = to[1];
             status = FOOTPOINT_OK;
@@ -663,7 +726,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise = 0: nothing is promised.  The search once more, as a loop takes fewer
+/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
  * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const double *const *x, int nodes, double promise,
@@ -674,7 +737,8 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
     const double *z[5];
     unsigned long long doubt;
     if (!(promise > 0.0))
-        return footpoint_detail_again(search, x, nodes, 5, loc, gap);
+        return footpoint_detail_claim(footpoint_detail_again(search, x, nodes, 5, loc, gap),
+                                      promise);
     status = footpoint_detail_scale(x, 4, 5, y, &exponent);
     if (status != FOOTPOINT_OK)
         return status;
@@ -682,8 +746,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
     if (doubt >> 63) {
         for (i = 0; i < 5; i++)
             z[i] = y[i];
-        if (nodes > 0 &&
-            (exponent > FOOTPOINT_DETAIL_ORDINARY || exponent < -FOOTPOINT_DETAIL_ORDINARY))
+        if (nodes > 0 && (exponent > 32 || exponent < -32))
             doubt = search(z, 2, 0.0, &xi, &eta, &g);
         if (doubt >> 63) {
             if (search(nodes > 0 ? z : x, 1, 0.0, &xi, &eta, &g) >> 63)
@@ -764,7 +827,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
             footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
                                         &status[i]);
-        }
+        } else
+            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
 
 /* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
@@ -798,7 +862,8 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
             const double *const row[5] = {c[0], c[1], c[2], c[3], s};
             footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
                                         &status[i]);
-        }
+        } else
+            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
 #endif
 
@@ -845,7 +910,7 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
 /* NAME_at:  xi and eta, dimensionless; nothing is checked.
  * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
- *           there, or no number.
+ *           there, or no number.  In float FOOTPOINT_UNPROVED stands for FOOTPOINT_OK if there is no NAME_PROMISE.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
  * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
@@ -1379,7 +1444,7 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_8(const double xA[3], const double 
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
-    return FOOTPOINT_OK;
+    return footpoint_detail_claim(FOOTPOINT_OK, 0.0);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_n(size_t n, const double *const x[15],
@@ -1467,7 +1532,7 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_16(const double xA[3], const double
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
-    return FOOTPOINT_OK;
+    return footpoint_detail_claim(FOOTPOINT_OK, 0.0);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_n(size_t n, const double *const x[15],
@@ -1557,7 +1622,7 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_16_16(const double xA[3], const dou
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
-    return FOOTPOINT_OK;
+    return footpoint_detail_claim(FOOTPOINT_OK, 0.0);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_n(size_t n, const double *const x[15],
@@ -1589,6 +1654,9 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_checked_n(size_t n, const 
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
 
+/* The largest error of xi and eta behind FOOTPOINT_OK. */
+#define FOOTPOINT_ALONG_PROMISE 1e-9
+
 /* The larger one without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
 {
@@ -1600,6 +1668,28 @@ FOOTPOINT_PART double footpoint_detail_excess(double x)
 {
     const double more = fabs(x) - 1.0;
     return 0.5 * (more + fabs(more));
+}
+
+/* Half of the last digit of 1. */
+FOOTPOINT_PART double footpoint_detail_unit(void)
+{
+    return 1.0 / (double)((unsigned long long)1 << 53);
+}
+
+/* The sum of the absolute values. */
+FOOTPOINT_PART double footpoint_detail_manhattan(const double a[3])
+{
+    return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+}
+
+/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+FOOTPOINT_PART int footpoint_detail_met(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return FOOTPOINT_UNPROVED;
+#else
+    return FOOTPOINT_OK;
+#endif
 }
 
 /* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
@@ -1666,12 +1756,38 @@ FOOTPOINT_PART double footpoint_detail_quad4_ahead(const double c1[3], const dou
     return ahead;
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless J
- * is far from 0 and has one sign in the segment and as far beyond it as (xi, eta) lies. */
+/* Bounds of rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`.  Differences of nodes are off by a
+ * unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums count for the rest. */
+FOOTPOINT_PART double footpoint_detail_quad4_rounding(const double c1[3], const double c2[3],
+                                                      const double c3[3], const double d[3], double units)
+{
+    return footpoint_detail_unit() *
+           (20.0 * footpoint_detail_manhattan(d) +
+            units * (footpoint_detail_manhattan(c1) + footpoint_detail_manhattan(c2) +
+                     footpoint_detail_manhattan(c3)));
+}
+
+/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of where the equations leave r and
+ * s, and no other one where |xi|, |eta| <= wide.  off: rounding errors of the equations there.  As a map that leads to xi, eta, r - k2
+ * xi eta and s - k1 xi eta, over j, contract if `room` > 0, in a norm of its own; then solutions lie within what `left` bounds. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_meet(double j, double k1, double k2, double r, double s,
+                                                              const double off[2], double wide)
+{
+    const double a = wide * fabs(k2) + 2.0 * off[0], b = wide * fabs(k1) + 2.0 * off[1];
+    const double all = fabs(j), room = all - a - b, most = 0.99 * FOOTPOINT_ALONG_PROMISE * (all * room);
+    const double first = fabs(r) + off[0], second = fabs(s) + off[1];
+    const double left = most - 1.01 * ((all - b) * first + a * second);
+    const double right = most - 1.01 * ((all - a) * second + b * first);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(left) |
+           footpoint_detail_bits(right) | footpoint_detail_infinite(left + right);
+}
+
+/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
+ * is proved, as J has one sign in the segment and as far beyond it as (xi, eta) lies. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *const *x, const double p[3],
                                                                double at[3], int *status)
 {
-    double c1[3], c2[3], c3[3], d[3], k[6], root, below_xi, below_eta, over, slope, size, pp;
+    double c1[3], c2[3], c3[3], d[3], k[6], off[2], root, below_xi, below_eta, over, slope, wide, pp;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
     slope = k[0] + k[3];
@@ -1683,16 +1799,18 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *con
     at[1] = k[5] * (below_xi * over);
     pp = footpoint_detail_dot(p, p);
     at[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, at[0], at[1]);
-    size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
-    *status = FOOTPOINT_OUTSIDE *
-              (int)((footpoint_detail_above(at[0], 1.0) | footpoint_detail_above(at[1], 1.0)) >>
-                    63);
-    return footpoint_detail_outside(below_xi * below_eta) | footpoint_detail_outside(pp) |
-           footpoint_detail_infinite(at[0] + at[1] + at[2]) |
-           footpoint_detail_bits(k[0] * k[0] - 100.0 * 1e-20 * (size * size * pp)) |
-           footpoint_detail_bits(fabs(k[0]) - 1.0001 * (fabs(k[1]) + fabs(k[2])) *
-                                                  (1.0 + footpoint_detail_excess(at[0]) +
-                                                   footpoint_detail_excess(at[1])));
+    wide = 1.002 * (1.0 + footpoint_detail_excess(at[0]) + footpoint_detail_excess(at[1]));
+    over = footpoint_detail_manhattan(p) * (wide * wide) *
+           footpoint_detail_quad4_rounding(c1, c2, c3, d, 40.0);
+    off[0] = over * footpoint_detail_manhattan(c2);
+    off[1] = over * footpoint_detail_manhattan(c1);
+    *status = (footpoint_detail_above(at[0], 1.0) | footpoint_detail_above(at[1], 1.0)) >> 63
+                  ? FOOTPOINT_OUTSIDE
+                  : footpoint_detail_met();
+    return footpoint_detail_quad4_meet(k[0], k[1], k[2], k[4] + at[0] * (k[0] + at[1] * k[2]),
+                                       k[5] + at[1] * (k[0] + at[0] * k[1]), off, wide) |
+           footpoint_detail_outside(below_xi * below_eta) | footpoint_detail_outside(pp) |
+           footpoint_detail_infinite(at[2]);
 }
 
 /* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
@@ -1703,50 +1821,114 @@ FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside.  Of the two
- * ways to compute the discriminant the one that loses fewer digits, as near a collapsed edge. */
+/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of (xi,eta), with J of the sign of
+ * `slope`: there tangents take the place of c1 and c2, and xS - r that of d. */
+FOOTPOINT_FN unsigned long long footpoint_detail_quad4_line_near(const double c1[3], const double c2[3],
+                                                                 const double c3[3], const double d[3],
+                                                                 const double p[3], double xi, double eta,
+                                                                 double slope)
+{
+    const double wide = 1.0 + footpoint_detail_excess(xi) + footpoint_detail_excess(eta);
+    const double over = footpoint_detail_manhattan(p) * (wide * wide) *
+                      footpoint_detail_quad4_rounding(c1, c2, c3, d, 100.0);
+    double a[3], b[3], e[3], k[6], off[2];
+    int i;
+    for (i = 0; i < 3; i++) {
+        a[i] = c1[i] + eta * c3[i];
+        b[i] = c2[i] + xi * c3[i];
+        e[i] = d[i] - xi * c1[i] - eta * b[i];
+    }
+    footpoint_detail_quad4_brackets(a, b, c3, e, p, k);
+    off[0] = over * footpoint_detail_manhattan(b);
+    off[1] = over * footpoint_detail_manhattan(a);
+    return footpoint_detail_quad4_meet(k[0], k[1], k[2], k[4], k[5], off, FOOTPOINT_ALONG_PROMISE) |
+           footpoint_detail_bits(k[0] * slope);
+}
+
+/* Both solutions: z, xi, eta and the distance, what they reach at most of xi and eta, and whether a solution is proved to be there;
+ * FOOTPOINT_ERR_DOMAIN if there is none.  Of the two ways to compute the discriminant the one that loses fewer digits, as near
+ * a collapsed edge. */
+FOOTPOINT_FN int footpoint_detail_quad4_solve(const double c1[3], const double c2[3], const double c3[3],
+                                              const double d[3], const double p[3], const double k[6],
+                                              double z[2][3], double reach[2], int proved[2])
+{
+    const double a = k[0] - k[3], b = k[0] + k[3];
+    const double discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
+                                  ? a * a - 4.0 * (k[1] * k[4])
+                                  : b * b - 4.0 * (k[2] * k[5]);
+    const double size = footpoint_detail_manhattan(c1) + footpoint_detail_manhattan(c2) +
+                      footpoint_detail_manhattan(c3);
+    const double off =
+        size * footpoint_detail_manhattan(p) * footpoint_detail_quad4_rounding(c1, c2, c3, d, 40.0);
+    const double all = footpoint_detail_manhattan(k) + footpoint_detail_manhattan(k + 3) + off;
+    const double root = sqrt(discriminant > 0.0 ? discriminant : 0.0);
+    int i, found = 0;
+    if (discriminant + 8.0 * off * all < 0.0)
+        return FOOTPOINT_ERR_DOMAIN;
+    for (i = 0; i < 2; i++) {
+        const double slope = i ? -root : root;
+        z[i][0] = footpoint_detail_root(k[1], a, k[4], slope);
+        z[i][1] = footpoint_detail_root(k[2], b, k[5], slope);
+        z[i][2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, z[i][0], z[i][1]) /
+                  sqrt(footpoint_detail_dot(p, p));
+        reach[i] = fabs(z[i][0]) > fabs(z[i][1]) ? fabs(z[i][0]) : fabs(z[i][1]);
+        proved[i] = 0;
+        if (footpoint_detail_infinite(z[i][0] + z[i][1] + z[i][2]) >> 63) {
+            reach[i] = 1.0 / 2.2250738585072014e-308;
+            continue;
+        }
+        found++;
+        proved[i] = !(footpoint_detail_quad4_line_near(c1, c2, c3, d, p, z[i][0], z[i][1], slope) >>
+                      63);
+    }
+    return found ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN;
+}
+
+/* Whether `other` cannot lie in the segment, as z is proved with J of the sign in the middle: there J is -J of z, and in the segment
+ * it is more. */
+FOOTPOINT_FN int footpoint_detail_quad4_excludes(const double k[6], const double z[3], double reach,
+                                                 double off)
+{
+    const double bends = fabs(k[1]) + fabs(k[2]), turn = k[0] + (k[1] * z[0] + k[2] * z[1]);
+    const double apart = fabs(k[0]) - bends + fabs(turn);
+    return turn * k[0] > 0.0 && apart > 2.0 * FOOTPOINT_ALONG_PROMISE * bends + 3.0 * off * (2.0 + reach);
+}
+
+/* That in the segment, of two there the nearer one, of none the one less far outside.  Where both are proved there is no other one. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
-    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, a, b, discriminant;
-    int i, found = 0, inside[2], best;
+    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, wide, off;
+    int i, best, proved[2], could[2], inside[2], near = 0, surely = 0;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
-    length = sqrt(footpoint_detail_dot(p, p));
     size =
         footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
-    wide = fabs(k[0]) + fabs(k[1]) + fabs(k[2]);
-    if (footpoint_detail_bits(wide * wide - 10.0 * 1e-20 * (size * size) * (length * length)) >>
+    wide = footpoint_detail_manhattan(k);
+    if (footpoint_detail_bits(wide * wide -
+                              10.0 * 1e-20 * (size * size) * footpoint_detail_dot(p, p)) >>
         63)
         return FOOTPOINT_ERR_DEGENERATE;
-    a = k[0] - k[3];
-    b = k[0] + k[3];
-    discriminant = a * a + fabs(k[1] * k[4]) < b * b + fabs(k[2] * k[5])
-                       ? a * a - 4.0 * (k[1] * k[4])
-                       : b * b - 4.0 * (k[2] * k[5]);
-    if (discriminant < 0.0)
+    if (footpoint_detail_quad4_solve(c1, c2, c3, d, p, k, z, reach, proved) != FOOTPOINT_OK)
         return FOOTPOINT_ERR_DOMAIN;
-    for (i = 0; i < (discriminant > 0.0 ? 2 : 1); i++) {
-        const double slope = i ? -sqrt(discriminant) : sqrt(discriminant);
-        double *const y = z[found];
-        y[0] = footpoint_detail_root(k[1], a, k[4], slope);
-        y[1] = footpoint_detail_root(k[2], b, k[5], slope);
-        y[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
-        reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
-        inside[found] = reach[found] <= 1.0;
-        found += !((footpoint_detail_infinite(y[0]) | footpoint_detail_infinite(y[1]) |
-                    footpoint_detail_infinite(y[2])) >>
-                   63);
+    off = footpoint_detail_manhattan(p) * sqrt(3.0 * size) *
+          footpoint_detail_quad4_rounding(c1, c2, c3, c3, 40.0);
+    for (i = 0; i < 2; i++) {
+        could[i] = !proved[!i] || !footpoint_detail_quad4_excludes(k, z[!i], reach[!i], off);
+        inside[i] = could[i] && reach[i] <= 1.0;
+        near += could[i] && reach[i] <= 1.0 + FOOTPOINT_ALONG_PROMISE;
+        surely += could[i] && reach[i] < 1.0 - FOOTPOINT_ALONG_PROMISE;
     }
-    if (found == 0)
-        return FOOTPOINT_ERR_DOMAIN;
-    best = found == 2 &&
-           (inside[0] && inside[1] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0]);
+    best = inside[0] == inside[1]
+               ? (inside[0] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0])
+               : inside[1];
     for (i = 0; i < 3; i++)
         at[i] = z[best][i];
-    if (!inside[best])
-        return FOOTPOINT_OUTSIDE;
-    return found == 2 && inside[0] && inside[1] ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
+    if ((could[0] && !proved[0]) || (could[1] && !proved[1]) || (near == 2 && surely < 2))
+        return FOOTPOINT_UNPROVED;
+    return near == 2      ? FOOTPOINT_NOT_UNIQUE
+           : inside[best] ? footpoint_detail_met()
+                          : FOOTPOINT_OUTSIDE;
 }
 
 /* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
@@ -1782,11 +1964,13 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
 
 /* footpoint_perceptron_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK: the line meets the segment once;
- *           FOOTPOINT_NOT_UNIQUE: more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE: it passes by, and
- *           the answer is a point where it meets the surface beyond the edges; and where loc and dist are untouched
- *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and
- *           meets the surface nowhere;
+ *           normal that is the gap.  These are proved, rounding errors included: FOOTPOINT_OK, the line meets the
+ *           surface at a point within FOOTPOINT_ALONG_PROMISE of loc, and the segment at no other one;
+ *           FOOTPOINT_NOT_UNIQUE, it meets the segment more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE,
+ *           it passes by, and the answer is where it meets the surface beyond the edges, to about as much.
+ *           FOOTPOINT_UNPROVED: any of these, as where it nearly touches the segment.  loc and dist are untouched where it returns
+ *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the edges
+ *           is known;
  *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
  *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_perceptron_along_n:  the same for n pairs, each with its status and its direction, three columns. */
