@@ -635,12 +635,56 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_nearer(const float a[3], const float
     return 1;
 }
 
+/* footpoint_detail_f_quad4_newton of vectors as footpoint_detail_f_quad4_edges makes them, off by 3 units of |a| + |b| + |c| (and |d|):
+ * where |xi| or |eta| is large, products of both weigh nodes, but not these.
+ *
+ * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of
+ * any order.  The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249f and 0.999f leave. */
+FOOTPOINT_COLD unsigned int footpoint_detail_f_quad4_far(const float a[3], const float b[3],
+                                                         const float c[3], const float d[3], float promise,
+                                                         float *xi, float *eta)
+{
+    const float p = *xi, q = *eta, x = fabsf(p), y = fabsf(q), cc = footpoint_detail_f_dot(c, c);
+    const float u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const float v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const float w[3] = {d[0] - p * a[0] - q * v[0], d[1] - p * a[1] - q * v[1],
+                       d[2] - p * a[2] - q * v[2]};
+    const float uu = footpoint_detail_f_dot(u, u), vv = footpoint_detail_f_dot(v, v);
+    const float r12 = footpoint_detail_f_dot(u, v) - footpoint_detail_f_dot(c, w), mixed = fabsf(r12);
+    const float f = footpoint_detail_f_dot(u, w), g = footpoint_detail_f_dot(v, w);
+    const float det = uu * vv - r12 * r12, per = 1.0f / det;
+    const float s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const float step = footpoint_detail_f_greater(fabsf(s), fabsf(t));
+    const float twist = footpoint_detail_f_sum(c), first = footpoint_detail_f_sum(a);
+    const float second = footpoint_detail_f_sum(b);
+    const float far = footpoint_detail_f_sum(d) + (1.0f + x) * (1.0f + y) * (first + second + twist);
+    const float away = footpoint_detail_f_sum(w) + 8.0f * step * far;
+    const float off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const float off =
+        11.0f * 6e-8f * far * per *
+        footpoint_detail_f_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const float turns = fabsf(footpoint_detail_f_dot(u, c)) + fabsf(footpoint_detail_f_dot(v, c));
+    const float h = (footpoint_detail_f_greater(uu, vv) + mixed) * per * (step + 2.0f * off) *
+                   (4.0f * turns + cc + 1000.0f * 6e-8f * (far * far));
+    const float weak = footpoint_detail_f_greater(1e-6f, 20000.0f * 6e-8f);
+    float room;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999f * promise *
+               footpoint_detail_f_greater(1.0f, footpoint_detail_f_greater(fabsf(*xi), fabsf(*eta))) -
+           (0.8f * h * step + 1.2f * off);
+    return footpoint_detail_f_bits(room) | footpoint_detail_f_bits(0.249f - h) |
+           footpoint_detail_f_bits(0.083f - step) |
+           footpoint_detail_f_bits(det * (1.0f - weak) - weak * (r12 * r12)) |
+           footpoint_detail_f_infinite(room + h + off + s + t) | footpoint_detail_f_fast();
+}
+
 /* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
  * segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_repair(float y[5][3], float promise, float *xi,
                                                    float *eta)
 {
-    float a[3], b[3], c[3], d[3], at[2], to[2], apart, moved;
+    float a[3], b[3], c[3], d[3], at[2], to[2], other[2], apart, moved;
     const float *const x[5] = {y[0], y[1], y[2], y[3], y[4]};
     int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_f_quad4_edges(y, a, b, c, d);
@@ -653,6 +697,14 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_repair(float y[5][3], float promise,
         if (!(footpoint_detail_f_quad4_prove(x, promise, &to[0], &to[1]) >> 31)) {
             at[0] = to[0];
             at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        other[0] = at[0];
+        other[1] = at[1];
+        if (!(footpoint_detail_f_quad4_far(a, b, c, d, promise, &other[0], &other[1]) >> 31)) {
+            at[0] = other[0];
+            at[1] = other[1];
             status = FOOTPOINT_OK;
             break;
         }

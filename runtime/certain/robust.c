@@ -17,6 +17,7 @@
 #define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
 #define SIZABLE 1e-20 /* |r_xi x r_eta|^2 over m^4: more than rounding makes of nodes on a line */
 #define CLEAR 1e-6    /* of squares of areas, lengths and angles: what rounding does not hide */
+#define NEAR_EDGE (10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE)
 #define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
 
 enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
@@ -317,22 +318,62 @@ static int closest_with_certainty(const double *const x[5], const double from[2]
     return status == FOOTPOINT_OK && is_on_edge(loc) ? FOOTPOINT_OUTSIDE : status;
 }
 
+/* Whether errors as large as promised hide on which side of an edge the point is. */
+static inline int is_near_edge(const double loc[2])
+{
+    const double u = fabs(loc[0]), v = fabs(loc[1]);
+    return (u > 1.0 - NEAR_EDGE && u < 1.0) || (v > 1.0 - NEAR_EDGE && v < 1.0);
+}
+
+/* Whether products of eight lengths stay in the range of double, so that the header raises no exception. */
+static inline int is_of_ordinary_size(const double *const x[5])
+{
+    double size = 0.0;
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 3; i++)
+            size += fabs(x[k][i] - x[4][i]);
+    return isgreater(size, 1e-30) && isless(size, 1e30);
+}
+
+/* Moves a point inside an edge to the nearest of that edge, to rounding: neighbours that share it find the same distance. */
+static inline void settle_on_edge(const double *const x[5], double loc[2], double *dist)
+{
+    const int across = fabs(loc[0]) == 1.0; /* the edge has a constant xi */
+    const int from = across ? (loc[0] < 0.0 ? 0 : 1) : (loc[1] < 0.0 ? 0 : 3);
+    const int to = across ? (loc[0] < 0.0 ? 3 : 2) : (loc[1] < 0.0 ? 1 : 2);
+    double e[3], d[3];
+    vector_sub(x[to], x[from], e);
+    vector_sub(x[4], x[from], d);
+    const double t = fmin(fmax(vector_dot(e, d) / vector_dot(e, e), 0.0), 1.0);
+    for (int i = 0; i < 3; i++)
+        d[i] -= t * e[i];
+    loc[across] = 2.0 * t - 1.0;
+    *dist = copysign(sqrt(vector_dot(d, d)), *dist);
+}
+
 int footpoint_robust_from(const double *const x[5], const struct robust_start *start, double loc[2], double *dist)
 {
-    if (start->status != FOOTPOINT_OK)
-        return closest_with_certainty(x, start->status > FOOTPOINT_OK ? start->loc : middle, loc, dist);
-    loc[0] = start->loc[0];
-    loc[1] = start->loc[1];
-    *dist = start->distance;
-    return is_on_edge(loc) ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+    const int is_ordinary = is_of_ordinary_size(x);
+    int status;
+    if (is_ordinary && start->status == FOOTPOINT_OK && !is_near_edge(start->loc)) {
+        loc[0] = start->loc[0];
+        loc[1] = start->loc[1];
+        *dist = start->distance;
+        status = is_on_edge(loc) ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+    } else
+        status = closest_with_certainty(x, start->status >= FOOTPOINT_OK ? start->loc : middle, loc, dist);
+    if (is_ordinary && status == FOOTPOINT_OUTSIDE && (fabs(loc[0]) != 1.0 || fabs(loc[1]) != 1.0))
+        settle_on_edge(x, loc, dist);
+    return status;
 }
 
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *dist)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
-    struct robust_start start;
+    struct robust_start start = {FOOTPOINT_ERR_DOMAIN, {0.0, 0.0}, 0.0};
     int region;
-    start.status = footpoint_quad4_accurate_closest(xA, xB, xC, xD, xS, start.loc, &start.distance, &region);
+    if (is_of_ordinary_size(x))
+        start.status = footpoint_quad4_accurate_closest(xA, xB, xC, xD, xS, start.loc, &start.distance, &region);
     return footpoint_robust_from(x, &start, loc, dist);
 }

@@ -106,6 +106,31 @@ static int closest_of_triangle(const struct face *f, const double *x, const stru
     return FOOTPOINT_OK;
 }
 
+/* Whether products of eight lengths stay in the range of double. */
+static int is_of_ordinary_size(const struct face *f, const double *x)
+{
+    double size = 0.0;
+    for (int i = 0; i < 3 * f->pairs.nodes; i++)
+        size = fmax(size, fabs(x[i] - x[3 * f->pairs.nodes + i % 3]));
+    return size > 1e-30 && size < 1e30;
+}
+
+/* |xS - r| at loc; `otherwise` if the face has no normal there. */
+static double distance_at(const struct face *f, const double *x, const double loc[2], double otherwise)
+{
+    const struct rows r = rows_of(f, x);
+    double phi[9], a[3], b[3], normal[3], gap, square = 0.0;
+    if (f->place(r.x, r.s, loc, phi, a, b, normal, &gap) != FOOTPOINT_OK)
+        return otherwise;
+    for (int i = 0; i < 3; i++) {
+        double d = 0.0;
+        for (int k = 0; k < f->pairs.nodes; k++)
+            d += phi[k] * (r.s[i] - r.x[k][i]);
+        square += d * d;
+    }
+    return sqrt(square);
+}
+
 /* The header's foot point if it is proved to be the closest point, its closest point if that is proved, or a certain search. */
 static int closest_of_curved(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
                              double *distance)
@@ -114,11 +139,11 @@ static int closest_of_curved(const struct face *f, const double *x, const struct
     const struct rows r = rows_of(f, x);
     double at[2] = {start->loc[0], start->loc[1]}, away = start->distance;
     int boxes = MOST_BOXES, region;
-    if ((start->status == FOOTPOINT_OK && f->is_closest(r.x, r.s, at)) ||
-        f->closest(r.x, r.s, at, &away, &region) == FOOTPOINT_OK) {
+    if (is_of_ordinary_size(f, x) && ((start->status == FOOTPOINT_OK && f->is_closest(r.x, r.s, at)) ||
+                                      f->closest(r.x, r.s, at, &away, &region) == FOOTPOINT_OK)) {
         loc[0] = at[0];
         loc[1] = at[1];
-        *distance = fabs(away);
+        *distance = distance_at(f, x, loc, fabs(away));
         return FOOTPOINT_OK;
     }
     return footpoint_quadratic_closest(f->pairs.nodes, x, start->status >= FOOTPOINT_OK ? start->loc : from, loc,
@@ -150,6 +175,11 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
+    if (face == FOOTPOINT_QUAD4) {
+        const int status = footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, loc, distance);
+        *region = status >= FOOTPOINT_OK ? region_of(4, loc) : *region;
+        return status;
+    }
     if (face != FOOTPOINT_TRI3 || f->promise > 0.0)
         start.status = f->start.locate(r.x, r.s, start.loc, &start.distance);
     return robust_from(f, x, &start, loc, distance, region);

@@ -241,7 +241,8 @@ int main(void)
         return 1;
     if (float_coarse(fa, fa, fc, fc, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
         return 2;
-    double_coarse_at(a, b, c, d, s, &loc[0], &loc[1]); /* which takes no steps, as in float */
+    double_coarse_at(a, b, c, d, s, &loc[0], &loc[1]); /* the expression alone, in both */
+    float_coarse_at(fa, fb, fc, fd, fs, &floc[0], &floc[1]);
     return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
 }
 END

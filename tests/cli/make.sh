@@ -40,9 +40,9 @@ expect 'headers of genomes that did not change are not emitted anew' 0 'generate
 generated/footpoint_quad9_derivatives.h is as it was' '' env GENERATIONS=4 sh evolve/regenerate.sh --derivatives tri3 quad9
 
 # The table at the end of `make regenerate`: scene, function, origin, operations, promise, mean error, proof, what changed.
-mkdir "$work/before" && sed 's/^ \*   genome_sha256:  .*/ *   genome_sha256:  0/' generated/footpoint_quad4.h > "$work/before/footpoint_quad4.h"
-cp generated/footpoint_tri3.h "$work/before/"
-awk -f evolve/what_ships.awk -v before="$work/before" generated/footpoint_quad4.h generated/footpoint_quad9.h generated/footpoint_tri3.h > "$work/table"
+mkdir "$work/shipped" && sed 's/^ \*   genome_sha256:  .*/ *   genome_sha256:  0/' generated/footpoint_quad4.h > "$work/shipped/footpoint_quad4.h"
+cp generated/footpoint_tri3.h "$work/shipped/"
+awk -f evolve/what_ships.awk -v before="$work/shipped" generated/footpoint_quad4.h generated/footpoint_quad9.h generated/footpoint_tri3.h > "$work/table"
 for scene in quad4 quad9 tri3; do
     grep -c '^ \*   operations: ' generated/footpoint_$scene.h
 done | awk -v table="$work/table" '{ n += $1 } END { while ((getline < table) > 0) lines++; exit lines != n + 1 }'

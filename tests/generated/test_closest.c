@@ -446,6 +446,7 @@ static void in_single_precision(void **state)
     struct scene *scene = scene_read(".", "quad4", &d);
     assert_non_null(scene);
     const struct face f = {scene, surface_find(scene->segment), 4, stream_new()};
+    int unproved = 0;
     for (int i = 0; i < SAMPLES; i++) {
         struct question q;
         float x[5][3], loc[2] = {7, 7}, dist = 7;
@@ -456,14 +457,17 @@ static void in_single_precision(void **state)
             q.x[k / 3][k % 3] = (double)(x[k / 3][k % 3] = (float)q.x[k / 3][k % 3]);
         if (!answer(&f, &q) || fabs(q.dist) > 0.999 * q.longest)
             continue;
-        assert_int_equal(footpoint_quad4_float_precise_closest(x[0], x[1], x[2], x[3], x[4], loc, &dist, &region),
-                         FOOTPOINT_OK);
+        const int status =
+            footpoint_quad4_float_precise_closest(x[0], x[1], x[2], x[3], x[4], loc, &dist, &region);
+        assert_true(status == FOOTPOINT_OK || status == FOOTPOINT_UNPROVED);
+        unproved += status == FOOTPOINT_UNPROVED;
         const double off = fmax(fabs((double)loc[0] - q.loc[0]), fabs((double)loc[1] - q.loc[1]));
         if (!(fabs(fabs((double)dist) - fabs(q.dist)) < 1e-6 * q.longest && off < 1e-2 &&
               (region == q.region || off < 5e-3)))
             fail_msg("sample %d: (%g,%g) %d, certain (%g,%g) %d, distance %g, %g", i, (double)loc[0], (double)loc[1],
                      region, q.loc[0], q.loc[1], q.region, (double)dist, q.dist);
     }
+    assert_true(unproved <= SAMPLES / 50);
     gsl_rng_free(f.stream);
     scene_free(scene);
 }

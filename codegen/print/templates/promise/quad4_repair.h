@@ -65,12 +65,56 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const REAL a[3], const REAL b[3
     return 1;
 }
 
+/* footpoint_detail_quad4_newton of vectors as footpoint_detail_quad4_edges makes them, off by 3 units of |a| + |b| + |c| (and |d|):
+ * where |xi| or |eta| is large, products of both weigh nodes, but not these.
+ *
+ * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of
+ * any order.  The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_far(const REAL a[3], const REAL b[3],
+                                                    const REAL c[3], const REAL d[3], REAL promise,
+                                                    REAL *xi, REAL *eta)
+{
+    const REAL p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
+    const REAL u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const REAL v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const REAL w[3] = {d[0] - p * a[0] - q * v[0], d[1] - p * a[1] - q * v[1],
+                       d[2] - p * a[2] - q * v[2]};
+    const REAL uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+    const REAL r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
+    const REAL f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
+    const REAL det = uu * vv - r12 * r12, per = 1.0 / det;
+    const REAL s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const REAL step = footpoint_detail_greater(fabs(s), fabs(t));
+    const REAL twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
+    const REAL second = footpoint_detail_sum(b);
+    const REAL far = footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
+    const REAL away = footpoint_detail_sum(w) + 8.0 * step * far;
+    const REAL off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const REAL off =
+        11.0 * REAL_UNIT * far * per *
+        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const REAL turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
+    const REAL h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
+                   (4.0 * turns + cc + 1000.0 * REAL_UNIT * (far * far));
+    const REAL weak = footpoint_detail_greater(1e-6, 20000.0 * REAL_UNIT);
+    REAL room;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999 * promise *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.2 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(0.249 - h) |
+           footpoint_detail_bits(0.083 - step) |
+           footpoint_detail_bits(det * (1.0 - weak) - weak * (r12 * r12)) |
+           footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
+}
+
 /* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
  * segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promise, REAL *xi,
                                                  REAL *eta)
 {
-    REAL a[3], b[3], c[3], d[3], at[2], to[2], apart, moved;
+    REAL a[3], b[3], c[3], d[3], at[2], to[2], other[2], apart, moved;
     const REAL *const x[VECTORS] = {y[0], y[1], y[2], y[3], y[4]};
     int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_quad4_edges(y, a, b, c, d);
@@ -83,6 +127,14 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promis
         if (!(footpoint_detail_quad4_prove(x, promise, &to[0], &to[1]) >> REAL_TOP)) {
             at[0] = to[0];
             at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        other[0] = at[0];
+        other[1] = at[1];
+        if (!(footpoint_detail_quad4_far(a, b, c, d, promise, &other[0], &other[1]) >> REAL_TOP)) {
+            at[0] = other[0];
+            at[1] = other[1];
             status = FOOTPOINT_OK;
             break;
         }
