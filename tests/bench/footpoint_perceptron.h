@@ -691,12 +691,56 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double
     return 1;
 }
 
+/* footpoint_detail_quad4_newton of vectors as footpoint_detail_quad4_edges makes them, off by 3 units of |a| + |b| + |c| (and |d|):
+ * where |xi| or |eta| is large, products of both weigh nodes, but not these.
+ *
+ * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of
+ * any order.  The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_far(const double a[3], const double b[3],
+                                                             const double c[3], const double d[3], double promise,
+                                                             double *xi, double *eta)
+{
+    const double p = *xi, q = *eta, x = fabs(p), y = fabs(q), cc = footpoint_detail_dot(c, c);
+    const double u[3] = {a[0] + q * c[0], a[1] + q * c[1], a[2] + q * c[2]};
+    const double v[3] = {b[0] + p * c[0], b[1] + p * c[1], b[2] + p * c[2]};
+    const double w[3] = {d[0] - p * a[0] - q * v[0], d[1] - p * a[1] - q * v[1],
+                       d[2] - p * a[2] - q * v[2]};
+    const double uu = footpoint_detail_dot(u, u), vv = footpoint_detail_dot(v, v);
+    const double r12 = footpoint_detail_dot(u, v) - footpoint_detail_dot(c, w), mixed = fabs(r12);
+    const double f = footpoint_detail_dot(u, w), g = footpoint_detail_dot(v, w);
+    const double det = uu * vv - r12 * r12, per = 1.0 / det;
+    const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
+    const double step = footpoint_detail_greater(fabs(s), fabs(t));
+    const double twist = footpoint_detail_sum(c), first = footpoint_detail_sum(a);
+    const double second = footpoint_detail_sum(b);
+    const double far = footpoint_detail_sum(d) + (1.0 + x) * (1.0 + y) * (first + second + twist);
+    const double away = footpoint_detail_sum(w) + 8.0 * step * far;
+    const double off_f = first + y * twist + away, off_g = second + x * twist + away;
+    const double off =
+        11.0 * 1.12e-16 * far * per *
+        footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+    const double turns = fabs(footpoint_detail_dot(u, c)) + fabs(footpoint_detail_dot(v, c));
+    const double h = (footpoint_detail_greater(uu, vv) + mixed) * per * (step + 2.0 * off) *
+                   (4.0 * turns + cc + 1000.0 * 1.12e-16 * (far * far));
+    const double weak = footpoint_detail_greater(1e-6, 20000.0 * 1.12e-16);
+    double room;
+    *xi = p + s;
+    *eta = q + t;
+    room = 0.999 * promise *
+               footpoint_detail_greater(1.0, footpoint_detail_greater(fabs(*xi), fabs(*eta))) -
+           (0.8 * h * step + 1.2 * off);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(0.249 - h) |
+           footpoint_detail_bits(0.083 - step) |
+           footpoint_detail_bits(det * (1.0 - weak) - weak * (r12 * r12)) |
+           footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
+}
+
 /* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
  * segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise, double *xi,
                                                  double *eta)
 {
-    double a[3], b[3], c[3], d[3], at[2], to[2], apart, moved;
+    double a[3], b[3], c[3], d[3], at[2], to[2], other[2], apart, moved;
     const double *const x[5] = {y[0], y[1], y[2], y[3], y[4]};
     int steps, status = FOOTPOINT_UNPROVED;
     footpoint_detail_quad4_edges(y, a, b, c, d);
@@ -709,6 +753,14 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
         if (!(footpoint_detail_quad4_prove(x, promise, &to[0], &to[1]) >> 63)) {
             at[0] = to[0];
             at[1] = to[1];
+            status = FOOTPOINT_OK;
+            break;
+        }
+        other[0] = at[0];
+        other[1] = at[1];
+        if (!(footpoint_detail_quad4_far(a, b, c, d, promise, &other[0], &other[1]) >> 63)) {
+            at[0] = other[0];
+            at[1] = other[1];
             status = FOOTPOINT_OK;
             break;
         }

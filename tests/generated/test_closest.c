@@ -457,8 +457,7 @@ static void in_single_precision(void **state)
             q.x[k / 3][k % 3] = (double)(x[k / 3][k % 3] = (float)q.x[k / 3][k % 3]);
         if (!answer(&f, &q) || fabs(q.dist) > 0.999 * q.longest)
             continue;
-        const int status =
-            footpoint_quad4_float_precise_closest(x[0], x[1], x[2], x[3], x[4], loc, &dist, &region);
+        const int status = footpoint_quad4_float_precise_closest(x[0], x[1], x[2], x[3], x[4], loc, &dist, &region);
         assert_true(status == FOOTPOINT_OK || status == FOOTPOINT_UNPROVED);
         unproved += status == FOOTPOINT_UNPROVED;
         const double off = fmax(fabs((double)loc[0] - q.loc[0]), fabs((double)loc[1] - q.loc[1]));
