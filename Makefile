@@ -375,8 +375,8 @@ $(BIN)/tests/test_headers: $(OBJ)/tests/generated/header_functions.o
 $(BIN)/tests/test_promise: $(OBJ)/tests/generated/header_functions.o
 $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)))
 $(foreach test,curved patches,$(eval $(BIN)/tests/test_promise_$(test): $(OBJ)/tests/generated/header_functions.o $(OBJ)/tests/hard/draw.o))
-$(BIN)/tests/test_promise_curved $(BIN)/tests/test_closest_curved: $(OBJ)/tests/generated/curved_cases.o $(OBJ)/tests/hard/draw.o
-$(BIN)/tests/test_from: $(patsubst %,$(OBJ)/tests/%.o,generated/judged_faces hard/draw)
+$(foreach test,promise_curved closest_curved from,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,generated/curved_cases hard/draw)))
+$(BIN)/tests/test_promise_curved $(BIN)/tests/test_from: $(OBJ)/tests/generated/judged_faces.o
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_queries: $(OBJ)/tests/queries/query_text.o

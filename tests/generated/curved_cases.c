@@ -1,4 +1,4 @@
-/* Faces of six, eight and nine nodes for tests; see curved_cases.h. */
+/* Faces of four to nine nodes for tests; see curved_cases.h. */
 #include "curved_cases.h"
 
 #include "../hard/draw.h"
@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
-const struct curved_kind curved_kinds[CURVED_KINDS] = {{"tri6", 6, 3}, {"quad8", 8, 4}, {"quad9", 9, 4}};
+const struct curved_kind curved_kinds[CASE_KINDS] = {{"tri6", 6, 3}, {"quad8", 8, 4}, {"quad9", 9, 4}, {"quad4", 4, 4}};
 
 /* Where nodes are: corners, nodes between them, the middle. */
 static const double at_tri[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
@@ -58,7 +58,9 @@ static void shape_of(const struct curved_kind *k, int node, const wide z[2], wid
     const struct jet xx = jet(z[0] * z[0], 2 * z[0], 2), yy = jet(z[1] * z[1], 2 * z[1], 2);
     for (int i = 0; i < 6; i++)
         shape[i] = 0;
-    if (k->nodes == 9) {
+    if (k->nodes == 4) {
+        add(shape, 1, line(at[0], z[0]), line(at[1], z[1]));
+    } else if (k->nodes == 9) {
         add(shape, 1, parabola(at[0], z[0]), parabola(at[1], z[1]));
     } else if (k->nodes == 8 && node >= 4) {
         if (at[0] == 0)

@@ -1,4 +1,5 @@
-/* Faces of six, eight and nine nodes for tests: their kinds, their surface in quadruple precision, and families of them. */
+/* Faces of four to nine nodes for tests: their kinds, curved ones first, their surface in quadruple precision, and families of
+ * them. */
 #ifndef FOOTPOINT_TESTS_CURVED_CASES_H
 #define FOOTPOINT_TESTS_CURVED_CASES_H
 
@@ -6,12 +7,12 @@
 
 __extension__ typedef __float128 wide;
 
-enum { CURVED_NODES = 9, CURVED_KINDS = 3 };
+enum { CURVED_NODES = 9, CURVED_KINDS = 3, CASE_KINDS };
 
 extern const struct curved_kind {
     const char *name;
     int nodes, corners;
-} curved_kinds[CURVED_KINDS];
+} curved_kinds[CASE_KINDS];
 
 struct curved_case {
     const struct curved_kind *kind;

@@ -160,16 +160,37 @@ static wide settle_in(const struct curved_powers *f, double low, wide z[2])
     return half;
 }
 
-/* The same on the closed face; of triangles about the corner that is nearest. */
+/* Moves a place beyond the edges of a triangle onto it; returns true if it was beyond. */
+static bool bring_back(wide z[2])
+{
+    wide l[3] = {1 - z[0] - z[1], z[0], z[1]}, sum = 0;
+    bool beyond = false;
+    for (int i = 0; i < 3; i++) {
+        beyond = beyond || l[i] < -1e-25;
+        l[i] = l[i] < 0 ? 0 : l[i];
+        sum += l[i];
+    }
+    z[0] = l[1] / sum;
+    z[1] = l[2] / sum;
+    return beyond;
+}
+
+/* The same on the closed face; of triangles about the corner that is nearest, whose opposite edge does not hold the steps: once
+ * they have crossed it, they go on from there about another corner. */
 static wide settle(const struct judged *j, wide z[2])
 {
+    wide half, g[2], H[3];
     if (j->face.kind->corners == 4)
         return settle_in(&j->powers[0], -1, z);
-    const int turn = z[0] > 0.5 ? 1 : z[1] > 0.5 ? 2 : 0;
-    turn_place(turn, z);
-    const wide half = settle_in(&j->powers[turn], 0, z);
-    turn_place((3 - turn) % 3, z);
-    return half;
+    for (int tries = 0; tries < 4; tries++) {
+        const int turn = z[0] > 0.5 ? 1 : z[1] > 0.5 ? 2 : 0;
+        turn_place(turn, z);
+        half = settle_in(&j->powers[turn], 0, z);
+        turn_place((3 - turn) % 3, z);
+        if (!bring_back(z))
+            return half;
+    }
+    return curved_half(&j->powers[0], z, g, H);
 }
 
 static void find_nearest(struct judged *j)

@@ -20,7 +20,7 @@
 
 #include <cmocka.h>
 
-enum { CASES = 600, CASES_LONG = 105000, PAIRS = 60, MOST_ROWS = 3 * (JUDGED_NODES + 1) };
+enum { CASES = 600, CASES_LONG = 105000, PAIRS = 60, MOST_ROWS = 3 * (CURVED_NODES + 1) };
 
 static long cases(void)
 {
@@ -80,18 +80,18 @@ enum { COUNT = sizeof functions / sizeof *functions };
 
 /* A face and the judge's view of it. */
 struct subject {
-    struct judged_face face, unit;
-    const double *x[JUDGED_NODES];
+    struct curved_case face, unit;
+    const double *x[CURVED_NODES];
     const double *xs;
     wide known[2];
     bool is_known;
 };
 
-static void draw_subject(uint64_t *stream, const struct judged_kind *kind, enum judged_group group, struct subject *s)
+static void draw_subject(uint64_t *stream, const struct curved_kind *kind, enum curved_group group, struct subject *s)
 {
     memset(s, 0, sizeof *s);
     s->face.kind = kind;
-    judged_draw(stream, group, &s->face);
+    curved_draw(stream, group, &s->face);
     s->unit = judged_unit(&s->face);
     for (int k = 0; k < kind->nodes; k++)
         s->x[k] = s->face.x[k];
@@ -133,7 +133,7 @@ static void judge(struct subject *s, const struct function *f, const double star
         fail_on(s, f, "wrong", start, loc);
 }
 
-static bool is_of(const struct function *f, const struct judged_kind *kind)
+static bool is_of(const struct function *f, const struct curved_kind *kind)
 {
     return strcmp(f->kind, kind->name) == 0;
 }
@@ -142,10 +142,10 @@ static void test_moves(void **state)
 {
     uint64_t stream = 6301;
     (void)state;
-    for (int k = 0; k < JUDGED_KINDS; k++)
-        for (long i = 0; i < JUDGED_GROUPS * cases(); i++) {
+    for (int k = 0; k < CASE_KINDS; k++)
+        for (long i = 0; i < CURVED_GROUPS * cases(); i++) {
             struct subject s;
-            draw_subject(&stream, &judged_kinds[k], (enum judged_group)(i % JUDGED_GROUPS), &s);
+            draw_subject(&stream, &curved_kinds[k], (enum curved_group)(i % CURVED_GROUPS), &s);
             for (int j = COUNT; j-- > 0;) {
                 const struct function *const f = &functions[j];
                 double loc[2] = {0, 0}, start[2], gap = 0;
@@ -161,7 +161,7 @@ static void test_moves(void **state)
 }
 
 /* As many pairs in arrays, and the slave nodes of all over the first face. */
-static void arrays(const struct function *f, const struct judged_kind *kind, uint64_t *stream)
+static void arrays(const struct function *f, const struct curved_kind *kind, uint64_t *stream)
 {
     static double column[MOST_ROWS][PAIRS], start[2][PAIRS], loc[2][PAIRS], gap[PAIRS];
     static struct subject s[PAIRS];
@@ -171,7 +171,7 @@ static void arrays(const struct function *f, const struct judged_kind *kind, uin
         for (int i = 0; i < PAIRS; i++) {
             double at[2] = {0, 0}, from[2];
             if (!over)
-                draw_subject(stream, kind, (enum judged_group)(i % JUDGED_GROUPS), &s[i]);
+                draw_subject(stream, kind, (enum curved_group)(i % CURVED_GROUPS), &s[i]);
             s[i].is_known = false;
             for (int k = 0; over && k < kind->nodes; k++) {
                 memcpy(s[i].face.x[k], s[0].face.x[k], sizeof s[i].face.x[k]);
@@ -201,10 +201,10 @@ static void test_arrays(void **state)
     uint64_t stream = 6302;
     (void)state;
     for (int j = 0; j < COUNT; j++)
-        for (int k = 0; k < JUDGED_KINDS; k++)
-            if (is_of(&functions[j], &judged_kinds[k]))
+        for (int k = 0; k < CASE_KINDS; k++)
+            if (is_of(&functions[j], &curved_kinds[k]))
                 for (long i = 0; i < (cases() + CASES - 1) / CASES; i += 10)
-                    arrays(&functions[j], &judged_kinds[k], &stream);
+                    arrays(&functions[j], &curved_kinds[k], &stream);
 }
 
 int main(void)

@@ -3,8 +3,8 @@
  * coincide; some of each, a million of each kind in each group with FOOTPOINT_LONG.  The judge takes Newton's steps in quadruple
  * precision, of shape functions, and shares no code with what it judges. */
 #include "../../runtime/footpoint.h"
-#include "curved_cases.h"
 #include "header_functions.h"
+#include "judged_faces.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -18,56 +18,11 @@
 
 #include <cmocka.h>
 
-enum { CASES = 700, CASES_LONG = 1000000, STEPS = 60 };
+enum { CASES = 700, CASES_LONG = 1000000 };
 
 static long cases(void)
 {
     return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
-}
-
-/* ---- the judge ---- */
-
-/* Newton's steps from z until they stand; whether that is a minimum. */
-static bool minimum_near(const struct curved_case *f, wide z[2])
-{
-    for (int k = 0; k < STEPS; k++) {
-        wide g[2], H[3];
-        curved_slopes(f, z, g, H);
-        const wide det = H[0] * H[2] - H[1] * H[1];
-        const wide s = (H[2] * g[0] - H[1] * g[1]) / det, t = (H[0] * g[1] - H[1] * g[0]) / det;
-        if (!(size_of(s) + size_of(t) < 1e3)) /* nan, too */
-            return false;
-        z[0] += s;
-        z[1] += t;
-        if (size_of(s) + size_of(t) < 1e-17 * (1 + size_of(z[0]) + size_of(z[1]))) /* the next is its square */
-            return det > 0 && H[0] > 0;
-    }
-    return false;
-}
-
-static bool is_within(const wide z[2], const double loc[2], double promise)
-{
-    const double most = promise * fmax(1, fmax(fabs(loc[0]), fabs(loc[1])));
-    return size_of(z[0] - loc[0]) <= most && size_of(z[1] - loc[1]) <= most;
-}
-
-/* Whether an answer that is OK is as near to a minimum as promised: to `known`, which is one if *is_known, or to one that is found
- * now from it, or from about it. */
-static bool holds(const struct curved_case *f, const double loc[2], double promise, wide known[2], bool *is_known)
-{
-    if (*is_known && is_within(known, loc, promise))
-        return true;
-    for (int i = 0; i < 25; i++) {
-        const int along = (i + 2) % 5 - 2, across = (i / 5 + 2) % 5 - 2;
-        wide z[2] = {loc[0] + promise * along / 2, loc[1] + promise * across / 2};
-        if (minimum_near(f, z) && is_within(z, loc, promise)) {
-            known[0] = z[0];
-            known[1] = z[1];
-            *is_known = true;
-            return true;
-        }
-    }
-    return false;
 }
 
 /* ---- tests ---- */
@@ -88,25 +43,9 @@ static void fail_on(const struct curved_case *f, const char *name, const char *g
     fail_msg("%s, %s: OK at (%.17g, %.17g)", name, group, loc[0], loc[1]);
 }
 
-/* In another unit of length, so that quadruple precision suffices. */
-static struct curved_case unit_face(const struct curved_case *f)
-{
-    struct curved_case g = *f;
-    int exponent;
-    double most = 0;
-    for (int k = 0; k <= f->kind->nodes; k++)
-        for (int i = 0; i < 3; i++)
-            most = fmax(most, fabs(f->x[k][i]));
-    (void)frexp(most, &exponent);
-    for (int k = 0; k <= f->kind->nodes; k++)
-        for (int i = 0; i < 3; i++)
-            g.x[k][i] = ldexp(ldexp(f->x[k][i], -exponent / 2), exponent / 2 - exponent);
-    return g;
-}
-
 static void judge(const struct curved_case *f, enum curved_group group, long proved[HEADER_FUNCTIONS])
 {
-    const struct curved_case scaled = unit_face(f);
+    const struct curved_case scaled = judged_unit(f);
     const double *x[CURVED_NODES];
     wide known[2] = {0, 0};
     bool is_known = false;
@@ -117,7 +56,7 @@ static void judge(const struct curved_case *f, enum curved_group group, long pro
         double loc[2], gap;
         if (!function || function->locate(x, f->x[f->kind->nodes], loc, &gap) != FOOTPOINT_OK)
             continue;
-        if (!holds(&scaled, loc, function->promise, known, &is_known))
+        if (!judged_holds(&scaled, loc, function->promise, known, &is_known))
             fail_on(f, function->name, curved_groups[group], loc);
         proved[i]++;
     }
@@ -193,14 +132,14 @@ static void test_arrays(void **state)
                 continue;
             f->checked_n(PAIRS, x, xi, eta, gap, status);
             for (int i = 0; i < PAIRS; i++) {
-                const struct curved_case scaled = unit_face(&face[i]);
+                const struct curved_case scaled = judged_unit(&face[i]);
                 const double *y[CURVED_NODES], found[2] = {xi[i], eta[i]};
                 double loc[2] = {0, 0}, g = 0;
                 wide known[2] = {0, 0};
                 bool is_known = false;
                 for (int node = 0; node < curved_kinds[k].nodes; node++)
                     y[node] = face[i].x[node];
-                if (status[i] == FOOTPOINT_OK && !holds(&scaled, found, f->promise, known, &is_known))
+                if (status[i] == FOOTPOINT_OK && !judged_holds(&scaled, found, f->promise, known, &is_known))
                     fail_on(&face[i], f->name, "arrays", found);
 #ifndef __FMA__
                 assert_int_equal(status[i], f->locate(y, face[i].x[curved_kinds[k].nodes], loc, &g));
