@@ -344,16 +344,19 @@ static inline void settle_on_edge(const double *const x[5], double loc[2], doubl
     double e[3], d[3];
     vector_sub(x[to], x[from], e);
     vector_sub(x[4], x[from], d);
-    const double t = fmin(fmax(vector_dot(e, d) / vector_dot(e, e), 0.0), 1.0);
+    const double square = vector_dot(e, e);
+    if (!(square > 0.0)) /* its ends are one point */
+        return;
+    const double t = fmin(fmax(vector_dot(e, d) / square, 0.0), 1.0);
     for (int i = 0; i < 3; i++)
         d[i] -= t * e[i];
     loc[across] = 2.0 * t - 1.0;
     *dist = copysign(sqrt(vector_dot(d, d)), *dist);
 }
 
-int footpoint_robust_from(const double *const x[5], const struct robust_start *start, double loc[2], double *dist)
+static inline int finish(const double *const x[5], int is_ordinary, const struct robust_start *start, double loc[2],
+                         double *dist)
 {
-    const int is_ordinary = is_of_ordinary_size(x);
     int status;
     if (is_ordinary && start->status == FOOTPOINT_OK && !is_near_edge(start->loc)) {
         loc[0] = start->loc[0];
@@ -367,13 +370,19 @@ int footpoint_robust_from(const double *const x[5], const struct robust_start *s
     return status;
 }
 
+int footpoint_robust_from(const double *const x[5], const struct robust_start *start, double loc[2], double *dist)
+{
+    return finish(x, is_of_ordinary_size(x), start, loc, dist);
+}
+
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *dist)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
+    const int is_ordinary = is_of_ordinary_size(x);
     struct robust_start start = {FOOTPOINT_ERR_DOMAIN, {0.0, 0.0}, 0.0};
     int region;
-    if (is_of_ordinary_size(x))
+    if (is_ordinary)
         start.status = footpoint_quad4_accurate_closest(xA, xB, xC, xD, xS, start.loc, &start.distance, &region);
-    return footpoint_robust_from(x, &start, loc, dist);
+    return finish(x, is_ordinary, &start, loc, dist);
 }
