@@ -13,14 +13,9 @@
 
 #include "../geometry/vector.h"
 
-/* Sizes and distances over sizes for which no product of a search leaves the range of double. */
-#define CONVEX_LEAST 0x1p-100
-#define CONVEX_MOST 0x1p100
-#define CONVEX_AWAY 0x1p40
 #define CONVEX_FARTHEST 64.0
 #define CONVEX_BEYOND 8.0
 #define CONVEX_MARGIN 1e-10
-#define CONVEX_PLUMP 1e-3
 
 struct convex {
     double a[3], b[3], c[3], f[3]; /* f = xS - xA */
@@ -39,23 +34,6 @@ static inline void convex_of(const double *const x[5], struct convex *v)
         v->size += fabs(v->a[i]) + fabs(v->b[i]) + fabs(v->c[i]);
         v->away += fabs(v->f[i]);
     }
-}
-
-/* Whether no product of a search leaves the range of double; NaN raises no exception. */
-static inline int convex_is_ordinary(const struct convex *v)
-{
-    return isgreaterequal(v->size, CONVEX_LEAST) && islessequal(v->size, CONVEX_MOST) &&
-           islessequal(v->away, CONVEX_AWAY * v->size);
-}
-
-/* Of an ordinary segment: 1 if |r_xi x r_eta| is at least Q/32 all over it, so that its direction is right to 400 u, and
- * turns by 4e-9 at most within 1e-10 of a foot point: there the gap is the distance to 3e-11 of the longest edge. */
-static inline int convex_is_plump(const struct convex *v)
-{
-    const double aa = vector_dot(v->a, v->a), bb = vector_dot(v->b, v->b), cc = vector_dot(v->c, v->c);
-    const double ac = fabs(vector_dot(v->a, v->c)), bc = fabs(vector_dot(v->b, v->c)), sum = aa + bb + cc;
-    const double along = fabs(vector_dot(v->a, v->b)) + ac + bc + cc, first = aa - 2.0 * ac, second = bb - 2.0 * bc;
-    return first > 0.0 && first * second - along * along > CONVEX_PLUMP * sum * sum;
 }
 
 /* Of an ordinary segment: 1 if the distance is convex for |xi|, |eta| <= reach; 0 says nothing. */
