@@ -96,16 +96,34 @@ static void sums(const struct curved_case *f, const wide z[2], wide r[3][6])
     }
 }
 
+/* Shape functions at xi and eta of -1, 0 and 1: whole numbers and halves, mostly 0. */
+static const wide *shapes_on_grid(const struct curved_kind *k)
+{
+    static wide values[CASE_KINDS][9 * CURVED_NODES];
+    static bool known[CASE_KINDS];
+    wide *const value = values[k - curved_kinds];
+    for (int i = 0; i < 9 && !known[k - curved_kinds]; i++)
+        for (int n = 0; n < k->nodes; n++) {
+            const wide z[2] = {i / 3 - 1, i % 3 - 1};
+            wide shape[6];
+            shape_of(k, n, z, shape);
+            value[i * CURVED_NODES + n] = shape[0];
+        }
+    known[k - curved_kinds] = true;
+    return value;
+}
+
 void curved_powers(const struct curved_case *f, struct curved_powers *p)
 {
+    const wide *const shape = shapes_on_grid(f->kind);
     wide at[3][3][3]; /* values at -1, 0 and 1 */
-    for (int i = 0; i < 9; i++) {
-        const wide z[2] = {i / 3 - 1, i % 3 - 1};
-        wide r[3][6];
-        sums(f, z, r);
-        for (int k = 0; k < 3; k++)
-            at[k][i / 3][i % 3] = f->x[f->kind->nodes][k] - r[k][0];
-    }
+    for (int i = 0; i < 9; i++)
+        for (int k = 0; k < 3; k++) {
+            at[k][i / 3][i % 3] = f->x[f->kind->nodes][k];
+            for (int n = 0; n < f->kind->nodes; n++)
+                if (shape[i * CURVED_NODES + n] != 0)
+                    at[k][i / 3][i % 3] -= shape[i * CURVED_NODES + n] * f->x[n][k];
+        }
     for (int k = 0; k < 3; k++) {
         wide half[3][3]; /* powers of eta */
         for (int i = 0; i < 3; i++) {
