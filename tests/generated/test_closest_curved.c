@@ -270,8 +270,9 @@ static const char *fault(struct judged *j, double promise, int status, const dou
         return NULL;
     if (!j->known)
         find_nearest(j);
-    if (status == FOOTPOINT_OK && size_of(j->at[0] - loc[0]) <= promise && size_of(j->at[1] - loc[1]) <= promise)
-        return in_region(k, j->at, region) ? NULL : "another region";
+    if (status == FOOTPOINT_OK && size_of(j->at[0] - loc[0]) <= promise && size_of(j->at[1] - loc[1]) <= promise &&
+        in_region(k, j->at, region))
+        return NULL;
     const wide near = settle(j, z); /* a place as near as the judge's, or further */
     if (status == FOOTPOINT_NOT_UNIQUE)
         return here <= sqrt(2 * (double)j->least) + 1.001e-10 * j->longest ? NULL
