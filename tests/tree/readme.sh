@@ -92,9 +92,14 @@ quoted $documents | tr ' ' '\n' | sed 's/[,;:]$//' |
 done > "$work/wrong"
 check 'files' "$(cat "$work/wrong")"
 
-for document in $documents; do
+# anchors FILE: the names under which links reach its headings
+anchors() { sed -n '/^```/,/^```/d; s/^##* //p' "$1" | tr 'A-Z ' 'a-z-' | tr -dc 'a-z0-9_\n-'; }
+for document in $documents tests/queries/README.md; do
     grep -o '](\([^)]*\))' $document | sed 's/^](//; s/)$//' | while read -r link; do
-        [ -e "$(dirname $document)/$link" ] || echo "$document: $link"
+        page=${link%%#*} heading=${link#"${link%%#*}"}
+        page=${page:+$(dirname $document)/$page}
+        [ -e "${page:-$document}" ] && { [ -z "$heading" ] || anchors "${page:-$document}" | grep -qx "${heading#?}"; } ||
+            echo "$document: $link"
     done
 done > "$work/wrong"
 check 'links and pictures' "$(cat "$work/wrong")"
