@@ -79,12 +79,12 @@ scene_part() { # scene_part SCENE
     map "$1"
 }
 
-# The names of the methods, from the table in tests/README.md.
+# The names of the methods, from the table in methods.md.
 names() {
     echo '<div class=wide><table class=words>'
     awk -F ' *[|] *' '/^\| method \|/ { on = 1 } on && !/^\|/ { exit }
         on && !/^\|--/ { gsub(/`[^`]*`/, "<code>&</code>"); gsub(/`/, ""); print "<tr><td>" $2 "</td><td>" $3 "</td></tr>" }' \
-        tests/README.md
+        tests/report/methods.md
     echo '</table></div>'
 }
 
