@@ -450,7 +450,7 @@ paper: codegen evolve paper-programs bench-program $(BIN)/tests/test_calibration
 
 # By name all that is needed: what packages merely recommend is not installed.
 PACKAGES := gcc g++ gfortran clang libc6-dev make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev \
-            libflint-arb-dev libmpfr-dev libgmp-dev libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
+            libflint-arb-dev libmpfr-dev libgmp-dev libcmocka-dev libconfig-dev libmd-dev gnuplot-nox codespell
 # What `make check-long` compares with, fuzzes with and unpacks with; without them it skips those checks.
 PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2 chromium \
                  debhelper lintian abigail-tools

@@ -1,6 +1,6 @@
-# Comments read like English.  Words that translations overuse are counted per 1,000 words of C comments, as h3, p4est, FFTW and
-# libCEED have few of them.  They are a symptom: rewrite the sentence, do not swap the word.  Rewritten rooms, but for the files
-# of `old`, must keep the limits; the rates of other rooms are printed.
+# Comments and READMEs read like English.  Words that translations overuse are counted per 1,000 words of C comments and of
+# prose, as h3, p4est, FFTW and libCEED have few of them.  They are a symptom: rewrite the sentence, do not swap the word.
+# READMEs and rewritten rooms, but for the files of `old`, must keep the limits; the rates of other rooms are printed.
 . tests/cli/expect.inc
 rewritten='evolve codegen runtime/batch runtime/calculix runtime/geometry runtime/replace'
 old='evolve/evolve_main.c evolve/samples evolve/common/stream.* evolve/eval/errors.* evolve/eval/frame.h evolve/write/archive_*
@@ -9,13 +9,23 @@ old='evolve/evolve_main.c evolve/samples evolve/common/stream.* evolve/eval/erro
     evolve/input/scene_table.c evolve/input/scene_tiers.c codegen/print codegen/codegen_*.[ch]
     codegen/program/float_errors.*'
 others='evolve codegen runtime tests'
+pages='README.md */README.md'
+git ls-files --error-unmatch Makefile > "$work/log" 2>&1 || { echo 'ok 1 - comments and READMEs # SKIP no clone'; exit 0; }
 
-# rates PATH...: a line "word rate limit" for each word, the least rate of "must" as a negative limit
+# rates PATTERN PATH...: a line "word rate limit" for each word in files whose names match, the least rate of "must" as a
+# negative limit.  Of pages, code counts nowhere.
 rates() {
-    git ls-files "$@" | grep '\.[ch]$' | xargs awk '
-        FNR == 1 { inside = 0 }
+    pattern=$1
+    shift
+    git ls-files "$@" | grep "$pattern" | xargs awk '
+        FNR == 1 { inside = span = 0 }
+        FILENAME ~ /\.md$/ && /^```/ { inside = !inside; next }
         {
             line = tolower($0); text = ""
+            if (FILENAME ~ /\.md$/) { # a span of code may go on in the next line
+                if (!inside) { k = split(line, part, "`"); for (i = 1; i <= k; i++) { if (!span) text = text " " part[i]; if (i < k) span = !span } }
+                line = ""
+            }
             while (line != "") {
                 if (inside) {
                     if (!(at = index(line, "*/"))) { text = text " " line; break }
@@ -40,16 +50,25 @@ rates() {
 }
 over() { awk '$3 < 0 ? $2 < -$3 : $2 > $3 { print $1 ": " $2 " in 1,000 words, limit " ($3 < 0 ? "at least " -$3 : $3) }'; }
 
+check() { # check NAME PATTERN PATH...
+    name=$1
+    shift
+    wrong=$(rates "$@" | over)
+    [ -z "$wrong" ]; good=$?
+    [ $good = 0 ] || echo "$wrong" | sed 's/^/# /'
+    report $((! good)) "$name"
+}
 set -f # git expands the patterns
-wrong=$(rates $rewritten $(printf ':!%s ' $old) | over)
+check 'comments of the rewritten rooms' '\.[ch]$' $rewritten $(printf ':!%s ' $old)
+check 'READMEs' '\.md$' $pages
 set +f
-[ -z "$wrong" ]; good=$?
-[ $good = 0 ] || echo "$wrong" | sed 's/^/# /'
-report $((! good)) 'comments of the rewritten rooms'
 for room in $others; do
-    echo "# $room: $(rates "$room" | awk '{ printf "%s %s  ", $1, $2 }')"
+    echo "# $room: $(rates '\.[ch]$' "$room" | awk '{ printf "%s %s  ", $1, $2 }')"
 done
 mkdir "$work/planted" && git -C "$work/planted" init -q
 printf '/* What none says, where those of which one is alone. */\nint x;\n' > "$work/planted/a.c"
 git -C "$work/planted" add a.c
-[ "$(cd "$work/planted" && rates . | over | wc -l)" = 8 ]; report $((! $?)) 'a planted comment is found'
+[ "$(cd "$work/planted" && rates '\.c$' . | over | wc -l)" = 8 ]; report $((! $?)) 'a planted comment is found'
+printf 'What none `what\nwhat` says.\n```\nwhat\n```\n' > "$work/planted/a.md"
+git -C "$work/planted" add a.md
+[ "$(cd "$work/planted" && rates '\.md$' . | head -n 1)" = 'what 333.33 0.8' ]; report $((! $?)) 'and a planted page'
