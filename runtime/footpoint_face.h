@@ -1,14 +1,13 @@
-/* footpoint: faces of every kind, told by a number: the search, closest points, derivatives, arrays of pairs.
+/* footpoint: faces of every kind, chosen by a number: search, closest points, derivatives, arrays of pairs.
  *
- * Each call is that of a generated header, compiled: the most accurate search of generated/footpoint_KIND.h, whose
- * banner says how accurate it is and on which faces, and generated/footpoint_KIND_derivatives.h.  Nodes are in its order:
- * corners counter-clockwise seen from where slave nodes come, then the middles of edges from AB on, then the middle.  A
- * triangle has 0 <= xi, eta and xi + eta <= 1, a quadrilateral xi and eta in [-1,1].
+ * Each function is compiled from generated headers: the most accurate search of generated/footpoint_KIND.h, whose banner
+ * states its accuracy and faces, and generated/footpoint_KIND_derivatives.h.  Nodes are in the order of these headers: corners
+ * counter-clockwise seen from the slave nodes, then the middles of edges from AB on, then the middle.  A triangle has
+ * 0 <= xi, eta and xi + eta <= 1, a quadrilateral xi and eta in [-1,1].
  *
- * Statuses and the rest as in footpoint.h.  footpoint_face_locate proves its foot points, footpoint_face_robust and
- * footpoint_face_robust_pairs their closest points: call these unless you know your faces.  With d_gap, d_normal and
- * hessian, footpoint_element_normal and
- * footpoint_element_friction give force and tangent of a contact element. */
+ * Statuses and conventions are those of footpoint.h.  footpoint_face_locate proves foot points, footpoint_face_robust and
+ * footpoint_face_robust_pairs closest points: call these unless you know your faces.  With d_gap, d_normal and hessian,
+ * footpoint_element_normal and footpoint_element_friction compute force and tangent of a contact element. */
 #ifndef FOOTPOINT_FACE_INCLUDED
 #define FOOTPOINT_FACE_INCLUDED
 
@@ -27,114 +26,121 @@ enum footpoint_face {
     FOOTPOINT_FACES
 };
 
-/* In what follows, N is the number of nodes, and x are coordinates of the nodes and, last, of the slave node: 3 (N + 1),
- * mesh length; derivatives by them are in the same order.  FOOTPOINT_ERR_ARGUMENT: no such face. */
+/* Below, N is the number of nodes.  x holds the coordinates of the nodes and, last, of the slave node: 3 (N + 1), mesh length.
+ * Derivatives by coordinates are in the same order.  FOOTPOINT_ERR_ARGUMENT: no such face. */
 
-/** 3, 6, 4, 8, 9; or 0: no such face. */
+/** Returns the number of nodes, 3, 6, 4, 8 or 9, or 0 if there is no such face. */
 int footpoint_face_nodes(enum footpoint_face face);
 
-/** Foot point of a slave node.  FOOTPOINT_OK: a minimum of the distance to the whole surface is proved to lie within 1e-12 (tri6:
- *  1e-10) of xi and eta, or of |xi| or |eta| times that if it is greater than 1.  Of curved faces no point of the face is nearer,
- *  by more than 1e-10 of the largest difference of coordinates, if loc is in the face; if it is not, the closest point lies on an
- *  edge or a corner.  Of tri3 and quad4 it need not be the closest point of the face.
+/** Finds the foot point of a slave node, with proof.  FOOTPOINT_OK: a minimum of the distance to the whole surface lies within
+ *  1e-12 (tri6: 1e-10) of xi and eta, or within that times |xi| or |eta| if these exceed 1.  On curved faces, if loc is in the
+ *  face, no point of the face is nearer by more than 1e-10 of the largest difference of coordinates; if loc is outside, the
+ *  closest point lies on an edge or a corner.  On tri3 and quad4 the foot point need not be the closest point of the face.
  *  @param[out] loc  {xi, eta}; not clamped to the face
  *  @param[out] gap  mesh length, along the face's unit normal there; > 0 open
- *  @return FOOTPOINT_OK, FOOTPOINT_UNPROVED (outputs are written, nothing is proved), FOOTPOINT_ERR_NOT_FINITE,
+ *  @return FOOTPOINT_OK, FOOTPOINT_UNPROVED (outputs are written, without proof), FOOTPOINT_ERR_NOT_FINITE,
  *          FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
 int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[2], double *gap);
 
-/** The same for n pairs of a slave node and a face, to the same bits, with AVX-512 or AVX2 where the machine has them.
+/** Calls footpoint_face_locate for n pairs of a slave node and a face, with the same bits, using AVX-512 or AVX2 if available.
  *  @param[in]  xyz     nodes x 3, mesh length
  *  @param[in]  seg     n x N node indices, from 0
  *  @param[in]  slave   n node indices
- *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is < FOOTPOINT_OK
- *  @param[out] gap     n; likewise
- *  @param[out] status  n, or NULL: as footpoint_face_locate, FOOTPOINT_ERR_ARGUMENT where an index is out of range, too
- *  @return how many pairs have a status other than FOOTPOINT_OK */
+ *  @param[out] loc     n x 2: xi, eta of each pair; untouched if the status is < FOOTPOINT_OK
+ *  @param[out] gap     n; untouched likewise
+ *  @param[out] status  n, or NULL: as footpoint_face_locate, also FOOTPOINT_ERR_ARGUMENT if an index is out of range
+ *  @return the number of pairs whose status is not FOOTPOINT_OK */
 size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                                    const int *slave, double *loc, double *gap, int *status);
 
-/** Foot point from the last answer, as a contact code has it from the step before: footpoint_face_locate, in less time if the
- *  foot point has moved by less than 0.1 of a face.  Where it has moved too far for a proof from there, the search begins
- *  anew in the same call.  FOOTPOINT_OK: proved to 1e-10, of quad8, quad9 and tri3 to 1e-12, as of footpoint_face_locate.  If
- *  several minima lie close together, as on a folded face, the answer is a minimum that the last one leads to.
- *  @param[in,out] loc  {xi, eta}, the last answer, or NaN if there is none; untouched if the status is < FOOTPOINT_OK
+/** Finds the foot point from the last answer, which a contact code has from the step before.  It takes less time than
+ *  footpoint_face_locate if the foot point has moved by less than 0.1 of a face.  If it has moved too far for a proof, the
+ *  same call searches from scratch.  FOOTPOINT_OK: proved to 1e-10, on quad8, quad9 and tri3 to 1e-12, as in
+ *  footpoint_face_locate.  If several minima lie close together, as on a folded face, the answer is a minimum to which the
+ *  last answer leads.
+ *  @param[in,out] loc  {xi, eta}, the last answer; must be NaN if there is no last answer; untouched if the status is
+ *                      < FOOTPOINT_OK
  *  @return as footpoint_face_locate */
 int footpoint_track(enum footpoint_face face, const double *x, double loc[2], double *gap);
 
-/** The same for n pairs, as footpoint_face_locate_pairs, with last answers in loc; xi and eta may differ from those of
- *  footpoint_track within what both promise.
+/** Calls footpoint_track for n pairs, as footpoint_face_locate_pairs, with last answers in loc.  xi and eta may differ from
+ *  footpoint_track's within the promise of both.
  *  @param[in,out] loc  n x 2: xi, eta of each pair, or NaN */
 size_t footpoint_track_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                              const int *slave, double *loc, double *gap, int *status);
 
-/** Finds the closest point of the face, its edges and corners included, as NAME_closest of generated/.  It is proved, but of
- *  tri3, for which it is exact to rounding.
+/** Finds the closest point of the face, its edges and corners included, as NAME_closest of generated/.  It is proved, except on
+ *  tri3, where it is exact to rounding.
  *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face, see "Signs" in footpoint.h
- *  @param[out] region    where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; of a triangle
- *                        1 to 3 and 4 to 6
- *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long; of all but tri3 with all
- *          written FOOTPOINT_NOT_UNIQUE (another point is as near) and FOOTPOINT_UNPROVED (the nearest point found) */
+ *  @param[out] region    the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; on a
+ *                        triangle 1 to 3 and 4 to 6
+ *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN (farther away than the longest edge); except on tri3, with all
+ *          written: FOOTPOINT_NOT_UNIQUE (another point is as near) and FOOTPOINT_UNPROVED (the nearest point found) */
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
-/** Finds the closest point of the face with certainty, whatever the face and the slave node: of tri3 in closed form, of
- *  quad4 by footpoint_robust.  Of a curved face, the header proves its foot point, or its closest point.  If it does not,
- *  Newton's method leads to a minimum of the distance.  Bounds over the whole face, or over ever smaller parts of it, then prove that no point is nearer, or
- *  find one to go on from.
+/** Finds the closest point of any face for any slave node, with certainty: on tri3 in closed form, on quad4 by
+ *  footpoint_robust.  On a curved face, the header's foot point or closest point is proved if possible.  Otherwise Newton's
+ *  method finds a minimum of the distance, and bounds over the face, or over ever smaller parts of it, prove that no point is
+ *  nearer or find a nearer point to continue from.
  *  The distance is right to 1e-10 of the largest difference of a coordinate of xS and a node's, rounding included, with
  *  and without fused operations: loc is a point that far away, and no point of the face is nearer by more.
- *  @param[out] loc, distance, region  as of footpoint_face_closest; distance > 0 if the face has no area
+ *      double loc[2], distance;
+ *      int region;
+ *      const int status = footpoint_face_robust(FOOTPOINT_QUAD8, &x[0][0], loc, &distance, &region);
+ *      if (status == FOOTPOINT_OK && distance < 0)
+ *          push(loc, distance);
+ *  @param[out] loc, distance, region  as in footpoint_face_closest; distance > 0 if the face has no area
  *  @return FOOTPOINT_OK (region 0: the closest point is strictly inside), FOOTPOINT_OUTSIDE (another region: loc lies on an
- *          edge or corner).  No other point is as near.  With the largest difference L of coordinates, as above,
- *          points within 2e-10 L + 3e-5 sqrt(L distance) of each other count as one (of quad4 see footpoint_robust);
- *          with all written: FOOTPOINT_NOT_UNIQUE (another may be as near: the distance is right, as above; never of tri3),
- *          FOOTPOINT_NO_AREA (nodes on a line, to rounding: the distance is right, as above), FOOTPOINT_UNPROVED (20,000
- *          parts did not suffice, or rounding hides the answer: loc is that far away, no more is certain; never of tri3);
- *          with none: FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT, FOOTPOINT_ERR_DOMAIN (the distance is no
- *          number, or of quad4: xS is farther away than 1e12 edges) */
+ *          edge or corner).  No other point is as near.  With the largest difference L of coordinates, as above, points
+ *          within 2e-10 L + 3e-5 sqrt(L distance) of each other count as a single point (for quad4 see footpoint_robust);
+ *          with all written: FOOTPOINT_NOT_UNIQUE (another point may be as near; the distance is right, as above; never on
+ *          tri3), FOOTPOINT_NO_AREA (nodes on a line, to rounding; the distance is right, as above), FOOTPOINT_UNPROVED
+ *          (20,000 parts did not suffice, or rounding hides the answer; only the distance of loc is certain; never on tri3);
+ *          with nothing written: FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT, FOOTPOINT_ERR_DOMAIN (the distance
+ *          overflows, or on quad4: xS is farther away than 1e12 edges) */
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
-/** The same for n pairs of a slave node and a face, to the same bits, with AVX-512 or AVX2 where the machine has them.
- *  @param[in]  xyz, seg, slave  as of footpoint_face_locate_pairs
- *  @param[out] loc       n x 2: xi, eta of each pair; untouched where the status is < FOOTPOINT_OK
- *  @param[out] distance  n; likewise
- *  @param[out] region    n, or NULL; likewise
- *  @param[out] status    n, or NULL: as footpoint_face_robust, FOOTPOINT_ERR_ARGUMENT where an index is out of range, too
- *  @return how many pairs have a status other than FOOTPOINT_OK and FOOTPOINT_OUTSIDE */
+/** Calls footpoint_face_robust for n pairs of a slave node and a face, with the same bits, using AVX-512 or AVX2 if available.
+ *  @param[in]  xyz, seg, slave  as in footpoint_face_locate_pairs
+ *  @param[out] loc       n x 2: xi, eta of each pair; untouched if the status is < FOOTPOINT_OK
+ *  @param[out] distance  n; untouched likewise
+ *  @param[out] region    n, or NULL; untouched likewise
+ *  @param[out] status    n, or NULL: as footpoint_face_robust, also FOOTPOINT_ERR_ARGUMENT if an index is out of range
+ *  @return the number of pairs whose status is neither FOOTPOINT_OK nor FOOTPOINT_OUTSIDE */
 size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                                    const int *slave, double *loc, double *distance, int *region, int *status);
 
-/** The face that a slave node is closest to, of any number of them.
+/** Chooses the closest of several faces.
  *  @param[in]  xyz     coordinates by node index, mesh length
  *  @param[in]  seg     candidates x N node indices, from 0
- *  @param[out] chosen  which of the candidates, from 0
- *  @param[out] loc, region  as of footpoint_face_closest, on the chosen face
- *  @param[out] distance     mesh length; < 0 behind the surface that the candidates make: at an edge or a corner that of
- *                      the sum of the unit normals of all candidates there, each times its angle.  That is the side of a
- *                      closed surface if all faces at that edge or corner are candidates.  One call takes one kind of
- *                      face: in a mesh of several kinds a corner may have more faces, and then the side is that of
- *                      the candidates'.  Nodes are the same if their coordinates are.
- *  @return as footpoint_face_closest.  Faces without an answer are passed over; if all are, the status is that of the
- *          last one, and FOOTPOINT_ERR_DOMAIN if there are no candidates */
+ *  @param[out] chosen  index of the chosen candidate, from 0
+ *  @param[out] loc, region  as in footpoint_face_closest, on the chosen face
+ *  @param[out] distance     mesh length; < 0 behind the surface of the candidates.  At an edge or a corner, the surface's
+ *                      normal is the sum of the unit normals of all candidates there, each times its angle.  This is the
+ *                      side of a closed surface if all faces at that edge or corner are candidates.  A call takes a single
+ *                      kind of face; in a mesh of several kinds the side is the candidates'.  Nodes with equal coordinates
+ *                      are the same node.
+ *  @return as footpoint_face_closest.  Faces without an answer are skipped.  If no face has an answer, the status is the
+ *          last face's, or FOOTPOINT_ERR_DOMAIN if there are no candidates */
 int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
                           const double xS[3], size_t *chosen, double loc[2], double *distance, int *region);
 
-/** What there is at given (xi, eta), which need not be a foot point.  Outputs may be NULL.
+/** Evaluates a face at given (xi, eta), which need not be a foot point.  Outputs may be NULL.
  *  @param[out] phi     N: shape functions
  *  @param[out] r_xi, r_eta, normal  3: tangents, unit normal
  *  @param[out] gap     (xS - r) . normal */
 int footpoint_face_place(enum footpoint_face face, const double *x, const double loc[2], double *phi, double *r_xi,
                          double *r_eta, double *normal, double *gap);
 
-/** First derivatives at a foot point, and what footpoint_face_place gives.  Outputs may be NULL.
+/** Computes first derivatives at a foot point, and the outputs of footpoint_face_place.  Outputs may be NULL.
  *  @param[out] d_xi, d_eta, d_gap  3 (N + 1): by all coordinates
- *  @return FOOTPOINT_ERR_DEGENERATE, too, where the foot point is not unique (the centre of curvature) */
+ *  @return also FOOTPOINT_ERR_DEGENERATE if the foot point is not unique (the centre of curvature) */
 int footpoint_face_differentiate(enum footpoint_face face, const double *x, const double loc[2], double *phi,
                                  double *r_xi, double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta,
                                  double *d_gap);
 
-/** Second derivatives of the gap, first ones of the normal.  Outputs may be NULL.
- *  @param[out] d_normal  3 x 3 (N + 1): of each component by all coordinates
+/** Computes second derivatives of the gap and first derivatives of the normal.  Outputs may be NULL.
+ *  @param[out] d_normal  3 x 3 (N + 1): each component by all coordinates
  *  @param[out] hessian   packed: by coordinates r and c, r >= c, at [r (r + 1) / 2 + c] */
 int footpoint_face_hessian(enum footpoint_face face, const double *x, const double loc[2], double *gap, double *d_xi,
                            double *d_eta, double *d_gap, double *d_normal, double *hessian);

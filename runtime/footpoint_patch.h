@@ -1,11 +1,11 @@
 /* footpoint: four-node segments smoothed by the unit normals at their nodes, as Bezier and Gregory patches.
  *
- * Each call is that of a generated header, compiled: the most accurate search of generated/footpoint_bezier.h and
- * footpoint_gregory.h, whose banners say how accurate they are and on which segments, and what
- * footpoint_bezier_derivatives.h and footpoint_gregory_derivatives.h hold.  Corners are in the order A, B, C, D of
- * footpoint.h, xi and eta in [-1,1]; the gap is the patch's own.  footpoint-node-normals.h makes normals of a mesh.
+ * Each function is compiled from generated headers: the most accurate search of generated/footpoint_bezier.h and
+ * footpoint_gregory.h, whose banners state accuracy and segments, and footpoint_bezier_derivatives.h and
+ * footpoint_gregory_derivatives.h.  Corners are in the order A, B, C, D of footpoint.h, with xi and eta in [-1,1]; the gap is
+ * measured from the patch.  footpoint-node-normals.h computes normals of a mesh.
  *
- * Statuses and the rest as in footpoint.h; nothing is proved. */
+ * Statuses and conventions are those of footpoint.h. */
 #ifndef FOOTPOINT_PATCH_INCLUDED
 #define FOOTPOINT_PATCH_INCLUDED
 
@@ -17,40 +17,44 @@ extern "C" {
 
 enum footpoint_patch {
     FOOTPOINT_BEZIER, /* bicubic; neighbours meet with a kink along their edge */
-    FOOTPOINT_GREGORY /* neighbours have one tangent plane along their edge; about twice as dear */
+    FOOTPOINT_GREGORY /* neighbours share tangent planes along their edge; takes about twice as long */
 };
 
-/* In what follows, x are the coordinates of the corners, the unit normals there and the slave node: 27, mesh length but
- * for the normals.  FOOTPOINT_ERR_ARGUMENT: no such patch. */
+/* Below, x holds the coordinates of the corners, the unit normals there and the slave node: 27, in mesh length except the
+ * normals.  FOOTPOINT_ERR_ARGUMENT: no such patch. */
 
-/** Foot point of a slave node.
- *  @param[out] loc  {xi, eta}, in [-1,1]: of slave nodes beside the patch, which have no foot point, one on its edge
+/** Finds the foot point of a slave node.  FOOTPOINT_OK: a minimum of the distance is proved within 1e-12 of xi and eta.
+ *  FOOTPOINT_OUTSIDE: the slave node lies beside the patch, and a minimum on the closed patch is proved on the edge or in the
+ *  corner of the answer.
+ *  @param[out] loc  {xi, eta}, in [-1,1]
  *  @param[out] gap  mesh length, along the patch's unit normal there; > 0 open
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
+ *  @return FOOTPOINT_OK; with outputs written FOOTPOINT_OUTSIDE, FOOTPOINT_UNPROVED (no proof); FOOTPOINT_ERR_NOT_FINITE,
+ *          FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
 int footpoint_patch_locate(enum footpoint_patch patch, const double *x, double loc[2], double *gap);
 
-/** The same for n pairs of a slave node and a segment, to the same bits, with AVX-512 or AVX2 where the machine has them.
+/** Calls footpoint_patch_locate for n pairs of a slave node and a segment, with the same bits, using AVX-512 or AVX2 if
+ *  available.
  *  @param[in]  xyz, normals  nodes x 3: coordinates, mesh length, and unit normals
  *  @param[in]  seg     n x 4 node indices, from 0
  *  @param[in]  slave   n node indices
- *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is not FOOTPOINT_OK
- *  @param[out] gap     n; likewise
- *  @param[out] status  n, or NULL: as footpoint_patch_locate, FOOTPOINT_ERR_ARGUMENT where an index is out of range, too
- *  @return how many pairs have a status other than FOOTPOINT_OK */
+ *  @param[out] loc     n x 2: xi, eta of each pair; untouched if the status is < FOOTPOINT_OK
+ *  @param[out] gap     n; untouched likewise
+ *  @param[out] status  n, or NULL: as footpoint_patch_locate, also FOOTPOINT_ERR_ARGUMENT if an index is out of range
+ *  @return the number of pairs whose status is not FOOTPOINT_OK */
 size_t footpoint_patch_locate_pairs(enum footpoint_patch patch, size_t n, const double *xyz, const double *normals,
                                     size_t nodes, const int *seg, const int *slave, double *loc, double *gap,
                                     int *status);
 
-/** What there is at given (xi, eta), which need not be a foot point.  Outputs may be NULL.
+/** Evaluates a patch at given (xi, eta), which need not be a foot point.  Outputs may be NULL.
  *  @param[out] r, r_xi, r_eta, normal  3: point, tangents, unit normal
  *  @param[out] gap                     (xS - r) . normal */
 int footpoint_patch_place(enum footpoint_patch patch, const double *x, const double loc[2], double *r, double *r_xi,
                           double *r_eta, double *normal, double *gap);
 
-/** First derivatives at a foot point, and what footpoint_patch_place gives.  Outputs may be NULL.
+/** Computes first derivatives at a foot point, and the outputs of footpoint_patch_place.  Outputs may be NULL.
  *  @param[out] d_xi, d_eta, d_gap        15: by the coordinates of the corners and the slave node
- *  @param[out] d_xi_n, d_eta_n, d_gap_n  12: by those of the normals, which stay unit: 0 along the normal itself
- *  @return FOOTPOINT_ERR_DEGENERATE, too, where the foot point is not unique (the centre of curvature) */
+ *  @param[out] d_xi_n, d_eta_n, d_gap_n  12: by the components of the normals, which stay unit: 0 along the normal itself
+ *  @return also FOOTPOINT_ERR_DEGENERATE if the foot point is not unique (the centre of curvature) */
 int footpoint_patch_differentiate(enum footpoint_patch patch, const double *x, const double loc[2], double *r,
                                   double *r_xi, double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta,
                                   double *d_gap, double *d_xi_n, double *d_eta_n, double *d_gap_n);
