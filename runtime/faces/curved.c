@@ -1,13 +1,13 @@
-/* Foot points of curved faces; see curved.h.
+/* Finds foot points of curved faces; see curved.h.
  *
- * The header proves a minimum of the distance to the whole surface.  On ordinary faces one more test proves that it is the closest
- * point of the face.  Where it is not, the header's closest point is asked, and where that is not proved, a certain search. */
+ * The header proves a minimum of the distance to the whole surface.  On ordinary faces another test proves that it is the closest
+ * point of the face.  If this fails, the header searches the closest point; if that is not proved, a certain search decides. */
 #include "curved.h"
 
 #include "../certain/quadratic.h"
 #include "pairs.h"
 
-#define SAME 1e-10 /* distances over the largest difference of coordinates: what a certain search leaves open */
+#define SAME 1e-10 /* error of a certain search's distance over the largest difference of coordinates */
 
 enum { MOST_BOXES = 20000 };
 
@@ -17,7 +17,7 @@ static int is_inside(int nodes, const double loc[2])
                       : fabs(loc[0]) < 1.0 && fabs(loc[1]) < 1.0;
 }
 
-/* The closest point with certainty, and a bound on the error of its distance. */
+/* Finds the closest point with certainty, and a bound on the error of its distance. */
 static int closest_for_certain(const struct curved *k, const double *const *x, const double *s, double loc[2],
                                double *distance, double *error)
 {
@@ -31,8 +31,8 @@ static int closest_for_certain(const struct curved *k, const double *const *x, c
     return footpoint_quadratic_closest(k->nodes, all, loc, loc, distance, &boxes);
 }
 
-/* Whether the proved minimum at `at`, `gap` away, is a foot point to rely on: no point of the face is nearer, or it lies outside and
- * the closest point on an edge. */
+/* Returns 1 if the proved minimum at `at`, `gap` away, is a certain foot point: no point of the face is nearer, or it lies outside
+ * and the closest point on an edge. */
 static int is_certain(const struct curved *k, const double *const *x, const double *s, const double at[2], double gap)
 {
     double loc[2] = {at[0], at[1]}, distance, error;
@@ -44,7 +44,7 @@ static int is_certain(const struct curved *k, const double *const *x, const doub
     return is_inside(k->nodes, at) ? fabs(gap) <= distance + error : !is_inside(k->nodes, loc);
 }
 
-/* What footpoint_curved_locate answers where the search's answer, of that status, is not proved to be the closest point: in at and
+/* Completes footpoint_curved_locate if the search's answer, with `status`, is not proved to be the closest point.  Writes at and
  * gap. */
 static int look_elsewhere(const struct curved *k, const double *const *x, const double *s, int status, double at[2],
                           double *gap)

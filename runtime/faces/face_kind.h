@@ -1,7 +1,7 @@
-/* The functions of one kind of face, out of its generated headers: a table that faces.c chooses from.  A file of each kind
- * includes its headers and this one, and says KIND(quad8, full, 8, locate): the kind, its most accurate search, how many
- * nodes, and the search that footpoint_face_robust begins with; or CURVED_KIND(quad8, full, 8, FOOTPOINT_QUAD8_FULL_PROMISE);
- * before that TRACK. */
+/* Defines the functions of a kind of face, from its generated headers, in a table from which faces.c chooses.  A file of each kind
+ * must include its headers and this file, then expand TRACK, and then KIND(quad8, full, 8, locate), with the kind, its most
+ * accurate search, the number of nodes and the search with which footpoint_face_robust begins, or
+ * CURVED_KIND(quad8, full, 8, FOOTPOINT_QUAD8_FULL_PROMISE). */
 #ifndef FOOTPOINT_FACE_KIND_H
 #define FOOTPOINT_FACE_KIND_H
 
@@ -28,7 +28,7 @@
     SEARCH(locate, kind, tier, count)                                                                                  \
     REST(kind, tier, count, start)
 
-/* PROMISE of a curved face is that of its search. */
+/* On a curved face, PROMISE belongs to its search. */
 #define CURVED_KIND(kind, tier, count, promise)                                                                        \
     SEARCH(search, kind, tier, count)                                                                                  \
     static int closest(const double *const *x, const double *s, double *loc, double *distance, int *region);           \

@@ -4,7 +4,7 @@
 
 #include "face_kind.h"
 
-/* footpoint_face_robust begins with the closest point that the header proves. */
+/* Finds the closest point that the header proves, with which footpoint_face_robust begins. */
 static int start(const double *const *x, const double *s, double *loc, double *distance)
 {
     int region;

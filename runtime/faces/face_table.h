@@ -1,4 +1,5 @@
-/* What there is of each kind of face; x points to its nodes, s to the slave node.  The rest as in footpoint_face.h. */
+/* The functions of each kind of face; x points to its nodes, s to the slave node.  Other arguments are as in
+ * footpoint_face.h. */
 #ifndef FOOTPOINT_FACE_TABLE_H
 #define FOOTPOINT_FACE_TABLE_H
 
@@ -6,13 +7,13 @@
 
 struct face {
     struct pairs_kind pairs;
-    struct pairs_kind start; /* the search that footpoint_face_robust begins with */
+    struct pairs_kind start; /* with which footpoint_face_robust begins */
     struct pairs_kind track; /* from last answers */
-    double promise;          /* of a plane face: NAME_PROMISE of that search, or 0: it proves nothing */
+    double promise;          /* on a plane face: NAME_PROMISE of that search, or 0 if it proves nothing */
     int (*is_closest)(const double *const *x, const double *s,
-                      const double *loc); /* see curved.h; NULL: it is not curved */
+                      const double *loc); /* see curved.h; NULL on plane faces */
     int (*closest)(const double *const *x, const double *s, double *loc, double *distance, int *region);
-    /* Of n faces, the nodes of which x has one face after the other. */
+    /* Finds the nearest of n faces; x has the nodes of each face in turn. */
     int (*nearest)(size_t n, const double *const *x, const double *s, double *loc, double *distance, int *region,
                    size_t *which);
     /* As footpoint_detail_KIND_behind, _feature and _add_face of generated/. */
@@ -27,7 +28,7 @@ struct face {
                    double *d_gap, double *d_normal, double *hessian);
 };
 
-/* Not for callers of the library. */
+/* Only for files of the library. */
 #ifdef __GNUC__
 #pragma GCC visibility push(hidden)
 #endif

@@ -1,11 +1,11 @@
-/* Faces of every kind; see footpoint_face.h. */
+/* Functions of faces of every kind; see footpoint_face.h. */
 #include "../certain/quadratic.h"
 #include "../certain/robust.h"
 #include "../certain/triangle.h"
 #include "../footpoint_face.h"
 #include "face_table.h"
 
-/* NULL: there is no such face. */
+/* Returns NULL if there is no such face. */
 static const struct face *face_of(enum footpoint_face face)
 {
     switch (face) {
@@ -24,7 +24,7 @@ static const struct face *face_of(enum footpoint_face face)
     }
 }
 
-/* Nodes, and behind them the slave node. */
+/* Pointers to the nodes and the slave node. */
 struct rows {
     const double *x[PAIRS_MOST_VECTORS], *s;
 };
@@ -71,7 +71,7 @@ int footpoint_face_closest(enum footpoint_face face, const double *x, double loc
     return f->closest(r.x, r.s, loc, distance, region);
 }
 
-/* The region of footpoint_face.h that a place of the face is in: 0 if it is strictly inside. */
+/* Returns the region of a place of the face, as in footpoint_face.h: 0 if it is strictly inside. */
 static int region_of(int corners, const double loc[2])
 {
     const double u = loc[0], v = loc[1];
@@ -88,7 +88,7 @@ static int region_of(int corners, const double loc[2])
 
 enum { MOST_BOXES = 20000 };
 
-/* Whether the header's proof of a foot point puts it inside a plane triangle, where it is the closest point. */
+/* Returns 1 if the header proves a foot point inside a plane triangle, which is then the closest point. */
 static int is_inside(const struct face *f, const struct robust_start *start)
 {
     const double least = 4.0 * f->promise, u = start->loc[0], v = start->loc[1];
@@ -106,7 +106,7 @@ static int closest_of_triangle(const struct face *f, const double *x, const stru
     return FOOTPOINT_OK;
 }
 
-/* Whether products of eight lengths stay in the range of double. */
+/* Returns 1 if products of eight lengths stay in the range of double. */
 static int is_of_ordinary_size(const struct face *f, const double *x)
 {
     double size = 0.0;
@@ -115,7 +115,7 @@ static int is_of_ordinary_size(const struct face *f, const double *x)
     return size > 1e-30 && size < 1e30;
 }
 
-/* |xS - r| at loc; `otherwise` if the face has no normal there. */
+/* Returns |xS - r| at loc, or `otherwise` if the face has no normal there. */
 static double distance_at(const struct face *f, const double *x, const double loc[2], double otherwise)
 {
     const struct rows r = rows_of(f, x);
@@ -131,7 +131,8 @@ static double distance_at(const struct face *f, const double *x, const double lo
     return sqrt(square);
 }
 
-/* The header's foot point if it is proved to be the closest point, its closest point if that is proved, or a certain search. */
+/* Finds the closest point: the header's foot point if it is proved to be closest, its closest point if that is proved, otherwise
+ * by a certain search. */
 static int closest_of_curved(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
                              double *distance)
 {
@@ -150,7 +151,7 @@ static int closest_of_curved(const struct face *f, const double *x, const struct
                                        distance, &boxes);
 }
 
-/* As footpoint_face_robust, from what f->start returned and wrote. */
+/* Completes footpoint_face_robust from the results of f->start. */
 static int robust_from(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
                        double *distance, int *region)
 {
@@ -218,7 +219,7 @@ int footpoint_face_hessian(enum footpoint_face face, const double *x, const doub
 
 /* ---- one slave node, many faces ---- */
 
-/* Nodes of one of the candidates. */
+/* Returns the nodes of a candidate. */
 static struct rows candidate_of(const struct face *f, const double *xyz, const int *seg, size_t candidate,
                                 const double xS[3])
 {
@@ -228,7 +229,7 @@ static struct rows candidate_of(const struct face *f, const double *xyz, const i
     return r;
 }
 
-/* Whether xS lies behind the surface that all candidates make at loc, on an edge or a corner of one of them. */
+/* Returns 1 if xS lies behind the surface of all candidates at loc, on an edge or a corner of the chosen face. */
 static int is_behind_all(const struct face *f, const double *xyz, size_t candidates, const int *seg,
                          const struct rows *chosen, const double loc[2], int region)
 {
@@ -241,7 +242,7 @@ static int is_behind_all(const struct face *f, const double *xyz, size_t candida
     return f->behind(chosen->x, chosen->s, loc, 1, fan);
 }
 
-/* In groups, in each of which the best one of those before comes first: it may have to be searched once more. */
+/* Searches in groups.  Each group begins with the best face so far, which may have to be searched again. */
 int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
                           const double xS[3], size_t *chosen, double loc[2], double *distance, int *region)
 {

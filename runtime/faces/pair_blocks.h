@@ -1,6 +1,6 @@
-/* Blocks of pairs by the machine's own instructions, as batch/batch_lanes.c has them: SEARCH(locate, quad8, full, 8)
- * makes locate(), of one pair, and locate_block(), out of footpoint_quad8_full_checked_n; TRACK(quad8, full, 8) likewise
- * track() and track_block(), from last answers. */
+/* Searches blocks of pairs by the machine's vector instructions, as batch/batch_lanes.c does.  SEARCH(locate, quad8, full, 8)
+ * defines locate(), for a pair, and locate_block(), which calls footpoint_quad8_full_checked_n.  TRACK(quad8, full, 8) defines
+ * track() and track_block(), which begin at last answers. */
 #ifndef FOOTPOINT_PAIR_BLOCKS_H
 #define FOOTPOINT_PAIR_BLOCKS_H
 
@@ -21,7 +21,7 @@
 #endif
 #define AVX2 __attribute__((flatten, target("avx2,fma")))
 
-/* Machines with neither do one pair at a time. */
+/* On machines without either, each pair is searched by itself. */
 #define BLOCKS_OF(name, loop)                                                                                          \
     BLOCK_OF(name, loop, avx2, AVX2)                                                                                   \
     BLOCK_OF(name, loop, avx512, AVX512)                                                                               \

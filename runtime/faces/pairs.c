@@ -1,12 +1,12 @@
-/* Many pairs, in blocks; see pairs.h. */
+/* Searches many pairs in blocks; see pairs.h. */
 #include "pairs.h"
 
 struct columns {
     double x[3 * PAIRS_MOST_VECTORS][PAIRS_BLOCK], xi[PAIRS_BLOCK], eta[PAIRS_BLOCK], gap[PAIRS_BLOCK];
-    int status[PAIRS_BLOCK], valid[PAIRS_BLOCK]; /* valid: no index is out of range */
+    int status[PAIRS_BLOCK], valid[PAIRS_BLOCK]; /* valid: all indices are in range */
 };
 
-/* Vector k of a pair, NULL: an index is out of range. */
+/* Returns vector k of a pair, or NULL if an index is out of range. */
 static const double *vector_of(const struct pairs_kind *kind, const struct pairs *p, size_t pair, int k)
 {
     const int is_normal = k >= kind->nodes && k < kind->nodes + kind->normals, corner = is_normal ? k - kind->nodes : k;
@@ -14,7 +14,7 @@ static const double *vector_of(const struct pairs_kind *kind, const struct pairs
     return index < 0 || (size_t)index >= p->nodes ? NULL : (is_normal ? p->normals : p->xyz) + 3 * (size_t)index;
 }
 
-/* Searches a block from pair `first` on; copies of the last of `count` pairs fill it.  last: answers by pair, or NULL. */
+/* Searches a block from pair `first` on, filled up with copies of the last of `count` pairs.  last: answers by pair, or NULL. */
 static void locate_block(const struct pairs_kind *kind, const struct pairs *p, size_t first, size_t count,
                          const double *last, struct columns *c)
 {
@@ -37,7 +37,7 @@ static void locate_block(const struct pairs_kind *kind, const struct pairs *p, s
     kind->block(column, c->xi, c->eta, c->gap, c->status);
 }
 
-/* The vectors of a pair out of its columns. */
+/* Copies the vectors of a pair from its columns. */
 static void vectors_of(const struct pairs_kind *kind, const struct columns *c, size_t i, double y[][3])
 {
     for (int k = 0; k <= kind->nodes + kind->normals; k++)
@@ -45,7 +45,7 @@ static void vectors_of(const struct pairs_kind *kind, const struct columns *c, s
             y[k][j] = c->x[3 * k + j][i];
 }
 
-/* A pair by itself. */
+/* Searches a single pair. */
 static int locate_one(const struct pairs_kind *kind, const double y[][3], double *loc, double *gap)
 {
     const double *x[PAIRS_MOST_VECTORS];

@@ -1,18 +1,18 @@
-/* Many pairs of a slave node and a face or patch, out of coordinates and connectivity. */
+/* Searches many pairs of a slave node and a face or patch, from coordinates and connectivity. */
 #ifndef FOOTPOINT_PAIRS_H
 #define FOOTPOINT_PAIRS_H
 
 #include "../footpoint.h"
 
-enum { PAIRS_BLOCK = 32, PAIRS_MOST_VECTORS = 10 }; /* the slave node among them */
+enum { PAIRS_BLOCK = 32, PAIRS_MOST_VECTORS = 10 }; /* including the slave node */
 
-/* What is searched: nodes, and for patches as many unit normals there. */
+/* A kind of face or patch: its number of nodes, for patches also of unit normals, and its searches. */
 struct pairs_kind {
     int nodes, normals;
     int (*locate)(const double *const *x, const double *s, double *loc, double *gap);
-    /* PAIRS_BLOCK pairs; coordinate i of vector k, the slave node being the last, in column 3 k + i. */
+    /* Searches PAIRS_BLOCK pairs; coordinate i of vector k, the slave node being the last, is in column 3 k + i. */
     void (*block)(const double *const *columns, double *xi, double *eta, double *gap, int *status);
-    int tracks; /* loc, xi and eta are last answers on entry */
+    int tracks; /* loc, xi and eta hold last answers on entry */
 };
 
 struct pairs {
@@ -22,20 +22,20 @@ struct pairs {
     const int *seg, *slave;
 };
 
-/* Not for callers of the library. */
+/* Only for files of the library. */
 #ifdef __GNUC__
 #pragma GCC visibility push(hidden)
 #endif
-/* As footpoint_face_locate_pairs; kind NULL: there is none. */
+/* Does the work of footpoint_face_locate_pairs; kind may be NULL. */
 size_t footpoint_pairs_locate(const struct pairs_kind *kind, const struct pairs *p, double *loc, double *gap,
                               int *status);
 
-/* What becomes of pair number `pair`, x its vectors, from what kind->locate returned and wrote; returns a status. */
+/* Finishes pair number `pair`, with vectors x, from the results of kind->locate; returns a status. */
 typedef int pairs_finish(const void *of, size_t pair, const double *x, int status, const double loc[2], double gap);
 
-/* Finishes all pairs.
- *  @param[out] status  n, or NULL: as finish, or FOOTPOINT_ERR_ARGUMENT where an index is out of range
- *  @return how many statuses are neither FOOTPOINT_OK nor FOOTPOINT_OUTSIDE */
+/* Searches and finishes all pairs.
+ *  @param[out] status  n, or NULL: as finish, or FOOTPOINT_ERR_ARGUMENT if an index is out of range
+ *  @return the number of statuses that are neither FOOTPOINT_OK nor FOOTPOINT_OUTSIDE */
 size_t footpoint_pairs_finish(const struct pairs_kind *kind, const struct pairs *p, pairs_finish *finish,
                               const void *of, int *status);
 #ifdef __GNUC__

@@ -1,5 +1,5 @@
-/* The functions of one kind of patch, out of its generated headers: a table that patches.c chooses from.  A file of each
- * kind includes its headers and this one, and says PATCH(gregory, full): the kind, its most accurate search. */
+/* Defines the functions of a kind of patch, from its generated headers, in a table from which patches.c chooses.  A file of each
+ * kind must include its headers and this file, and expand PATCH(gregory, full), with the kind and its most accurate search. */
 #ifndef FOOTPOINT_PATCH_KIND_H
 #define FOOTPOINT_PATCH_KIND_H
 

@@ -1,4 +1,4 @@
-/* What there is of each kind of patch; x points to its corners and normals, s to the slave node.  The rest as in
+/* The functions of each kind of patch; x points to its corners and normals, s to the slave node.  Other arguments are as in
  * footpoint_patch.h. */
 #ifndef FOOTPOINT_PATCH_TABLE_H
 #define FOOTPOINT_PATCH_TABLE_H
@@ -14,7 +14,7 @@ struct patch {
                          double *d_xi_n, double *d_eta_n, double *d_gap_n);
 };
 
-/* Not for callers of the library. */
+/* Only for files of the library. */
 #ifdef __GNUC__
 #pragma GCC visibility push(hidden)
 #endif

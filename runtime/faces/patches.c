@@ -1,10 +1,10 @@
-/* Patches of either kind; see footpoint_patch.h. */
+/* Functions of patches of either kind; see footpoint_patch.h. */
 #include "../footpoint_patch.h"
 #include "patch_table.h"
 
 enum { VECTORS = 8 };
 
-/* NULL: there is no such patch. */
+/* Returns NULL if there is no such patch. */
 static const struct patch *patch_of(enum footpoint_patch patch)
 {
     switch (patch) {

@@ -1,4 +1,4 @@
-/* Normal, gap and forces of one contact pair: (6), (9), (10), (11); see footpoint.h. */
+/* Computes normal, gap and forces of a contact pair, (6), (9), (10), (11); see footpoint.h. */
 #include "../footpoint.h"
 #include "../geometry/footpoint-quad4-geometry.h"
 #include "../geometry/vector.h"
@@ -25,7 +25,7 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
     return FOOTPOINT_OK;
 }
 
-/* fs = factor d and fm[i] = -phi_i fs; not if one of them is beyond all numbers. */
+/* Writes fs = factor d and fm[i] = -phi_i fs, unless a component overflows. */
 static int act(double factor, const double d[3], const double loc[2], double fs[3], double fm[4][3])
 {
     double phi[4], f[5][3];
@@ -53,7 +53,8 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
     return act(gap < 0.0 ? -gap * stiffness : 0.0, m, loc, fs, fm);
 }
 
-/* Whether d points behind the plane with the unit normal n, clearly: of a vector within the plane, d . n is rounding. */
+/* Returns 1 if d points behind the plane with the unit normal n by more than rounding, which is all of d . n for a vector in
+ * the plane. */
 static int is_behind(const double d[3], const double n[3])
 {
     return vector_dot(d, n) < -1e-12 * hypot(hypot(d[0], d[1]), d[2]);

@@ -1,4 +1,4 @@
-/* Derivatives of a foot point, as the header of four-node segments has them. */
+/* Differentiates a foot point by the header of four-node segments. */
 #include "../../generated/footpoint_quad4_derivatives.h"
 #include "../footpoint.h"
 

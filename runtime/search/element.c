@@ -1,5 +1,5 @@
-/* What a contact element of any face adds to the equations: forces and their consistent tangents, of the normal law (10)
- * with a multiplier and of Coulomb's law by return mapping; see footpoint.h. */
+/* Computes forces and consistent tangents of a contact element of any face, for the normal law (10) with a multiplier and for
+ * Coulomb's law by return mapping; see footpoint.h. */
 #include "../footpoint.h"
 #include "../geometry/vector.h"
 
@@ -45,19 +45,19 @@ int footpoint_element_normal(int nodes, double gap, const double *d_gap, const d
 
 /* ---- friction ---- */
 
-/* Of node k, the slave node being the last, in the way from the point where it sticks to the slave node. */
+/* Returns the weight of node k, the slave node being the last, in the vector from the sticking point to the slave node. */
 static double weight(const double *phi, int nodes, int k)
 {
     return k < nodes ? -phi[k] : 1.0;
 }
 
-/* The force -factor s on the slave node; s is `length` times `along`. */
+/* The force -factor s on the slave node, with s = `length` times `along`. */
 struct traction {
     double s[3], along[3], length, factor;
     int slides;
 };
 
-/* Its change dt with s and the limit of friction. */
+/* Computes the change dt of the force for a change ds of s and d_limit of the friction limit. */
 static void change_of(const struct traction *y, const double ds[3], double d_limit, double dt[3])
 {
     const double longer = y->slides ? vector_dot(y->along, ds) : 0.0;
@@ -65,7 +65,7 @@ static void change_of(const struct traction *y, const double ds[3], double d_lim
         dt[i] = -y->factor * (ds[i] - longer * y->along[i]) - (y->slides ? d_limit * y->along[i] : 0.0);
 }
 
-/* Return mapping. */
+/* Limits the force to friction, by return mapping. */
 static void cut_down(struct traction *y, double limit, double tangential)
 {
     y->length = hypot(hypot(y->s[0], y->s[1]), y->s[2]);
@@ -75,7 +75,7 @@ static void cut_down(struct traction *y, double limit, double tangential)
     y->factor = y->slides ? limit / y->length : limit > 0.0 ? tangential : 0.0;
 }
 
-/* a / 2^exponent, of length 1 or so. */
+/* Computes b = a / 2^exponent, of a length near 1. */
 static void shorten(const double a[3], int *exponent, double b[3])
 {
     *exponent = vector_exponent(a);
@@ -83,7 +83,8 @@ static void shorten(const double a[3], int *exponent, double b[3])
         b[i] = ldexp(a[i], -*exponent);
 }
 
-/* What s has more than its spring, in xi and eta, whatever the unit of length; false: no area. */
+/* Computes the slip in xi and eta: the part of s that its spring does not hold, in any unit of length.  Returns 0 if the face
+ * has no area. */
 static int slip_of(const struct traction *y, double tangential, const double r_xi[3], const double r_eta[3],
                    double slip[2])
 {

@@ -1,4 +1,4 @@
-/* The iteration-free search of one pair; see footpoint.h. */
+/* Searches a pair without iteration; see footpoint.h. */
 #include "locate.h"
 
 #include "../certain/check.h"
@@ -6,9 +6,9 @@
 
 #include "../../generated/footpoint_quad4.h"
 
-enum { ORDINARY = 32 }; /* powers of 2 that edges may be long without a product of the check leaving its range */
+enum { ORDINARY = 32 }; /* edges within 2^-32 to 2^32 keep all products of the check in range */
 
-/* footpoint_check, in another unit of length if need be. */
+/* Calls footpoint_check, also in another unit of length if edges are not ordinary. */
 static int is_sure(const double *const *x, const double loc[2])
 {
     double y[5][3];
@@ -35,10 +35,10 @@ int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const
     loc[0] = found[0];
     loc[1] = found[1];
     *gap = g;
-    return sure ? FOOTPOINT_OK : status; /* the check is a proof, too */
+    return sure ? FOOTPOINT_OK : status; /* the check proves the answer, too */
 }
 
-/* Whether no point of the segment is nearer than the foot point within the promise of (xi,eta). */
+/* Returns 1 if no point of the segment is nearer than the foot point within the promise of (xi,eta). */
 static int is_nearest(const double *const *x, double xi, double eta)
 {
     struct check p;
@@ -47,7 +47,7 @@ static int is_nearest(const double *const *x, double xi, double eta)
            footpoint_check_alone(&p);
 }
 
-/* What footpoint_locate_one does, where the search proves its own answer; it lies less than CONVEX_BEYOND away then. */
+/* Does the work of footpoint_locate_one if the search proves its own answer, whose error is then below CONVEX_BEYOND. */
 int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *gap)
 {

@@ -1,4 +1,4 @@
-/* The search of one pair by any tier; for the files of the library alone. */
+/* Searches a pair by any tier; only for files of the library. */
 #ifndef FOOTPOINT_LOCATE_H
 #define FOOTPOINT_LOCATE_H
 
@@ -8,9 +8,9 @@
 #pragma GCC visibility push(hidden)
 #endif
 
-/** Nodes x[0] to x[4] by themselves.
- *  @param[in] sure  as for batches
- *  @return what the function of the tier gives; FOOTPOINT_ERR_DOMAIN if that is not sure, where it has to be */
+/** Searches the pair of the segment x[0] to x[3] and the slave node x[4].
+ *  @param[in] sure  as in batches
+ *  @return the status of the tier's function; FOOTPOINT_ERR_DOMAIN if `sure` and the answer is not proved */
 int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const *x, double loc[2], double *gap);
 
 #ifdef __GNUC__

@@ -1,8 +1,8 @@
-/* Converged Newton iteration for the foot point (7), (8).  With d = xS - r the equations are r_xi . d = r_eta . d = 0;
- * since r_xixi = r_etaeta = 0 and r_xieta = c3, the Hessian of |d|^2/2 is
+/* Finds the foot point (7), (8) by Newton's iteration.  With d = xS - r the equations are r_xi . d = r_eta . d = 0.  Since
+ * r_xixi = r_etaeta = 0 and r_xieta = c3, the Hessian of |d|^2/2 is
  *     [ r_xi . r_xi             r_xi . r_eta - c3 . d ]
  *     [ r_xi . r_eta - c3 . d   r_eta . r_eta         ].
- * Gauss-Newton drops c3 . d: always a descent direction, hence the first steps. */
+ * The first steps are Gauss-Newton steps, which drop c3 . d and therefore always descend. */
 #include "../footpoint.h"
 #include "../geometry/footpoint-quad4-geometry.h"
 #include "../geometry/vector.h"
@@ -36,7 +36,7 @@ static struct surface surface_of(const double xA[3], const double xB[3], const d
     return f;
 }
 
-/* One step from (xi,eta); false if its equations have no finite solution. */
+/* Computes a step from (xi,eta).  Returns 0 if its equations have no finite solution. */
 static int step(const struct surface *f, int gauss_newton, double xi, double eta, double move[2])
 {
     double a[3], b[3], d[3];
@@ -48,7 +48,7 @@ static int step(const struct surface *f, int gauss_newton, double xi, double eta
     const double aa = vector_dot(a, a), bb = vector_dot(b, b), ad = vector_dot(a, d), bd = vector_dot(b, d);
     const double ab = vector_dot(a, b) - (gauss_newton ? 0.0 : vector_dot(f->c3, d));
     const double determinant = aa * bb - ab * ab;
-    /* Parallel r_xi and r_eta leave nothing but rounding. */
+    /* If r_xi and r_eta are parallel, the determinant is only rounding. */
     if (!(fabs(determinant) > 4.0 * DBL_EPSILON * (aa * bb)) || !number_finite(determinant))
         return 0;
     move[0] = (bb * ad - ab * bd) / determinant;
@@ -56,7 +56,7 @@ static int step(const struct surface *f, int gauss_newton, double xi, double eta
     return number_finite(move[0]) && number_finite(move[1]);
 }
 
-/* Whether one of the triangles at the corners has an area. */
+/* Returns 1 if a triangle at a corner has an area. */
 static int has_area(const double xA[3], const double xB[3], const double xC[3], const double xD[3])
 {
     double n[3];

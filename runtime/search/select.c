@@ -1,4 +1,4 @@
-/* Which segment around the nearest master node a slave node hits: criterion (3)-(6).  With n = c1 x c2, all of c1 x r,
+/* Chooses the segment around the nearest master node that a slave node hits, by (3) to (6).  With n = c1 x c2, all of c1 x r,
  * r x c2 and n are parallel, and the part of t along m drops out of n . (c1 x r) = n . (c1 x t).  So (3) and (4) are
  *     n . (c1 x t) > 0   and   n . (t x c2) > 0,
  * without a root or a division. */
@@ -7,12 +7,12 @@
 
 #include <float.h>
 
-enum { ORDINARY = 100 }; /* powers of 2 that vectors may be long without a product of six of them leaving its range */
+enum { ORDINARY = 100 }; /* vectors from 2^-100 to 2^100 long keep products of six of them in range */
 
-/* Where a slave node lies against the angle between two edges. */
+/* The place of a slave node relative to the angle between two edges. */
 enum place { OUTSIDE, ON_EDGE, INSIDE };
 
-/* Into another unit of length if need be: places and signs below do not depend on lengths. */
+/* Scales a vector of extreme length by a power of 2.  Places and signs below do not depend on lengths. */
 static void bring_into_range(double a[3])
 {
     const int exponent = vector_exponent(a);
@@ -20,7 +20,7 @@ static void bring_into_range(double a[3])
         a[i] = ldexp(a[i], -exponent);
 }
 
-/* The sign of n . (a x b), 0 within rounding. */
+/* Returns the sign of n . (a x b), 0 within rounding. */
 static int side(const double n[3], const double a[3], const double b[3])
 {
     double c[3];
@@ -45,7 +45,7 @@ static enum place place_of(double c1[3], double c2[3], double t[3])
     return first < 0 || second < 0 ? OUTSIDE : first > 0 && second > 0 ? INSIDE : ON_EDGE;
 }
 
-/* Place of xS at the corner `master` of a segment; a status. */
+/* Finds the place of xS at the corner `master` of a segment; returns a status. */
 static int place_in(const double *xyz, int master, const int node[4], const double xS[3], enum place *place)
 {
     const double *const x = xyz + 3 * (size_t)master;
@@ -97,11 +97,11 @@ int footpoint_select_segment(const double *xyz, int master, int candidates, cons
 
 /* ---- by distance ---- */
 
-/* Distances that differ by less, as a fraction of the extent of the two segments, are equal but for rounding. */
+/* Distances are equal, to rounding, if they differ by less than this fraction of the extent of the two segments. */
 #define TIE (64.0 * DBL_EPSILON)
 
-/* Distance to a segment, and how far its corners are from xS: the scale of the rounding in that distance; *sure is
- * cleared where the distance is not proved. */
+/* Measures the distance to a segment, and the extent of its corners from xS, which scales rounding in that distance.  Clears
+ * *sure if the distance is not proved. */
 static int measure(const double *xyz, const int node[4], const double xS[3], double *distance, double *extent,
                    int *sure)
 {
@@ -117,10 +117,10 @@ static int measure(const double *xyz, const int node[4], const double xS[3], dou
         vector_sub(xS, x[k], d);
         if (!vector_finite(d))
             return FOOTPOINT_ERR_NOT_FINITE;
-        *extent = fmax(*extent, hypot(hypot(d[0], d[1]), d[2])); /* squares of lengths may leave their range */
+        *extent = fmax(*extent, hypot(hypot(d[0], d[1]), d[2])); /* squares of lengths might overflow */
     }
     status = footpoint_robust(x[0], x[1], x[2], x[3], xS, at, distance);
-    if (status == FOOTPOINT_ERR_DOMAIN) /* from so far, the segment is a point */
+    if (status == FOOTPOINT_ERR_DOMAIN) /* from so far away, the segment is a point */
         *distance = *extent;
     *distance = fabs(*distance);
     *sure &= status != FOOTPOINT_UNPROVED;

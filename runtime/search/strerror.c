@@ -1,4 +1,4 @@
-/* Words for status codes; see footpoint.h. */
+/* Describes statuses in words; see footpoint.h. */
 #include "../footpoint.h"
 
 #define TEXT(status) [(status)-FOOTPOINT_STATUS_LEAST]
