@@ -1,4 +1,4 @@
-/* The bilinear segment in the form that the files of this folder work with; see bilinear.h. */
+/* Expands the bilinear segment for the files of this folder; see bilinear.h. */
 #include "bilinear.h"
 
 static void subtract(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
@@ -17,7 +17,7 @@ static void subtract(const double xA[3], const double xB[3], const double xC[3],
     f->s = bilinear_largest(f->as);
 }
 
-/* The differences of a quarter of the coordinates, where those of the coordinates are beyond the largest number. */
+/* Subtracts quarters of the coordinates, if differences of the coordinates overflow. */
 static void subtract_quarters(const double *const x[5], struct bilinear *f)
 {
     double y[5][3];
@@ -42,7 +42,7 @@ static void scale_by(struct bilinear *f, int exponent)
     f->s = ldexp(f->s, exponent);
 }
 
-/* c3 from the shorter edges has the smaller error. */
+/* Computes c3 from the shorter edges, which gives the smaller error. */
 static void expand(struct bilinear *f)
 {
     const double *const from = f->m1 < f->m2 ? f->ab : f->ad, *const to = f->m1 < f->m2 ? f->dc : f->bc;
@@ -54,7 +54,7 @@ static void expand(struct bilinear *f)
     }
 }
 
-/* 0 if all are finite, else not a number. */
+/* Returns 0 if all are finite, otherwise NaN. */
 static double sum_of(const double x[3])
 {
     return x[0] * 0.0 + x[1] * 0.0 + x[2] * 0.0;

@@ -1,21 +1,20 @@
-/* Proof of a foot point: a test of Krawczyk's for (7), (8), whose Jacobian is the Hessian H of bilinear.h, in the
- * variables m1 xi and m2 eta.
+/* Proves a foot point by Krawczyk's test for (7), (8), whose Jacobian is the Hessian H of bilinear.h, in the variables m1 xi and
+ * m2 eta.
  *
- * Let Y be any matrix near the inverse of H at the point, and all norms those of the maximum.  If
+ * Let Y be any matrix near the inverse of H at the point, and let all norms be maximum norms.  If
  *     |Y f| + k(r) r < r   with   k(r) >= |I - Y H'|   for all H' within r of the point,
  * then z -> z + Y f(z) contracts the square of half-width r into itself, so exactly one stationary point lies there.
  * As H is quadratic in z, its change within r is bounded in closed form:
  *     |dH11| <= 2 |a.c3| r + c3.c3 r^2,  |dH22| <= 2 |b.c3| r + c3.c3 r^2,
  *     |dH12| <= 2 (|a.c3| + |b.c3|) r + 2 c3.c3 r^2.
- * Here r = 2 |Y f|, so that k(r) < 1/2 is enough.  The step to z + Y f(z) leaves k(r) r of it.
+ * Here r = 2 |Y f|, so that k(r) < 1/2 suffices.  The step to z + Y f(z) leaves k(r) r of the error.
  *
- * Every product carries the bound on its rounding error from bilinear_at; what is computed from such bounds is itself
- * rounded, a few units each time, for which ROUND_UP allows amply.  No rounding mode is changed, and it is no matter
- * whether multiplications and additions are fused. */
+ * Every product carries the bound on its rounding error from bilinear_at.  Computing with these bounds rounds by a few units
+ * each time, which ROUND_UP exceeds amply.  No rounding mode is changed, and multiplications and additions may be fused. */
 #include "bilinear.h"
 
 #define ROUND_UP (1.0 + 0x1p-40)
-#define CONTRACTION 0.49 /* k(r) at most; the rest up to 1/2 is for rounding */
+#define CONTRACTION 0.49 /* bound on k(r); the rest up to 1/2 is for rounding */
 
 static double norm(double y11, double y12, double y22)
 {
@@ -56,9 +55,9 @@ int footpoint_bilinear_prove(const struct bilinear *f, double xi, double eta, st
     return footpoint_bilinear_prove_from(f, xi, eta, p, p->error * f->m, proof);
 }
 
-/* q(v) = h22 |a + v c3|^2 - (h12 + v b.c3)^2, less the margin, is positive for low <= v <= high, which hold 0 between
- * them.  It is convex, so either its tangent at 0 says so, or its discriminant, less what rounding may add to the
- * coefficient of v^2: that vanishes where b and c3 are parallel. */
+/* Returns 1 if q(v) = h22 |a + v c3|^2 - (h12 + v b.c3)^2, less the margin, is positive for low <= v <= high, a range that contains
+ * 0.  As q is convex, its tangent at 0 or its discriminant proves this.  The discriminant is reduced by the rounding error of the
+ * coefficient of v^2, which vanishes if b and c3 are parallel. */
 static int is_definite(double h11, double h12, double h22, double ac, double bc, double cc, double low, double high,
                        double margin, double m)
 {
@@ -69,12 +68,12 @@ static int is_definite(double h11, double h12, double h22, double ac, double bc,
            0.999 * 4.0 * q0 * (h22 * cc - bc * bc - 0.125 * margin / (m * m)) > q1 * q1;
 }
 
-/* What |d'|^2 of bilinear.h has beyond the gradient is, with a' = a + v c3,
+/* Beyond the gradient, |d'|^2 of bilinear.h has, with a' = a + v c3,
  *     |u a' + v b|^2 - 2 u v c3.d = u^2 a'.a' + 2 u v (a'.b - c3.d) + v^2 b.b,
- * a quadratic form in (u,v) whose coefficients depend on v alone, with the determinant q(v).  Where that is positive
- * for all v of the segment, no point is nearer; the same with xi and eta exchanged.  The margin covers rounding, and a
- * shift of the point by slack, which changes h11, h12, h22 by at most 2 (|a.c3| + |b.c3| + c3.c3 slack) slack.  An
- * eighth of that, over m^2, covers the coefficient of v^2, whose terms are at most `sum` over m^2. */
+ * a quadratic form in (u,v) whose coefficients depend only on v, with the determinant q(v).  If q is positive for all v of the
+ * segment, no point is nearer; the same holds with xi and eta exchanged.  The margin covers rounding, and a shift of the point
+ * by slack, which changes h11, h12, h22 by at most 2 (|a.c3| + |b.c3| + c3.c3 slack) slack.  An eighth of the margin, over
+ * m^2, covers the coefficient of v^2, whose terms are at most `sum` over m^2. */
 int footpoint_bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta,
                                   double slack, double floor)
 {

@@ -1,13 +1,13 @@
-/* Whether the distance to a bilinear segment is convex over all of it, so that a foot point there is the closest point; for
- * the files of the library alone.  It takes no answer of a search, so that processors have it meanwhile.
+/* Proves that the distance to a bilinear segment is convex over all of it, so that a foot point on it is the closest point; only for
+ * files of the library.  The test needs no answer of a search, so processors can run both at once.
  *
- * Let a, b, c and d be four times c1, c2, c3 and xS - c0 of r = c0 + xi c1 + eta c2 + xi eta c3, and R >= 1.  Where |xi| and
- * |eta| are at most R, half the square of the distance, times 16, has second derivatives of at least a.a - 2 R |a.c| and
- * b.b - 2 R |b.c|, and the mixed one is at most |a.b - c.d| + 2 R (|a.c| + |b.c| + R c.c).
+ * Let a, b, c and d be four times c1, c2, c3 and xS - c0 of r = c0 + xi c1 + eta c2 + xi eta c3, and R >= 1.  If |xi| and |eta| are
+ * at most R, half the square of the distance, times 16, has second derivatives of at least a.a - 2 R |a.c| and b.b - 2 R |b.c|,
+ * and the mixed derivative is at most |a.b - c.d| + 2 R (|a.c| + |b.c| + R c.c).
  *
- * Rounding: let u be the unit, Q = a.a + b.b + c.c, S the sum of the coordinates of a, b and c, at most 3 sqrt(Q), and F that
- * of xS - xA, at most 64 S.  Coordinates of a, b, c are off by 3 u S, so that c.(xS - xA) is by 10 u S F, c.d by 23000 u Q,
- * and with 1e-11 Q all second derivatives are covered for R <= 8, their products with 1e-10 Q^2 if the determinant is > 0. */
+ * Rounding: let u be the unit, Q = a.a + b.b + c.c, S the sum of the coordinates of a, b and c, at most 3 sqrt(Q), and F the sum of
+ * the coordinates of xS - xA, at most 64 S.  Coordinates of a, b, c are off by 3 u S, so that c.(xS - xA) is off by 10 u S F and
+ * c.d by 23000 u Q.  1e-11 Q covers all second derivatives for R <= 8, and 1e-10 Q^2 their products if the determinant is > 0. */
 #ifndef FOOTPOINT_CONVEX_H
 #define FOOTPOINT_CONVEX_H
 
@@ -19,7 +19,7 @@
 
 struct convex {
     double a[3], b[3], c[3], f[3]; /* f = xS - xA */
-    double size, away;             /* the sums of the coordinates of a, b, c; of f */
+    double size, away;             /* the sums of the absolute coordinates of a, b, c; of f */
 };
 
 static inline void convex_of(const double *const x[5], struct convex *v)
@@ -36,7 +36,7 @@ static inline void convex_of(const double *const x[5], struct convex *v)
     }
 }
 
-/* Of an ordinary segment: 1 if the distance is convex for |xi|, |eta| <= reach; 0 says nothing. */
+/* Returns 1 if the distance to an ordinary segment is convex for |xi|, |eta| <= reach; 0 proves nothing. */
 static inline int convex_holds(const struct convex *v, double reach)
 {
     const double aa = vector_dot(v->a, v->a), bb = vector_dot(v->b, v->b), cc = vector_dot(v->c, v->c);

@@ -1,5 +1,5 @@
-/* Refuses flags under which compilers change what floating-point operations mean: proofs, comparisons with what is not
- * a number and sums of twice the precision would be silently wrong.  For the files of this folder alone. */
+/* Refuses flags with which compilers change the meaning of floating-point operations: proofs, comparisons with NaN and sums of twice
+ * the precision would be silently wrong.  Only for the files of this folder. */
 #ifndef FOOTPOINT_IEEE_H
 #define FOOTPOINT_IEEE_H
 

@@ -1,11 +1,11 @@
-/* See lines.h. */
+/* Computes lines of a bilinear segment and their roots; see lines.h. */
 #include "lines.h"
 
-#define ERROR 0x1p-90 /* of coefficients and their halvings, in units of the sum of the sizes of all terms */
+#define ERROR 0x1p-90 /* error of coefficients and their halvings, in units of the sum of the sizes of all terms */
 #define BEYOND LINES_BEYOND
 #define MARGIN 0x1p-40   /* for the rounding of bounds */
-#define SMALL 0x1p-50    /* ... of s */
-#define CANCELED 0x1p-96 /* ... of p, over the lengths of a and e */
+#define SMALL 0x1p-50    /* rounding of s */
+#define CANCELED 0x1p-96 /* error of p over the lengths of a and e */
 
 static void extend(struct twofold from[3], double by, const struct twofold d[3])
 {
@@ -33,7 +33,7 @@ static void lines_of(const double *const x[5], int exponent, int exchanged, stru
 
 /* ---- the quintic ---- */
 
-/* Polynomials are sums of c[k] t^k (1-t)^(n-k).  product += u v. */
+/* Adds the product of u and v; polynomials are sums of c[k] t^k (1-t)^(n-k). */
 static void add_product(int m, const struct twofold u[], int n, const struct twofold v[], struct twofold product[])
 {
     for (int i = 0; i <= m; i++)
@@ -41,7 +41,7 @@ static void add_product(int m, const struct twofold u[], int n, const struct two
             product[i + j] = twofold_add(product[i + j], twofold_multiply(u[i], v[j]));
 }
 
-/* The same of sizes. */
+/* Adds the product of sizes. */
 static void add_size(int m, const double u[], int n, const double v[], double product[])
 {
     for (int i = 0; i <= m; i++)
@@ -49,7 +49,7 @@ static void add_size(int m, const double u[], int n, const double v[], double pr
             product[i + j] += u[i] * v[j];
 }
 
-/* The product P of (Q AD + p c) and (Q e - p a), vectors of degrees 2 and 3. */
+/* Computes the product P of (Q AD + p c) and (Q e - p a), vectors of degrees 2 and 3. */
 static void product_of(const struct lines *l, struct twofold product[])
 {
     struct twofold q[3] = {{0.0, 0.0}}, p[3] = {{0.0, 0.0}};
@@ -95,7 +95,7 @@ int footpoint_lines_isolate(const double *const x[5], int exponent, int exchange
     size_of(l, p.error);
     for (int k = 0; k <= ROOTS_DEGREE; k++) {
         p.c[k] = twofold_divide(p.c[k], twofold_of(binomial[k]));
-        p.error[k] = p.error[k] / binomial[k] * ERROR + 0x1p-900; /* the latter for underflow */
+        p.error[k] = p.error[k] / binomial[k] * ERROR + 0x1p-900; /* the last term is for underflow */
     }
     return footpoint_roots_isolate(&p, interval);
 }
@@ -124,7 +124,7 @@ void footpoint_lines_point(const struct lines *l, struct twofold t, double z[2])
     z[!l->exchanged] = bilinear_clamp(2.0 * across - 1.0);
 }
 
-/* A ratio of quadratics in Bernstein's form is a mean of the ratios of their coefficients, if those of Q are positive. */
+/* Bounds a ratio of quadratics in Bernstein form: it is a mean of the ratios of their coefficients, if those of Q are positive. */
 double footpoint_lines_bound(const struct lines *l, const struct roots_interval *interval, double s[2])
 {
     struct twofold a[2][3], e[2][3];
@@ -152,7 +152,7 @@ double footpoint_lines_bound(const struct lines *l, const struct roots_interval 
     return 0.0;
 }
 
-/* p - Q > 0 or p < 0. */
+/* Tests p - Q > 0 or p < 0. */
 int footpoint_lines_outside(const struct lines *l, const struct roots_interval *interval)
 {
     const double low = interval->low.high, high = low + interval->width;

@@ -1,12 +1,11 @@
-/* The equations (7), (8) with twice the digits, for segments on which one double leaves too few: near a centre of
- * curvature and near a collapsed edge the products a . d cancel, and the error of xi and eta is that of the products
- * over a small determinant. */
+/* Evaluates (7), (8) with twice the digits, for segments on which a double leaves too few.  Near a centre of curvature and near a
+ * collapsed edge the products a . d cancel, and the error of xi and eta is the products' error over a small determinant. */
 #include "bilinear.h"
 
 enum { STEPS = 6 };
 
-#define FARTHEST 1e-5  /* what is so much off has no place of its own */
-#define ENOUGH 0x1p-44 /* of m1 xi and m2 eta, over m */
+#define FARTHEST 1e-5  /* a point with a larger error has no place of its own */
+#define ENOUGH 0x1p-44 /* error of m1 xi and m2 eta, over m */
 
 void footpoint_bilinear_wide_at(const double *const x[5], int exponent, const double z[2], struct bilinear_wide *p)
 {

@@ -1,25 +1,25 @@
-/* Roots by Descartes' rule of signs and halving (Vincent, Collins and Akritas; in Bernstein's basis, Lane and
- * Riesenfeld 1981): a polynomial has at most as many roots in ]0,1[ as its coefficients change sign, and as many but
- * for an even number; so no change proves that there is none and one that there is one.  Signs count only where they
- * are beyond the error of the coefficient.  Halving takes means, of coefficients and of the bounds on their errors
- * alike; its own rounding, 5 x 2^-101 of the means of sizes a time, is part of the bounds from the start. */
+/* Isolates roots by Descartes' rule of signs and halving (Vincent, Collins and Akritas; in Bernstein's basis, Lane and
+ * Riesenfeld 1981).  A polynomial has at most as many roots in ]0,1[ as its coefficients change sign, and fewer only by an even
+ * number.  So no change proves that there is no root, and one change that there is one.  Signs count only beyond the error of the
+ * coefficient.  Halving takes means, of coefficients and of the bounds on their errors alike.  Its own rounding, 5 x 2^-101 of
+ * the means of sizes each time, is part of the bounds from the start. */
 #include "roots.h"
 
 enum { HALVINGS = 64, LAST = ROOTS_DEGREE };
 
 #define LEAST 0x1p-100 /* width */
 
-#define FIRST (67.0 / 128.0) /* where the first cut is: later ones then miss the roots that symmetry makes frequent */
+#define FIRST (67.0 / 128.0) /* place of the first cut: later cuts then miss the roots that symmetry makes frequent */
 
 enum verdict { NO_ROOT, ONE_ROOT, SOME_ROOTS, NOTHING_KNOWN };
 
-/* 1, -1, or 0 if it cannot be told. */
+/* Returns 1, -1, or 0 if the sign is undecided. */
 static int sign_of(const struct roots_polynomial *p, int k)
 {
     return p->c[k].high > p->error[k] ? 1 : p->c[k].high < -p->error[k] ? -1 : 0;
 }
 
-/* A sign that is not known between two that differ is one change, whatever it is; elsewhere it might be two. */
+/* An undecided sign between two signs that differ is one change; elsewhere it might be two. */
 static enum verdict judge(const struct roots_polynomial *p)
 {
     int changes = 0, unknown = 0, last = 0, known = 0, doubt = 0;
@@ -49,7 +49,7 @@ static struct twofold between(struct twofold a, struct twofold b, double at)
     return twofold_add(a, twofold_multiply(twofold_of(at), twofold_subtract(b, a)));
 }
 
-/* By de Casteljau's scheme, at a point of [0,1]: the right part stays in p, the left one is returned. */
+/* Splits by de Casteljau's scheme at a point of [0,1]: p keeps the right part, `left` gets the left part. */
 static void split(struct roots_polynomial *p, double at, struct roots_polynomial *left)
 {
     for (int n = 0; n <= LAST; n++) {
@@ -75,14 +75,14 @@ static double bound(const struct roots_polynomial *p)
     return most;
 }
 
-/* Neighbours of which nothing is known make one interval; too many end in the last. */
+/* Appends an interval.  Undecided neighbours become a single interval; the last interval takes all that do not fit. */
 static int append(struct roots_interval *interval, int count, struct twofold low, double width, int single,
                   const struct roots_polynomial *p)
 {
     struct roots_interval *const last = interval + count - 1, *const new = interval + count;
     if (count == ROOTS_MOST ||
         (!single && count > 0 && !last->single && twofold_subtract(low, after(last->low, last->width)).high <= 0.0)) {
-        last->most = fmax(last->most, count == ROOTS_MOST ? INFINITY : bound(p)); /* not known of what is between */
+        last->most = fmax(last->most, count == ROOTS_MOST ? INFINITY : bound(p)); /* unknown between them */
         last->width = twofold_subtract(after(low, width), last->low).high;
         last->single = 0;
         return count;
@@ -103,7 +103,7 @@ int footpoint_roots_isolate(const struct roots_polynomial *whole, struct roots_i
         struct twofold low;
         double width;
         int depth;
-    } stack[HALVINGS + 2]; /* right parts that wait, one at each depth */
+    } stack[HALVINGS + 2]; /* right parts that wait, at most one at each depth */
     int top = 0, count = 0;
     stack[0].p = *whole;
     stack[0].low = twofold_of(0.0);
@@ -130,7 +130,7 @@ int footpoint_roots_isolate(const struct roots_polynomial *whole, struct roots_i
     return count;
 }
 
-/* Keeps the part of a single interval, cut at `at`, that holds the root.  0 if what is there is nearer to 0 than `errors`
+/* Keeps the part of a single interval, cut at `at`, that contains the root.  Returns 0 if the value there is nearer to 0 than `errors`
  * of its bounds. */
 static int cut(struct roots_interval *interval, double at, double errors)
 {
@@ -150,7 +150,7 @@ static int cut(struct roots_interval *interval, double at, double errors)
     return 1;
 }
 
-/* Where the root is in the middle, or next to it, the quarters at the ends are cut off. */
+/* Halves an interval, or, if the root is in the middle or next to it, cuts off the quarters at its ends. */
 static int halve(struct roots_interval *interval)
 {
     return cut(interval, 0.5, 1.0) || (cut(interval, 0.25, 1.0) && cut(interval, 0.625, 1.0));

@@ -1,6 +1,6 @@
-/* The closest point of a plane triangle, whatever its shape.
+/* Finds the closest point of any plane triangle.
  *
- * Let e be the longest edge, f the way from its start to the third node, t = e.f/e.e and h = f - t e the height over e.
+ * Let e be the longest edge, f the vector from its start to the third node, t = e.f/e.e and h = f - t e the height over e.
  * As e and h are at right angles, the foot point of xS, d away from the start of e, is p e + q h with p = e.d/e.e and
  * q = h.d/h.h, so that its barycentric coordinates are 1 - p - q (1 - t), p - q t and q.  If all are positive, it is the
  * closest point.  Otherwise the nearest point of the three edges is.
@@ -12,8 +12,8 @@
 
 #define FLAT (32.0 * DBL_EPSILON) /* the ratio of h to e at which rounding of coordinates puts nodes on a line */
 
-/* Powers of two: edges within 2^+-ORDINARY need no other unit, and xS counts as at most 2^FARTHEST edges away, so that no
- * product leaves its range. */
+/* Powers of two: edges within 2^+-ORDINARY are not scaled, and xS counts as at most 2^FARTHEST edges away, so that no product
+ * overflows. */
 enum { ORDINARY = 200, FARTHEST = 200 };
 
 /* Lengths are in 2^exponent mesh lengths, those of `from` in 2^(exponent + far). */
@@ -22,7 +22,7 @@ struct triangle {
     int exponent, far;
 };
 
-/* The exponent of the largest difference of n points from one of them; -1074 if there is none. */
+/* Returns the exponent of the largest difference of n points from another point; -1074 if all are 0. */
 static int exponent_of(const double *x, int n, const double from[3])
 {
     double most = 0.0;
@@ -57,7 +57,7 @@ static void highs(const struct twofold a[3], double b[3])
         b[i] = a[i].high;
 }
 
-/* c = a - by b */
+/* Computes c = a - by b. */
 static void take(const struct twofold a[3], struct twofold by, const struct twofold b[3], struct twofold c[3])
 {
     for (int i = 0; i < 3; i++)
@@ -84,7 +84,7 @@ static int find_foot(struct triangle *f, double loc[2], double d[3])
     struct twofold h[3], rest[3], part[3];
     if (!(ee.high > 0.0))
         return -1;
-    const struct twofold t = twofold_divide(twofold_dot(e, back), ee); /* of C to A: with the sign turned */
+    const struct twofold t = twofold_divide(twofold_dot(e, back), ee); /* from C to A, with the sign changed */
     take(back, t, e, h);
     const struct twofold hh = twofold_dot(h, h);
     if (!(hh.high > FLAT * FLAT * ee.high))

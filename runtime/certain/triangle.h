@@ -1,4 +1,4 @@
-/* The closest point of a plane triangle; see triangle.c. */
+/* Finds the closest point of a plane triangle; see triangle.c. */
 #ifndef FOOTPOINT_TRIANGLE_H
 #define FOOTPOINT_TRIANGLE_H
 

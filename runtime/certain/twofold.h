@@ -1,6 +1,6 @@
-/* Numbers of twice the precision, as sums of two doubles: for the few places where one double is not enough.  Dekker's
- * and Knuth's operations in the forms whose error is at most 2^-101 of the result, whatever cancels (Joldes, Muller and
- * Popescu 2017); fma() is that of the C library, exact on any machine. */
+/* Numbers of twice the precision, as sums of two doubles, for the few places at which a double is not enough.  Uses Dekker's
+ * and Knuth's operations in the forms whose error is at most 2^-101 of the result under any cancellation (Joldes, Muller and
+ * Popescu 2017); the C library's fma() is exact on any machine. */
 #ifndef FOOTPOINT_TWOFOLD_H
 #define FOOTPOINT_TWOFOLD_H
 
@@ -18,7 +18,7 @@ static inline struct twofold twofold_of(double a)
     return x;
 }
 
-/* a + b, exactly. */
+/* Returns a + b exactly. */
 static inline struct twofold twofold_sum(double a, double b)
 {
     struct twofold x;
@@ -47,7 +47,7 @@ static inline struct twofold twofold_multiply(struct twofold a, struct twofold b
     return twofold_sum(high, fma(a.high, b.high, -high) + (a.high * b.low + a.low * b.high));
 }
 
-/* Times a power of two, or another number that leaves both parts exact. */
+/* Multiplies by a power of two, or by another number that leaves both parts exact. */
 static inline struct twofold twofold_scale(double by, struct twofold a)
 {
     a.high *= by;
