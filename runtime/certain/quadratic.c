@@ -1,24 +1,24 @@
-/* The closest point of a face of degree 2; see quadratic.h: Newton's method for half the square of the distance over the
- * square of (a,b), then the proof of subdivide.c, which may know of a point that is nearer, and so on from there. */
+/* Finds the closest point of a face of degree 2; see quadratic.h.  Newton's method minimises half the square of the distance over
+ * the square of (a,b).  Then subdivide.c proves the minimum or finds a nearer point, from which the search continues. */
 #include "quadratic.h"
 #include "ieee.h"
 
 enum { STEPS = 40, HALVINGS = 30, STARTS = 50, TURNS = 3, MOST_NODES = 9 };
 
-#define SETTLED 0x1p-46 /* of a and b: steps below change no digit of the distance */
-#define FLAT 0x1p-84    /* squares of areas below: nodes may be on a line */
-#define SHORT 1e-6      /* steps that need no look at the distance, which may hide what they gain */
+#define SETTLED 0x1p-46 /* smaller steps of a and b change no digit of the distance */
+#define FLAT 0x1p-84    /* squares of areas below this: nodes may be on a line */
+#define SHORT 1e-6      /* shorter steps do not compare distances, whose rounding may hide the gain */
 
 /* ---- the face ---- */
 
-/* The middle control point of a parabola out of its values. */
+/* Returns the middle control point of a parabola from its values. */
 static double control(double low, double middle, double high)
 {
     return 2.0 * middle - 0.5 * (low + high);
 }
 
-/* To a unit in which the largest is from 1/2 to 1.
- *  @return the largest */
+/* Scales to a unit in which the largest number is from 1/2 to 1.
+ *  @return the largest number */
 static double scale(double *x, int n, int *exponent)
 {
     double most = 0.0;
@@ -27,7 +27,7 @@ static double scale(double *x, int n, int *exponent)
         most = quadratic_larger(most, fabs(x[i]));
     (void)frexp(most, &e);
     *exponent += e;
-    if (e < -1000) { /* the factor would be too large */
+    if (e < -1000) { /* the factor would overflow */
         for (int i = 0; i < n; i++)
             x[i] *= 0x1p1000;
         most *= 0x1p1000;
@@ -59,7 +59,7 @@ static void square_of(int nodes, const double y[][3], struct quadratic *f)
     }
 }
 
-/* Corner `first` becomes A. */
+/* Turns a triangle so that corner `first` becomes A. */
 static void triangle_of(const double y[][3], int first, struct quadratic *f)
 {
     const double *const A = y[first], *const B = y[(first + 1) % 3], *const C = y[(first + 2) % 3];
@@ -80,7 +80,7 @@ static void triangle_of(const double y[][3], int first, struct quadratic *f)
     }
 }
 
-/* Of nodes y, the largest component of which is `span`. */
+/* Computes a face from nodes y, whose largest component is `span`. */
 static void face_of(int nodes, const double y[][3], double span, int first, int exponent, struct quadratic *f)
 {
     f->triangle = nodes == 6;
@@ -100,7 +100,7 @@ static void face_of(int nodes, const double y[][3], double span, int first, int 
         }
 }
 
-/* x - xS in a unit in which the largest is about 1, and what a distance of 1 is. */
+/* Computes x - xS in a unit in which the largest component is about 1, and that unit. */
 static int differences_of(int nodes, const double *x, double y[][3], double *span, int *exponent)
 {
     const double *const xS = x + 3 * nodes;
@@ -140,14 +140,14 @@ static int all_on_a_line(const struct quadratic *f)
 
 /* ---- a local minimum ---- */
 
-/* A parabola's value at t. */
+/* Returns a parabola's value at t. */
 static inline double value_at(double low, double middle, double high, double t)
 {
     const double first = middle - low, second = high - middle;
     return low + t * (first + (first + t * (second - first)));
 }
 
-/* Its coefficients around t, by differences: those of slim faces are exact. */
+/* Expands a parabola around t by differences, which are exact on slim faces. */
 static inline void expand(double low, double middle, double high, double t, double c[3])
 {
     const double first = middle - low, second = high - middle, slope = first + t * (second - first);
@@ -156,7 +156,7 @@ static inline void expand(double low, double middle, double high, double t, doub
     c[2] = second - first;
 }
 
-/* Mixed coefficients come from the shorter differences. */
+/* Computes mixed coefficients from the shorter differences. */
 void footpoint_quadratic_taylor(const struct quadratic *f, double u, double v, struct quadratic_taylor *t)
 {
     const int wide = f->extent[1] > f->extent[0], step = wide ? 1 : 3, next = 4 - step;
@@ -182,12 +182,12 @@ static void taylor_at(const struct quadratic *f, const double at[2], struct quad
     footpoint_quadratic_taylor(f, quadratic_u(f, at), at[1], t);
 }
 
-/* Gradient and Hessian of half the square of the distance by a and b; and by y and b, a = y + skew b + bow b^2 from here, or
- * y and a likewise, where r_b and r_bb have nothing along r_y: on slim faces, only these show where the least is. */
+/* Gradient and Hessian of half the square of the distance, by a and b, and by y and b, with a = y + skew b + bow b^2 from here, or
+ * y and a likewise, so that r_b and r_bb have no part along r_y.  On slim faces, only the latter show the minimum. */
 struct slopes {
-    double g[2], h11, h12, h22, gauss[2]; /* gauss: what takes the place of h11 and h22 where they are not positive */
+    double g[2], h11, h12, h22, gauss[2]; /* gauss: replaces h11 and h22 if they are not positive */
     double skew, bow, g_skew, h_along, h_mixed, h_skew, det;
-    int along; /* 0: a begins with y, 1: b does */
+    int along; /* 0: a begins with y, 1: b begins with y */
 };
 
 /* r_a, r_b, r_aa, r_ab, r_bb */
@@ -239,7 +239,7 @@ static void slopes_of(const struct quadratic *f, const double at[2], const struc
     m->det = m->h_along * m->h_skew - m->h_mixed * m->h_mixed;
     if (m->h_along > 0.0 && m->det > 0x1p-40 * m->h_along * m->h_skew)
         return;
-    m->h_along = m->gauss[m->along]; /* Gauss and Newton's, of which the mixed one is 0 */
+    m->h_along = m->gauss[m->along]; /* the Gauss-Newton value, whose mixed part is 0 */
     m->h_skew = vector_dot(across, across);
     m->h_mixed = 0.0;
     m->det = m->h_along * m->h_skew;
@@ -250,14 +250,14 @@ static double clamp(double x)
     return x < 0.0 ? 0.0 : x > 1.0 ? 1.0 : x;
 }
 
-/* To the least of slope s + bend s^2/2 for at + s from 0 to 1. */
+/* Returns the step s to the minimum of slope s + bend s^2/2 with at + s from 0 to 1. */
 static double least_of(double at, double slope, double bend, double gauss)
 {
     const double by = bend > 0.0 ? bend : gauss;
     return by > 0.0 ? clamp(at - slope / by) : at;
 }
 
-/* Returns the x next to 0 where skew x + bow x^2 = to, or 0 if there is none. */
+/* Returns the x nearest to 0 at which skew x + bow x^2 = to, or 0 if there is no such x. */
 static double where_bent(double skew, double bow, double to)
 {
     const double square = skew * skew + 4.0 * bow * to;
@@ -265,8 +265,8 @@ static double where_bent(double skew, double bow, double to)
     return below != 0.0 ? 2.0 * to / below : 0.0;
 }
 
-/* Where a step leads; what it leaves as it is holds in `at`.  Its first part goes along the parabola at + s (to - at - bow)
- * + s^2 bow, s from 0 to 1. */
+/* Computes the end `to` of a step; a coordinate that is not moved keeps its value in `at`.  The first part of the step follows the
+ * parabola at + s (to - at - bow) + s^2 bow, s from 0 to 1. */
 static void step_from(const struct slopes *m, const double at[2], double to[2], double bow[2])
 {
     const double *const g = m->g;
@@ -335,7 +335,7 @@ static void descend(const struct quadratic *f, double at[2], struct quadratic_ta
 
 /* ---- the closest point ---- */
 
-/* r_u x r_v an eighth of the way to the middle, where collapsed corners have a normal, too. */
+/* Computes r_u x r_v an eighth of the way to the middle, where collapsed corners have a normal, too. */
 static void normal_beside(const struct quadratic *f, const double at[2], double n[3])
 {
     const double middle = f->triangle ? 1.0 / 3.0 : 0.5, u = quadratic_u(f, at), v = at[1];
@@ -352,13 +352,13 @@ static void write_place(const struct quadratic *f, int first, const double at[2]
     loc[1] = f->triangle ? part[(5 - first) % 3] : 2.0 * at[1] - 1.0;
 }
 
-/* Into [0,1], to an end of it where rounding may have led away from that. */
+/* Clamps to [0,1], and to an end of it if rounding may have led away from that end. */
 static double end_or_inside(double x)
 {
     return x < SETTLED ? 0.0 : x > 1.0 - SETTLED ? 1.0 : x;
 }
 
-/* (a,b) of a place of the face, and for which of its corners. */
+/* Computes (a,b) of a place of the face.  Returns the corner at which they begin. */
 static int place_of(int triangle, const double loc[2], double at[2])
 {
     if (!triangle) {

@@ -1,7 +1,7 @@
-/* The closest point of a segment, with certainty: the header's, if that proves it. Otherwise steps of Newton's method lead to a foot
- * point inside, with the proof of certify.c; then the nearest point of the four edges is tried, each with the test that no other
- * point is nearer. If all of this fails, all candidates are compared with twice the digits: the nearest points of the edges and all
- * stationary points, a list that stationary.c proves complete. */
+/* Finds the closest point of a segment, with certainty.  The header's answer is taken if the header proves it.  Otherwise Newton's
+ * method leads to a foot point inside, with the proof of certify.c; then the nearest point of the four edges is tried.  Both are
+ * tested for a nearer point.  If all of this fails, all candidates are compared with twice the digits: the nearest points of the
+ * edges and all stationary points, a list that stationary.c proves complete. */
 #include "robust.h"
 
 #include "bilinear.h"
@@ -9,22 +9,22 @@
 
 #include "../../generated/footpoint_quad4.h"
 
-#define ACCURACY 0x1p-36    /* of m1 xi and m2 eta, over m: 1e-10 of the edge in space needs no more */
-#define SAME_POINT 1e-10    /* points of space that near, over m, are one */
-#define TIE 0x1p-34         /* over m: distances that differ by less are equal; below 1e-10 */
-#define FLAT 1e-6           /* determinant of a Hessian, over h11 h22: points along its valley are as near */
-#define SAME_SQUARE 0x1p-96 /* of distances, over themselves and m^2: what rounding of xi and eta may hide */
-#define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
-#define SIZABLE 1e-20 /* |r_xi x r_eta|^2 over m^4: more than rounding makes of nodes on a line */
-#define CLEAR 1e-6    /* of squares of areas, lengths and angles: what rounding does not hide */
+#define ACCURACY 0x1p-36    /* error of m1 xi and m2 eta, over m: suffices for 1e-10 of the edge in space */
+#define SAME_POINT 1e-10    /* points this near in space, over m, count as equal */
+#define TIE 0x1p-34         /* over m: distances with a smaller difference are equal; below 1e-10 */
+#define FLAT 1e-6           /* determinant of a Hessian, over h11 h22: points of its valley are as near */
+#define SAME_SQUARE 0x1p-96 /* of squared distances, over these and m^2: rounding of xi and eta may hide it */
+#define STEEP 1e-4          /* curvature of the squared distance along an edge: otherwise rounding may move the point */
+#define SIZABLE 1e-20       /* |r_xi x r_eta|^2 over m^4: above rounding of nodes on a line */
+#define CLEAR 1e-6          /* of squares of areas, lengths and angles: above rounding */
 #define NEAR_EDGE (10.0 * FOOTPOINT_QUAD4_ACCURATE_PROMISE)
-#define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
+#define FAR_START 2.0 /* from farther away no foot point is searched */
 
 enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
 
 struct answer {
     double loc[2], dist;
-    int side; /* of the face: 1 or -1 if rounding does not matter, or 0 */
+    int side; /* of the face: 1 or -1 if rounding cannot change it, otherwise 0 */
 };
 
 /* The nearest point of an edge. */
@@ -32,7 +32,7 @@ struct edge_point {
     double loc[2], d[3], square;
 };
 
-/* From near a foot point to it, by Newton's method.  1 if it is proved, lies in the segment, and nothing is nearer. */
+/* Moves to a nearby foot point by Newton's method.  Returns 1 if it is proved, lies in the segment, and no point is nearer. */
 static int find_foot(const struct bilinear *f, double xi, double eta, struct answer *answer)
 {
     for (int n = 0; n < STEPS; n++) {
@@ -62,7 +62,7 @@ static int find_foot(const struct bilinear *f, double xi, double eta, struct ans
     return 0;
 }
 
-/* The nearest point of edge k, in the order AB, DC, AD, BC. */
+/* Finds the nearest point of edge k, in the order AB, DC, AD, BC. */
 static void nearest_of_edge(const struct bilinear *f, int k, struct edge_point *c)
 {
     const double *const along = k == 0 ? f->ab : k == 1 ? f->dc : k == 2 ? f->ad : f->bc;
@@ -79,8 +79,8 @@ static void nearest_of_edge(const struct bilinear *f, int k, struct edge_point *
     c->loc[k <= 1] = k & 1 ? 1.0 : -1.0;
 }
 
-/* At the end `at` of its range, -1 or 1, a coordinate leads away from xS if it turns back into the segment: the slope
- * is a . d or b . d, beyond which rounding is `error`. */
+/* Returns 1 if a coordinate, at the end `at` of its range, -1 or 1, leads away from xS when it turns back into the segment.  The slope
+ * is a . d or b . d, with the rounding error `error`. */
 static int leads_away(double at, double slope, double error)
 {
     return at <= -1.0 ? slope < -error : at >= 1.0 && slope > error;
@@ -91,7 +91,8 @@ static int leads_nearer(double at, double slope, double error)
     return at <= -1.0 ? slope > error : at >= 1.0 && slope < -error;
 }
 
-/* A point that is nearest on its edge stays so if inside lies what is farther; at a corner one of two will do. */
+/* Returns 1 if a point that is nearest on its edge stays nearest because points inside are farther; at a corner either edge
+ * suffices. */
 static int is_held(const struct bilinear *f, const double loc[2], const struct bilinear_point *p)
 {
     const double error = p->error * f->m;
@@ -99,7 +100,7 @@ static int is_held(const struct bilinear *f, const double loc[2], const struct b
            !leads_nearer(loc[0], p->f1, error) && !leads_nearer(loc[1], p->f2, error);
 }
 
-/* 1 or -1 if xS is before or behind the point p by far more than rounding and than what the rule for edges lets pass. */
+/* Returns 1 or -1 if xS is before or behind the point p by far more than rounding and the margin of the rule for edges. */
 static int side_of(const struct bilinear *f, const struct bilinear_point *p)
 {
     double normal[3];
@@ -111,7 +112,7 @@ static int side_of(const struct bilinear *f, const struct bilinear_point *p)
     return ahead < 0.0 ? -1 : 1;
 }
 
-/* The nearest point of the edges.  1 if nothing inside is nearer, and there is an inside. */
+/* Finds the nearest point of the edges.  Returns 1 if the segment has an inside and no point there is nearer. */
 static int find_edge(const struct bilinear *f, struct answer *answer)
 {
     struct edge_point best, c;
@@ -126,7 +127,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
     bilinear_at(f, best.loc[0], best.loc[1], &p);
     if ((fabs(best.loc[0]) < 1.0 && !(p.error <= ACCURACY * p.h11)) ||
         (fabs(best.loc[1]) < 1.0 && !(p.error <= ACCURACY * p.h22)))
-        return 0; /* rounding may move it that far along the edge */
+        return 0; /* rounding may move it so far along the edge */
     if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
         return 0;
     vector_cross(p.a, p.b, normal);
@@ -139,16 +140,16 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
     return 1;
 }
 
-/* A candidate: r is right to `reach`, over m, or any of several points that near to each other; `least` if it may be a
+/* A candidate: r is right to `reach`, over m, or stands for several points that near to each other; `least` if it may be a
  * local minimum. */
 struct candidate {
     double loc[2], d[3], reach, variation;
-    struct twofold square; /* of the distance, which may be less by variation x m where there are several */
+    struct twofold square; /* of the distance, which may be less by variation x m if there are several points */
     int edge, least, flat, several;
 };
 
-/* The candidate at its loc: what (7), (8) and the Hessian say with twice the digits, so that what is left is that loc
- * itself is rounded.  A local minimum it cannot be if the distance falls into the segment, or if it is a saddle. */
+/* Completes the candidate at its loc by (7), (8) and the Hessian with twice the digits, so that only the rounding of loc is left.
+ * The candidate is not a local minimum if the distance falls into the segment, or if it is a saddle. */
 static void complete(const double *const x[5], const struct bilinear *f, struct candidate *c)
 {
     struct bilinear_wide w;
@@ -171,7 +172,7 @@ static void complete(const double *const x[5], const struct bilinear *f, struct 
     c->least = determinant > -noise * (h11.high * h22.high + turn * turn + bend * (turn + h11.high + h22.high));
 }
 
-/* The nearest point of edge k, in the order AB, DC, AD, BC. */
+/* Does the same with twice the digits. */
 static void nearest_of_edge_widely(const double *const x[5], const struct bilinear *f, int k, struct candidate *c)
 {
     static const int end[][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
@@ -196,7 +197,7 @@ static int list_all(const double *const x[5], const struct bilinear *f, struct c
     for (int k = 0; k < EDGES; k++)
         nearest_of_edge_widely(x, f, k, &c[k]);
     if (!footpoint_bilinear_has_area(f))
-        return EDGES; /* which cover the line that it is on */
+        return EDGES; /* the edges cover the line that it is on */
     const int inside = footpoint_bilinear_stationary(x, f, point);
     for (int k = 0; k < inside; k++) {
         struct candidate *const to = &c[EDGES + k];
@@ -211,13 +212,13 @@ static int list_all(const double *const x[5], const struct bilinear *f, struct c
     return EDGES + inside;
 }
 
-/* Square of the distance of b less that of a. */
+/* Returns the squared distance of b less the squared distance of a. */
 static double rise(const struct candidate *a, const struct candidate *b)
 {
     return twofold_subtract(b->square, a->square).high;
 }
 
-/* Whether another candidate is another point, and as near. */
+/* Returns 1 if another candidate is a different point and as near. */
 static int is_tied(const struct bilinear *f, const struct candidate *best, const struct candidate *c)
 {
     double apart[3];
@@ -226,7 +227,7 @@ static int is_tied(const struct bilinear *f, const struct candidate *best, const
     return c->least && bilinear_largest(apart) > SAME_POINT * f->m && rise(best, c) <= TIE * f->m * both;
 }
 
-/* Nearest of all candidates, of those as near a local minimum. */
+/* Finds the nearest of all candidates; among those as near it prefers a local minimum. */
 static int compare_all(const double *const x[5], const struct bilinear *f, struct answer *answer)
 {
     struct candidate c[MOST];
@@ -256,7 +257,7 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
     return FOOTPOINT_OK;
 }
 
-/* All corners are one. */
+/* Measures the distance to a segment whose corners coincide. */
 static int nearest_of_point(const double xA[3], const double xS[3], double loc[2], double *dist)
 {
     double d[3];
@@ -277,7 +278,7 @@ static int is_on_edge(const double loc[2])
     return fabs(loc[0]) >= 1.0 || fabs(loc[1]) >= 1.0;
 }
 
-/* Whether xS lies behind the point at loc, by the rule of generated/; small segments in a unit that suits it. */
+/* Returns 1 if xS lies behind the point at loc, by the rule of generated/; scales small segments. */
 static int is_behind(const double *const x[5], const struct bilinear *f, const double loc[2])
 {
     const double *z[5];
@@ -294,7 +295,7 @@ static int is_behind(const double *const x[5], const struct bilinear *f, const d
 
 static const double middle[2];
 
-/* Where the header proves nothing: from a place near a foot point. */
+/* Finds the closest point if the header proves nothing, from a place near a foot point. */
 static int closest_with_certainty(const double *const x[5], const double from[2], double loc[2], double *dist)
 {
     struct bilinear f;
@@ -318,14 +319,14 @@ static int closest_with_certainty(const double *const x[5], const double from[2]
     return status == FOOTPOINT_OK && is_on_edge(loc) ? FOOTPOINT_OUTSIDE : status;
 }
 
-/* Whether errors as large as promised hide on which side of an edge the point is. */
+/* Returns 1 if an error within the promise may change on which side of an edge the point is. */
 static inline int is_near_edge(const double loc[2])
 {
     const double u = fabs(loc[0]), v = fabs(loc[1]);
     return (u > 1.0 - NEAR_EDGE && u < 1.0) || (v > 1.0 - NEAR_EDGE && v < 1.0);
 }
 
-/* Whether products of eight lengths stay in the range of double, so that the header raises no exception. */
+/* Returns 1 if products of eight lengths stay in the range of double, so that the header raises no exception. */
 static inline int is_of_ordinary_size(const double *const x[5])
 {
     double size = 0.0;
@@ -335,7 +336,8 @@ static inline int is_of_ordinary_size(const double *const x[5])
     return isgreater(size, 1e-30) && isless(size, 1e30);
 }
 
-/* Moves a point inside an edge to the nearest of that edge, to rounding: neighbours that share it find the same distance. */
+/* Moves a point inside an edge to the nearest point of that edge, to rounding: neighbours that share the edge find the same
+ * distance. */
 static inline void settle_on_edge(const double *const x[5], double loc[2], double *dist)
 {
     const int across = fabs(loc[0]) == 1.0; /* the edge has a constant xi */
@@ -345,7 +347,7 @@ static inline void settle_on_edge(const double *const x[5], double loc[2], doubl
     vector_sub(x[to], x[from], e);
     vector_sub(x[4], x[from], d);
     const double square = vector_dot(e, e);
-    if (!(square > 0.0)) /* its ends are one point */
+    if (!(square > 0.0)) /* its ends coincide */
         return;
     const double t = fmin(fmax(vector_dot(e, d) / square, 0.0), 1.0);
     for (int i = 0; i < 3; i++)
