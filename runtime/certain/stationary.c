@@ -1,22 +1,22 @@
-/* All stationary points of the distance to a bilinear segment, from the roots of the quintics of both families of lines
- * (lines.h).  Each root of a family where a is not 0 gives one point, so there are five at most.  Where a has next to no
- * length, as at a collapsed edge, P says little: so it is done with lines along xi and with lines along eta.
+/* Finds all stationary points of the distance to a bilinear segment, from the roots of the quintics of both families of lines
+ * (lines.h).  Each root of a family at which a is not 0 gives a point, so there are at most five.  At a collapsed edge a has almost
+ * no length and P decides little, so both families are used, lines along xi and lines along eta.
  *
- * Every stationary point lies in an interval of either family.  It is found by one of the two; or it stands in the list
- * by bounds on where it is, for what rounding leaves; or it lies in an interval of each of which nothing is known: for
- * such pairs of intervals that (7), (8) do not exclude there is one point that stands for what is there. */
+ * Every stationary point lies in an interval of either family.  Either a family finds it; or the list contains it by bounds on its
+ * place, for the remaining rounding; or it lies in undecided intervals of both.  For each pair of such intervals that (7), (8) do
+ * not exclude, the list contains a point that stands for all points there. */
 #include "stationary.h"
 #include "lines.h"
 
 #include <string.h>
 
 #define START 0x1p-18  /* width of an interval in t from which Newton's method is tried */
-#define END 0x1p-80    /* ... and to which it is narrowed if that fails: next to a pinch s changes that quickly */
-#define APART 1e-9     /* a point that near to one that the other family found is the same, in xi and eta */
+#define END 0x1p-80    /* ... and to which it is narrowed if that fails: next to a pinch s changes so quickly */
+#define APART 1e-9     /* a point this near to a point of the other family, in xi and eta, is the same */
 #define MARGIN 0x1p-40 /* for the rounding of bounds */
 #define SMALL 0x1p-50  /* ... of s and t */
-#define SLICE 0.125    /* of an interval, which is cut off at its end if nothing is there */
-#define SHARP 1e-10    /* a reach below is that of one point */
+#define SLICE 0.125    /* part of an interval that is cut off at its end if nothing is there */
+#define SHARP 1e-10    /* a smaller reach belongs to a single point */
 
 enum { CUTS = 400, PARTS = 64 };
 
@@ -24,7 +24,7 @@ struct family {
     struct lines lines;
     struct roots_interval interval[ROOTS_MOST];
     int settled[ROOTS_MOST];      /* 1 if the root of the interval is outside, or listed and sharp */
-    double box[ROOTS_MOST][2][2]; /* ... bounds on (1 + z)/2 of what is not */
+    double box[ROOTS_MOST][2][2]; /* ... bounds on (1 + z)/2 for the others */
     int count;
 };
 
@@ -44,8 +44,9 @@ static int is_inside(const double z[2])
     return fabs(z[0]) <= 1.0 && fabs(z[1]) <= 1.0;
 }
 
-/* Newton's method from z; 1 if it leads to the root of a single interval: to the one stationary point that is proved to
- * lie there, in the interval beyond doubt or, in one that has next to no width, at the place that its line has. */
+/* Iterates Newton's method from z.  Returns 1 if it leads to the root of a single interval: to a stationary point that is proved to
+ * be the only one there, and either lies in the interval beyond doubt or, if the interval has almost no width, at the place of its
+ * line. */
 static int settle(const double *const x[5], const struct bilinear *f, const struct family *family,
                   const struct roots_interval *interval, double z[2])
 {
@@ -67,7 +68,7 @@ static int settle(const double *const x[5], const struct bilinear *f, const stru
     return 1;
 }
 
-/* Whether the root of a single interval is that of one of the points. */
+/* Returns 1 if the root of a single interval belongs to a point of the list. */
 static int is_known(const struct family *family, const struct roots_interval *interval,
                     const struct stationary_point point[], int count)
 {
@@ -79,7 +80,7 @@ static int is_known(const struct family *family, const struct roots_interval *in
     return 0;
 }
 
-/* How far points differ in distance from one, over m: such that lie within `reach` of it and u and v of its xi and eta.
+/* Bounds how much distances differ from a point's, over m, for points within `reach` of it and within u and v of its xi and eta.
  *     |d - e|^2 = |d|^2 - 2 (u a . d + v b . d + u v c3 . d) + |e|^2 */
 static double vary(const struct bilinear *f, const struct bilinear_wide *w, double u, double v, double reach)
 {
@@ -90,7 +91,7 @@ static double vary(const struct bilinear *f, const struct bilinear_wide *w, doub
     return length > 0.0 ? (slope / f->m + 0.5 * reach * reach * f->m) / length : INFINITY;
 }
 
-/* The same of all stationary points on the lines of an interval, beside a distance of `there`, if Q is at least `square`.
+/* Bounds the same for all stationary points on the lines of an interval, beside a distance of `there`, if Q is at least `square`.
  * Along the points of the lines that are nearest to xS the square of the distance changes by -2 P/Q^2 a unit of t. */
 static double vary_along(const struct bilinear *f, const struct lines *l, const struct roots_interval *interval,
                          double square, double there)
@@ -105,8 +106,8 @@ static double vary_along(const struct bilinear *f, const struct lines *l, const 
     return bilinear_larger(fabs(most - there), fabs(there - least)) / f->m;
 }
 
-/* What lies in an interval of which nothing more is known: all stationary points on its lines, and `within` along them
- * unless that is NULL.  The point's z, of one of these lines, stands for them.  0 if there are none. */
+/* Adds a point that stands for an undecided interval: for all stationary points on its lines, and `within` along them unless that
+ * is NULL.  The point's z lies on one of these lines.  Returns 0 if there are no stationary points. */
 static int represent(const double *const x[5], const struct bilinear *f, const struct family *family,
                      const struct roots_interval *interval, const double within[2], struct stationary_point *point)
 {
@@ -142,7 +143,7 @@ static int represent(const double *const x[5], const struct bilinear *f, const s
     return 1;
 }
 
-/* The root of a single interval.  0 if its point is outside. */
+/* Finds the root of a single interval.  Returns 0 if its point is outside. */
 static int find(const double *const x[5], const struct bilinear *f, const struct family *family,
                 struct roots_interval *interval, struct stationary_point *point)
 {
@@ -169,10 +170,10 @@ static int find(const double *const x[5], const struct bilinear *f, const struct
     return represent(x, f, family, interval, NULL, point);
 }
 
-/* ---- where nothing is known ---- */
+/* ---- undecided intervals ---- */
 
-/* 1 if (7) or (8) is not 0 anywhere in the box of middle z and half-widths w: the rates at which a . d and b . d change
- * are -a.a, c3.d - a.b and -b.b. */
+/* Returns 1 if (7) or (8) is not 0 anywhere in the box of middle z and half-widths w: a . d and b . d change at the rates
+ * -a.a, c3.d - a.b and -b.b. */
 static int is_excluded(const struct bilinear *f, const double z[2], const double w[2])
 {
     struct bilinear_point p;
@@ -185,7 +186,7 @@ static int is_excluded(const struct bilinear *f, const double z[2], const double
     return fabs(p.f1) > 2.0 * (change1 / f->m1 + error) || fabs(p.f2) > 2.0 * (change2 / f->m2 + error);
 }
 
-/* Proved part by part, into which interval `cut` of a pair is divided. */
+/* Proves this part by part, after cutting interval `cut` of a pair. */
 static int is_pair_excluded(const struct bilinear *f, const struct roots_interval pair[2], int cut, int parts)
 {
     double z[2], w[2], place[2];
@@ -204,7 +205,7 @@ static int is_pair_excluded(const struct bilinear *f, const struct roots_interva
     return 1;
 }
 
-/* Cuts off both intervals what is excluded at their ends.  0 if nothing is left. */
+/* Cuts off excluded ends of both intervals.  Returns 0 if nothing is left. */
 static int trim(const struct bilinear *f, struct roots_interval pair[2])
 {
     int cuts = 0, before = -1;
@@ -227,7 +228,7 @@ static int trim(const struct bilinear *f, struct roots_interval pair[2])
     return 1;
 }
 
-/* By the family whose lines tell more. */
+/* Represents a pair by the family whose lines decide more. */
 static int find_pair(const double *const x[5], const struct bilinear *f, const struct family family[2], int i, int j,
                      struct stationary_point *point)
 {
@@ -267,7 +268,7 @@ static int keep(const double *const x[5], const struct bilinear *f, struct stati
             *old = sharper;
             return count;
         }
-        if (0.0 < both && both <= SHARP && between(x, f, old->z, new.z) <= both) { /* the same, or as good as that */
+        if (0.0 < both && both <= SHARP && between(x, f, old->z, new.z) <= both) { /* the same, or almost */
             *old = sharper;
             old->reach += both;
             old->variation += new.variation + both;
@@ -277,7 +278,7 @@ static int keep(const double *const x[5], const struct bilinear *f, struct stati
     return count + 1;
 }
 
-/* If there are too many, the last stands for all that do not fit. */
+/* Adds a pair.  If there are too many, the last point stands for all that do not fit. */
 static int add_pair(const double *const x[5], const struct bilinear *f, const struct family family[2], int i, int j,
                     struct stationary_point point[], int count)
 {
@@ -298,8 +299,8 @@ static int is_apart(const double p[2][2], const double q[2][2])
            q[1][1] + SMALL < p[1][0];
 }
 
-/* Whether a point that is not sharp may be the root of an interval of a family: `single` ones that are not settled, or
- * others. */
+/* Returns 1 if a point that is not sharp may be the root of an interval of a family: of `single` intervals that are not settled, or
+ * of others. */
 static int is_met(const struct family *family, const struct stationary_point *point, int single)
 {
     for (int i = 0; i < family->count; i++)
@@ -308,7 +309,7 @@ static int is_met(const struct family *family, const struct stationary_point *po
     return 0;
 }
 
-/* A point of the second family that is not sharp is new only where nothing is known of the first. */
+/* Lists the roots of single intervals.  A point of the second family that is not sharp is new only if the first is undecided. */
 static int list_single(const double *const x[5], const struct bilinear *f, struct family family[2], int k,
                        struct stationary_point point[], int count)
 {
@@ -332,8 +333,8 @@ static int list_single(const double *const x[5], const struct bilinear *f, struc
     return count;
 }
 
-/* A stationary point lies in an interval of either family.  So one of the first that is not sharp is none, or listed by
- * the second, if what it may meet there is settled. */
+/* Drops points of the first family that are not sharp if all intervals of the second that they may meet are settled: a stationary
+ * point lies in an interval of either family, so such a point does not exist or is listed by the second. */
 static int drop_settled(const struct family *second, struct stationary_point point[], int count)
 {
     int left = 0;

@@ -1,48 +1,48 @@
-/* Proof that a local minimum p of the distance to a face of degree 2 is the least: by subdivision with bounds.
+/* Proves that a local minimum p of the distance to a face of degree 2 is the global minimum, by subdivision with bounds.
  *
- * With g = r(p) - xS, z = (s,t) the way in u and v from p, and c_ij as in quadratic.h, r - xS = g + L z + y,
- * L z = c10 s + c01 t, and y is all of degree 2 and more.  So
- *     |r - xS|^2 - |g|^2 = 2 g . L z + |L z|^2 + 2 (g + L z) . y + |y|^2,
- * where the first term is not negative, as no direction leads down from p, and the last one is not.  Over a range of s and t
- * what is left is at least h11 s^2 - e |s t| + h22 t^2 with bounds on the factors, whose terms are polynomials of s and t
- * alone.  If that form is positive, no point of the range is nearer, nor as near: a question to be asked for the whole
- * face, which on ordinary ones settles it.  On slim faces c10 and c01 are nearly parallel, and nearly all of y is, too: there
- * it is asked in s - k t - l t^2 and t instead, with k and l for which no more than c10 is along c10.
+ * With g = r(p) - xS, the offset z = (s,t) in u and v from p, and c_ij as in quadratic.h, r - xS = g + L z + y,
+ * L z = c10 s + c01 t, and y has all terms of degree 2 and more.  So
+ *     |r - xS|^2 - |g|^2 = 2 g . L z + |L z|^2 + 2 (g + L z) . y + |y|^2.
+ * The first term is not negative, because no direction leads down from p, nor is the last.  Over a range of s and t the others are
+ * at least h11 s^2 - e |s t| + h22 t^2 with bounds on the factors, whose terms are polynomials of only s and t.  If that form is
+ * positive, no point of the range is nearer, or as near.  On ordinary faces this test settles the whole face.  On slim faces c10
+ * and c01 are nearly parallel, and so is almost all of y.  There the test uses s - k t - l t^2 and t, with k and l for which only
+ * c10 lies along c10.
  *
- * Elsewhere boxes of (a,b) are halved.  The square of the distance is a polynomial of degree 4 in a and in b, nowhere less
- * than the least of its Bernstein coefficients; these are formed for each box from its own control points, so that their
- * errors are of the size of the box and its distance.  Nor is the distance less than that of a plane beyond which all of
- * these control points lie: of slim boxes, one along them.  A box is dropped if it is settled as above, or if a bound
- * proves that it is farther away than p, or nearer by less than the tolerance. */
+ * Otherwise boxes of (a,b) are halved.  The square of the distance is a polynomial of degree 4 in a and in b, and is at least its
+ * smallest Bernstein coefficient.  Coefficients are computed for each box from its own control points, so that their errors are of
+ * the size of the box and its distance.  The distance is also at least that of a plane beyond which all of these control points
+ * lie: for slim boxes, a plane along them.  A box is dropped if it is settled as above, or if a bound proves that it is farther
+ * away than p, or nearer by less than the tolerance. */
 #include "ieee.h"
 #include "quadratic.h"
 
 #include <float.h>
 #include <string.h>
 
-enum { DEPTH = 80, DOUBTS = 64 /* boxes that may be as near are halved, so often */ };
+enum { DEPTH = 80, DOUBTS = 64 /* limit on halvings of boxes that may be as near */ };
 
 #define UNIT (0.5 * DBL_EPSILON)
 
-/* How far points of a box may be from where its control points have them: 64 u from nodes to control points, 3 u for each
- * of at most DEPTH halvings and 8 u for a triangle's folding in, in each of three coordinates; and of the distance of p. */
+/* Bounds the errors of points of a box computed from its control points, and of the distance of p: 64 u from nodes to control
+ * points, 3 u for each of at most DEPTH halvings and 8 u for a triangle's folding, in each of three coordinates. */
 #define ASTRAY (1024.0 * UNIT)
 
-/* Rounding errors of coefficients, as in quadratic.h; of a product of two, beyond what they bring along. */
+/* Rounding errors of coefficients, as in quadratic.h, and of a product of two, beyond the errors of its factors. */
 #define VALUE_ERROR (54.0 * UNIT)
 #define PURE_ERROR (70.0 * UNIT)
 #define CROSSED_ERROR (256.0 * UNIT)
 #define SUM_ERROR (64.0 * UNIT)
-#define PRODUCT_ERROR 0x1p-48 /* relative, of the determinant and what it is compared with */
+#define PRODUCT_ERROR 0x1p-48 /* relative, of the determinant and its comparison */
 #define RANGE_ERROR 0x1p-50   /* of ends of boxes, in u and v */
 
-/* Of a coefficient: 27 products, their sums and factors, over the largest square of a control point. */
+/* Error of a coefficient, with 27 products, their sums and factors, over the largest square of a control point. */
 #define COEFFICIENT_ERROR (64.0 * UNIT)
 
 #define PLANE_ERROR (32.0 * UNIT) /* of the distance of a plane */
 
-#define NEARLY 64.0    /* squares of lengths that differ by less are nearly equal */
-#define NEARER 0x1p-41 /* what is nearer by that is better */
+#define NEARLY 64.0    /* squares of lengths with a smaller ratio are nearly equal */
+#define NEARER 0x1p-41 /* a point nearer by this is better */
 
 #define LEAST_EXTENT 0x1p-50 /* smaller boxes are not halved */
 
@@ -52,23 +52,24 @@ struct box {
 
 enum { DEGREE = 6, TERMS = DEGREE + 2 };
 
-/* What |r - xS|^2 gains from p on, in y = s - k t - l t^2 and z = t, or y = t - k s - l s^2 and z = s. */
+/* The gain of |r - xS|^2 from p on, in y = s - k t - l t^2 and z = t, or y = t - k s - l s^2 and z = s. */
 struct form {
     double q[4][TERMS], slack[4][TERMS]; /* factors of y^i z^j beyond the first degree; their rounding errors */
-    double down[2], up[2];               /* slopes in y and z, halved, as far as they lead down; and up into the face */
+    double down[2], up[2];               /* slopes in y and z, halved, if they lead down; and up into the face */
     double skew, bow;                    /* k, l */
-    int first;                           /* y begins with: 0 s, 1 t */
+    int first;                           /* y begins with s: 0, or t: 1 */
 };
 
-/* What is asked of p. */
+/* The statement about p to be proved. */
 struct question {
-    double at[2];                  /* u, v */
-    double room;                   /* of the square of the distance */
-    double nearer, farther, alone; /* squares of distances: below, a point is nearer; above, none is; none is as near */
-    double point[3], same;         /* r - xS at p, and the square of the distance within which others are that point */
-    int into[2];                   /* u and v may: 1 only grow, -1 only fall, 0 do both */
-    struct form form[2];           /* by s and t; at right angles */
-    int forms;                     /* how many are known */
+    double at[2]; /* u, v */
+    double room;  /* of the square of the distance */
+    double nearer, farther,
+        alone;             /* squares of distances: below, a point is nearer; above, no point is; no point is as near */
+    double point[3], same; /* r - xS at p, and the squared distance within which other points are that point */
+    int into[2];           /* u and v may only grow: 1, only fall: -1, do both: 0 */
+    struct form form[2];   /* by s and t; at right angles */
+    int forms;             /* number of forms computed so far */
 };
 
 static double smaller(double a, double b)
@@ -101,7 +102,7 @@ static void add_product(struct form *m, int i, int j, const struct term *a, cons
     m->slack[i][j] += 6.0 * (a->size * b->error + b->size * a->error + SUM_ERROR * (a->size * b->size));
 }
 
-/* Adds a part of a term to another one. */
+/* Adds a part of a term to another term. */
 static void add_part(const struct term *from, double by, struct term *to)
 {
     for (int n = 0; n < 3; n++)
@@ -109,8 +110,8 @@ static void add_part(const struct term *from, double by, struct term *to)
     to->error += fabs(by) * (from->error + 16.0 * UNIT * from->size);
 }
 
-/* The coefficients of r - xS in y and z, those of s^i being those of (y + k z + l z^2)^i; likewise of t^i.
- *  @return up to which power of z */
+/* Computes the coefficients of r - xS in y and z, from those of s^i, which belong to (y + k z + l z^2)^i; likewise for t^i.
+ *  @return the highest power of z */
 static int terms_of(const struct quadratic *f, const struct quadratic_taylor *t, const struct form *m,
                     struct term to[3][DEGREE + 1])
 {
@@ -140,7 +141,7 @@ static int terms_of(const struct quadratic *f, const struct quadratic_taylor *t,
     return DEGREE;
 }
 
-/* The slope of g by c, in a coordinate that may grow or fall as `into` says. */
+/* Adds the slope of g by c, in a coordinate that may grow or fall as `into` allows. */
 static void add_slope(struct form *m, int k, int into, const struct term *g, const struct term *c)
 {
     const double slope = 2.0 * vector_dot(g->c, c->c), up = into ? into * slope : -fabs(slope);
@@ -149,7 +150,7 @@ static void add_slope(struct form *m, int k, int into, const struct term *g, con
     m->down[k] = m->up[k] > 0.0 ? 0.0 : 0.5 * quadratic_larger(-up, 0.0) + error;
 }
 
-/* Fills what follows from first, skew and bow.  If s or t is held, a form that is skew knows nothing more of it. */
+/* Computes a form from first, skew and bow.  A skew form ignores that s or t is held. */
 static void form_of(const struct quadratic *f, const struct quadratic_taylor *t, const struct question *of,
                     struct form *m)
 {
@@ -178,8 +179,8 @@ static void form_of(const struct quadratic *f, const struct quadratic_taylor *t,
             }
 }
 
-/* The form by the longer one of r_u and r_v, or by one that is nearly as long and not held, and by what the other one and
- * the bend along that have at right angles to it. */
+/* Chooses the skew form by the longer of r_u and r_v, or by one that is nearly as long and not held, and by the parts of the other,
+ * and of its bend, at right angles to it. */
 static void skew_form_of(const struct quadratic *f, const struct quadratic_taylor *t, struct question *m)
 {
     struct form *const to = &m->form[1];
@@ -215,7 +216,7 @@ static void ask(const struct quadratic *f, const double at[2], const struct quad
     m->form[0].first = m->forms = 0;
 }
 
-/* The least of factor x over a range. */
+/* Returns the minimum of factor x over a range. */
 static double least(double factor, const double range[2])
 {
     return factor * (factor > 0.0 ? range[0] : range[1]);
@@ -226,7 +227,7 @@ static double widest(const double range[2])
     return quadratic_larger(fabs(range[0]), fabs(range[1]));
 }
 
-/* Whether h11 y^2 - e |y z| + h22 z^2 is positive, and what it loses by less 2 (p |y| + q |z|) is small. */
+/* Returns 1 if h11 y^2 - e |y z| + h22 z^2 is positive and, less 2 (p |y| + q |z|), falls by at most `room`. */
 static int is_positive(double h11, double e, double h22, double p, double q, double room)
 {
     const double det = (1.0 - PRODUCT_ERROR) * (h11 * h22) - 0.25 * (e * e);
@@ -234,7 +235,7 @@ static int is_positive(double h11, double e, double h22, double p, double q, dou
            h22 * (p * p) + e * (p * q) + h11 * (q * q) <= (1.0 - PRODUCT_ERROR) * (room * det);
 }
 
-/* The range of y. */
+/* Computes the range of y. */
 static void range_of(const struct form *f, const double range[2][2], double y[2])
 {
     const double *const s = range[f->first], *const z = range[!f->first], Z = widest(z);
@@ -246,7 +247,7 @@ static void range_of(const struct form *f, const double range[2][2], double y[2]
     y[1] = s[1] - skew[0] - bow[0] + error;
 }
 
-/* A bound on the factor of |y z|, but for those of y^2 z and y z^2. */
+/* Bounds the factor of |y z|, without the terms of y^2 z and y z^2. */
 static double mixed_of(const struct form *f, double Y, double Z)
 {
     double e = 0.0;
@@ -259,8 +260,8 @@ static double mixed_of(const struct form *f, double Y, double Z)
     return e;
 }
 
-/* Whether the form says that no point of a range of s and t is nearer than p, nor as near.  What has y^2 z counts with y^2
- * or with |y z|, and what has y z^2 with z^2 or |y z|: the latter on slim faces. */
+/* Returns 1 if the form proves that no point of a range of s and t is nearer than p, or as near.  Terms with y^2 z count with y^2
+ * or with |y z|, terms with y z^2 with z^2 or |y z|, the latter on slim faces. */
 static int is_settled(const struct form *f, double room, const double range[2][2])
 {
     const double *const z = range[!f->first], p = f->down[0], q = f->down[1];
@@ -281,7 +282,7 @@ static int is_settled(const struct form *f, double room, const double range[2][2
 
 /* ---- boxes ---- */
 
-/* All of the face.  Of a triangle, lines of one b have u from 0 to 1 - b. */
+/* Returns the box of the whole face.  On a triangle, lines of constant b have u from 0 to 1 - b. */
 static void box_of(const struct quadratic *f, struct box *x)
 {
     memcpy(x->net, f->net, sizeof x->net);
@@ -295,7 +296,7 @@ static void box_of(const struct quadratic *f, struct box *x)
     }
 }
 
-/* Bernstein coefficients of the square of the distance.
+/* Computes Bernstein coefficients of the squared distance.
  *  @return a bound on their errors */
 static double coefficients_of(const double net[9][3], double c[5][5])
 {
@@ -319,7 +320,7 @@ static double coefficients_of(const double net[9][3], double c[5][5])
     return COEFFICIENT_ERROR * most;
 }
 
-/* Whether what hides the polynomial's least value among its coefficients is rather along a than along b. */
+/* Returns 1 if second differences of the coefficients, which hide the least value, are larger along a than along b. */
 static int is_bent_along_a(double c[5][5])
 {
     double a = 0.0, b = 0.0;
@@ -331,7 +332,7 @@ static int is_bent_along_a(double c[5][5])
     return a >= b;
 }
 
-/* x becomes the lower half, `other` the upper one. */
+/* Halves a box: x becomes the lower half, `other` the upper half. */
 static void halve(struct box *x, int along, struct box *other)
 {
     const int step = along ? 3 : 9, next = along ? 9 : 3;
@@ -351,7 +352,7 @@ static void halve(struct box *x, int along, struct box *other)
         }
 }
 
-/* Whether no point of the box is nearer than p, nor as near. */
+/* Returns 1 if no point of the box is nearer than p, or as near. */
 static int is_box_settled(const struct quadratic *f, const struct quadratic_taylor *t, struct question *m,
                           const struct box *x)
 {
@@ -374,7 +375,7 @@ static int is_box_settled(const struct quadratic *f, const struct quadratic_tayl
     return 0;
 }
 
-/* Whether all points of the box are p, in space. */
+/* Returns 1 if all points of the box are p, in space. */
 static int is_same(const struct question *m, const struct box *x)
 {
     for (int i = 0; i < 9; i++) {
@@ -386,7 +387,7 @@ static int is_same(const struct question *m, const struct box *x)
     return 1;
 }
 
-/* Corners of a box: one that is nearer than p, and which is p itself, as a coefficient. */
+/* Returns 1 if a corner of a box is nearer than p; finds the coefficient of the corner that is p itself. */
 static int has_nearer(const struct question *m, const double at[2], const struct box *x, double c[5][5],
                       double start[2], int *own)
 {
@@ -406,7 +407,7 @@ static int has_nearer(const struct question *m, const double at[2], const struct
     return best < m->nearer;
 }
 
-/* What no point of the box is below, but for p, if that is a corner. */
+/* Returns a lower bound on the squared distance of the box, without p if p is a corner. */
 static double bound_of(double c[5][5], int own, double error)
 {
     double lowest = HUGE_VAL;
@@ -421,8 +422,8 @@ static double square_of(double x)
     return x > 0.0 ? x * x : 0.0;
 }
 
-/* What no point of the box is below: the distance of a plane along its length that its control points are beyond.  Slim
- * boxes lie alongside xS where the square of the distance is next to constant along them. */
+/* Returns a lower bound on the squared distance of the box: from a plane along its length beyond which its control points lie.  Slim
+ * boxes lie beside xS if the squared distance is almost constant along them. */
 static double bound_along(const double net[9][3])
 {
     double a[3], b[3], n[3], least = HUGE_VAL;
@@ -447,7 +448,7 @@ enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const 
     struct question m;
     enum quadratic_proof proof = QUADRATIC_PROVED;
     if (vector_dot(t->c[0][0], t->c[0][0]) <= f->tolerance * f->tolerance)
-        return proof; /* no point is nearer by more, and those that are as near are one in space */
+        return proof; /* no point is nearer by more, and points as near are the same in space */
     int doubts = 0;
     ask(f, at, t, &m);
     box_of(f, &stack[0]);
@@ -481,7 +482,7 @@ enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const 
         halve(x, along, &other);
         top += 2;
         if (vector_dot(x->net[4], x->net[4]) > vector_dot(other.net[4], other.net[4]))
-            stack[top] = other; /* the nearer one first */
+            stack[top] = other; /* the nearer box first */
         else {
             stack[top] = *x;
             *x = other;

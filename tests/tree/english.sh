@@ -2,7 +2,7 @@
 # prose, as h3, p4est, FFTW and libCEED have few of them.  They are a symptom: rewrite the sentence, do not swap the word.
 # READMEs and rewritten rooms, but for the files of `old`, must keep the limits; the rates of other rooms are printed.
 . tests/cli/expect.inc
-rewritten='evolve codegen runtime/batch runtime/calculix runtime/geometry runtime/replace'
+rewritten='evolve codegen runtime'
 old='evolve/evolve_main.c evolve/samples evolve/common/stream.* evolve/eval/errors.* evolve/eval/frame.h evolve/write/archive_*
     evolve/run/run.c evolve/run/run_verdict.* evolve/run/run_options.* evolve/region/sampled_region.*
     evolve/region/shape_requires.* evolve/surface/sample.* evolve/archive/archive_members.c evolve/input/scene.h
