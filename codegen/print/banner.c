@@ -1,4 +1,4 @@
-/* The banner; see banner.h.  No date, host or path: same genome, same options, same bytes. */
+/* Prints the banner; see banner.h.  It contains no date, host or path: the same genome and options write the same bytes. */
 #include "banner.h"
 
 #include "../base/text.h"
@@ -21,8 +21,7 @@ static void print_line(struct banner_line l, const char *text)
 
 enum { MILLION = 1000000 };
 
-/* Mean, 99 % and worst error of xi and eta on a part of the samples; that of another distribution where it says
- * something else than the first. */
+/* Prints mean, 99 % and worst error of xi and eta on a part of the samples, and of another distribution if it differs. */
 static void print_errors(const struct measured *m, FILE *out)
 {
     for (int part = 0; part < MEASURE_PARTS; part++) {
@@ -44,7 +43,7 @@ static void print_errors(const struct measured *m, FILE *out)
     }
 }
 
-/* Takes a note about errors into the table; false if it is none. */
+/* Enters a note about errors into the table.  Returns false for other notes. */
 static bool take_errors(const struct genome_note *note, struct measured *m)
 {
     for (int part = 0; part < MEASURE_PARTS; part++) {
@@ -55,7 +54,7 @@ static bool take_errors(const struct genome_note *note, struct measured *m)
     return false;
 }
 
-/* The text of the note about output k that goes with `key`, a note about the other one; NULL if there is none. */
+/* Returns the text of the note about output k that belongs to `key`, a note about the other output, or NULL. */
 static const char *partner(const struct genome *g, const char *key, int k)
 {
     const char *tail = strrchr(key, '_');
@@ -67,7 +66,7 @@ static const char *partner(const struct genome *g, const char *key, int k)
     return text;
 }
 
-/* A note; those about xi and eta in one line, of which those about eta are not told again. */
+/* Prints a note.  Notes about xi and eta share a line, so notes about eta print nothing themselves. */
 static void print_note(const struct genome *g, const struct genome_note *note, FILE *out)
 {
     const char *eta = partner(g, note->key, 1);
@@ -87,7 +86,8 @@ static void print_note(const struct genome *g, const struct genome_note *note, F
     banner_end(&l);
 }
 
-/* Notes; those of errors that evolution measured, of the genome in double, as a table if there is none in float. */
+/* Prints all notes.  Errors that evolution measured, for the genome in double, follow as a table unless there are errors in
+ * float. */
 static void print_notes(const struct function *f, FILE *out)
 {
     const struct genome *g = f->genome;
@@ -98,7 +98,7 @@ static void print_notes(const struct function *f, FILE *out)
     print_errors(f->measured ? f->measured : &m, out);
 }
 
-/* What a compiler needs to vectorise the loop over arrays. */
+/* Prints the flags with which a compiler vectorises the loop over arrays. */
 static void print_loop(const struct genome_file *file, const struct function *f, FILE *out)
 {
     const bool roots = f->code.ops.sqrt > 0, hides = program_hides_constants(file);
@@ -146,7 +146,7 @@ static void print_cost(const struct compile_options *o, FILE *out)
     banner_end(&l);
 }
 
-/* What the lines about a function are, as far as these do not say so. */
+/* Explains the lines about a function that do not explain themselves. */
 static void print_legend(const struct unit *u, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT, measured = u->options.samples != NULL;

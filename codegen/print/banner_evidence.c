@@ -1,6 +1,5 @@
-/* How the banner tells what is found out about a function; see banner_evidence.h.  Bounds that say nothing are left out:
- * those of a denominator above its least modulus, those of xi and eta above 1.  Of a row, d_xi[0], d_xi[1], ...,
- * the worst of its elements stands. */
+/* Prints the evidence about a function; see banner_evidence.h.  Meaningless bounds are left out: for a denominator above its least
+ * modulus, for xi and eta above 1.  A row, d_xi[0], d_xi[1], ..., is represented by its worst element. */
 #include "banner_evidence.h"
 
 #include "banner_line.h"
@@ -11,7 +10,7 @@
 
 enum { MOST_LISTED = 12, NUMBER = 32 };
 
-/* Three digits, rounded away from 0 (sign 1) or towards it (-1). */
+/* Prints three digits, rounded away from 0 (sign 1) or towards it (-1). */
 static const char *rounded(double x, int sign, char text[NUMBER])
 {
     mpfr_t y;
@@ -31,7 +30,7 @@ static bool is_fixed(const struct genome_file *f, size_t input)
     return r->given && strcmp(f->constant[r->lo].text, f->constant[r->hi].text) == 0;
 }
 
-/* The ranges of inputs, or of the numbers of the region block that vary. */
+/* Prints the ranges of inputs, or of the numbers of the region block that vary. */
 void banner_region(const struct genome_file *f, FILE *out)
 {
     const struct genome_file *from = f->region ? f->region : f;
@@ -56,7 +55,7 @@ void banner_region(const struct genome_file *f, FILE *out)
     banner_end(&l);
 }
 
-/* The inputs that operation `op` depends on. */
+/* Returns the inputs on which operation `op` depends, indexed by input; caller frees. */
 static bool *find_inputs(const struct program *p, int op)
 {
     bool *needed = new_array(p->ops, sizeof *needed);
@@ -84,7 +83,7 @@ static void add_witness(struct banner_line *l, const struct genome_file *f, cons
     free(needed);
 }
 
-/* Adds the rounding error of a denominator without zeros, and if that is not harmless, when the status reports it. */
+/* Adds the rounding error of a denominator without zeros and, if it matters, when the status reports it. */
 static void add_rounding(struct banner_line *l, const struct unit *u, const struct denominator *d, const char *name)
 {
     char number[NUMBER];
@@ -153,7 +152,7 @@ static void print_poles(const struct unit *u, const struct program *p, const str
     }
 }
 
-/* `end` follows the last word. */
+/* Adds an error; `end` follows the last word. */
 static void add_error(struct banner_line *l, const struct output_error *e, const char *name, size_t length, double most,
                       const char *end)
 {
@@ -168,7 +167,7 @@ static void add_error(struct banner_line *l, const struct output_error *e, const
         banner_add(l, "no bound found%s", end);
 }
 
-/* The errors of all rows, less what a function tests, or of all outputs where these are no rows. */
+/* Adds the errors of all rows except tested values, or of all outputs if the function has no rows. */
 static void add_errors(struct banner_line *l, const struct genome_file *f, const struct function *function)
 {
     const struct evidence *e = function->evidence;

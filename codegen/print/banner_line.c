@@ -1,4 +1,4 @@
-/* Lines of a banner; see banner_line.h. */
+/* Prints lines of a banner; see banner_line.h. */
 #include "banner_line.h"
 
 #include "../base/text.h"
@@ -10,7 +10,7 @@
 
 enum { WIDTH = 118, KEY = 16 };
 
-/* Nothing in it ends the comment or opens another. */
+/* Prints text that neither ends the comment nor opens another. */
 static int print_safely(const char *text, size_t n, FILE *out)
 {
     int column = (int)n;

@@ -1,4 +1,4 @@
-/* C text of the program that was proved; see c_text.h. */
+/* Prints the C text of the proved program; see c_text.h. */
 #include "c_text.h"
 
 #include "../base/text.h"
@@ -23,8 +23,8 @@ struct c_code c_code_of(const struct unit *u, const struct function *f)
 
 void c_print_packed(const struct c_code *c, const bool *wanted, FILE *out)
 {
-    size_t column = 0;       /* of the line that goes on */
-    const char *open = NULL; /* what its declaration begins with */
+    size_t column = 0;       /* of the line in progress */
+    const char *open = NULL; /* first words of its declaration */
     for (size_t i = 0; i < c->statements; i++) {
         const struct c_statement *s = &c->statement[i];
         if (wanted && !wanted[i])
@@ -42,7 +42,7 @@ void c_print_packed(const struct c_code *c, const bool *wanted, FILE *out)
     fputs(column ? ";\n" : "", out);
 }
 
-/* Whether a statement sets the value of an operation that is needed. */
+/* Returns true if a statement sets the value of a needed operation. */
 static bool sets_needed(const struct program *p, const struct printer *r, const bool *needed,
                         const struct c_statement *s)
 {
@@ -73,8 +73,8 @@ bool c_scales_status(const struct unit *u, const struct function *f)
     return false;
 }
 
-/* "below(D, LEAST)", where the proof knows how near 0 is too near; of a segment LEAST goes with its size.  Of
- * functions of scalars D must be a normal number at least, and have its sign. */
+/* Returns "below(D, LEAST)" if the proof has a threshold near 0, which on a segment is multiplied by its size.  In functions of scalars
+ * D must at least be a normal number and have its sign. */
 static char *nearness_text(const struct unit *u, const struct function *f, const struct denominator *d,
                            const char *text)
 {
@@ -93,7 +93,7 @@ static char *nearness_text(const struct unit *u, const struct function *f, const
                : new_format("footpoint_detail_below(%s, REAL_MIN) | footpoint_detail_bits(-(%s)) | ", text, text);
 }
 
-/* The tests of denominator d: that it is not too near 0, with `poles`, and within the range. */
+/* Prints the tests of denominator d: within the range and, with `poles`, not too near 0. */
 static void print_denominator(const struct unit *u, const struct function *f, const struct denominator *d,
                               const char *text, bool poles, FILE *out)
 {

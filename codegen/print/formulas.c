@@ -1,5 +1,5 @@
-/* Infix and LaTeX; see formulas.h.  Infix keeps to what Python, SymPy, Maxima and FORM read alike: names, + - * /,
- * parentheses, functions, and constants as quotients of integers, which none of them rounds but Python. */
+/* Prints infix and LaTeX; see formulas.h.  Infix uses only syntax that Python, SymPy, Maxima and FORM read alike: names, + - * /,
+ * parentheses, functions, and constants as quotients of integers, which only Python rounds. */
 #include "formulas.h"
 
 #include "../base/text.h"
@@ -40,7 +40,7 @@ static const struct dialect infix = {.op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},
 
 /* ---- LaTeX ---- */
 
-/* x, \xi, x_{1}, \mathrm{abc}, \mathrm{abc}_{12}, \mathrm{a\_1}: letters and then digits make a subscript. */
+/* Returns x, \xi, x_{1}, \mathrm{abc}, \mathrm{abc}_{12}, \mathrm{a\_1}: letters and then digits make a subscript. */
 static char *latex_name(const char *plain)
 {
     static const char *const greek[] = {"alpha", "beta",  "gamma", "delta", "epsilon", "zeta",  "eta", "theta",

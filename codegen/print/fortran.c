@@ -1,5 +1,5 @@
-/* Fortran 2008, free form; see fortran.h.  The order of operations is that of the C text: what C associates from left
- * to right Fortran does, too, and the rest stands in parentheses, which a Fortran compiler must honour. */
+/* Prints Fortran 2008 in free form; see fortran.h.  The order of operations equals the C text's: both languages associate from left
+ * to right, and Fortran compilers must honour parentheses. */
 #include "fortran.h"
 
 #include "../base/text.h"
@@ -24,7 +24,7 @@ static char *input_text(const struct genome_file *f, size_t k)
 }
 
 #define OF_FORTRAN(gene, text, value, slope, derivative, c, fortran, ...) [OP_##gene] = {fortran, LEVEL_NAME},
-/* merge() takes both values: a protected quotient must not divide by 0 for the one that it drops. */
+/* merge() evaluates both values, so a protected quotient must not divide by 0 in the value that it drops. */
 #define DIALECT(quotient_format)                                                                                       \
     {                                                                                                                  \
         .op = {DIALECT_ARITHMETIC, UNARY(OF_FORTRAN)[OP_MIN] = {"merge($a0, $b0, $a0 < $b0)", LEVEL_NAME},             \
@@ -63,7 +63,7 @@ static void write_fortran(void *to, const char *name, long output, const char *t
     free(head);
 }
 
-/* "    real(wp) :: t1, t2, ..." from " t1 t2 ...", as many lines as it takes. */
+/* Prints "    real(wp) :: t1, t2, ..." from " t1 t2 ...", on several lines if necessary. */
 static void print_declarations(char *names, FILE *out)
 {
     size_t column = 0;
@@ -78,7 +78,7 @@ static void print_declarations(char *names, FILE *out)
     fputs(column ? "\n" : "", out);
 }
 
-/* status = 0, or -2 where a denominator that may be 0 is too near it, not finite, or has not the sign that it should. */
+/* Prints status = 0, or -2 if a denominator is too near 0, not finite, or has the wrong sign. */
 static void print_status(const struct unit *u, const struct function *f, struct printer *r, struct target *t)
 {
     struct memory *m = memory_open();
@@ -101,7 +101,7 @@ static void print_status(const struct unit *u, const struct function *f, struct 
     free(text);
 }
 
-/* Statements and the names that they set, then all of it in order. */
+/* Prints declarations and then statements in order. */
 static void print_body(const struct unit *u, const struct function *f, bool status, struct target *t, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT;
@@ -122,7 +122,7 @@ static void print_body(const struct unit *u, const struct function *f, bool stat
 
 /* ---- subroutines ---- */
 
-/* Parameters are read, which silences warnings of those that are not used. */
+/* Prints statements that read unused parameters, which avoids warnings. */
 static void print_unused(const struct unit *u, const struct function *f, FILE *out)
 {
     bool *reads = program_reads(f->program);
@@ -137,7 +137,7 @@ static void print_unused(const struct unit *u, const struct function *f, FILE *o
     free(reads);
 }
 
-/* Names in a row, for a statement; " in_x, in_y" after what is there. */
+/* Returns names for a statement, " in_x, in_y", after `before`. */
 static char *list_names(const char *before, const struct unit *u, const struct genome *g, bool inputs, bool outputs)
 {
     struct memory *m = memory_open();
@@ -160,7 +160,7 @@ static void print_list(struct target *t, const char *before, const struct unit *
     free(all);
 }
 
-/* "xA(3), xB(3), ..., xS(3)" */
+/* Prints "xA(3), xB(3), ..., xS(3)". */
 static void print_vectors(const struct segment_kind *k, const char *shape, FILE *out)
 {
     for (size_t i = 0; i <= segment_vectors(k); i++) {
@@ -206,7 +206,7 @@ static int compare_names(const void *a, const void *b)
     return strcasecmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Sorts names and refuses long ones, and two that differ in case at most. */
+/* Sorts names and refuses long names, and names that differ only in case. */
 static bool check_list(const struct unit *u, char **name, size_t n, int line, struct diag *d)
 {
     qsort(name, n, sizeof *name, compare_names);

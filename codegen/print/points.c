@@ -1,4 +1,4 @@
-/* Test points of a header; see points.h.  They stand in a file of their own, so that only tests carry them. */
+/* Prints the test points of a header; see points.h.  They have a file of their own, so that only tests contain them. */
 #include "points.h"
 
 #include "../base/text.h"

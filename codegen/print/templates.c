@@ -1,4 +1,4 @@
-/* Prints templates; see templates.h.  The Makefile makes templates.inc of them. */
+/* Prints templates; see templates.h.  The Makefile makes templates.inc from them. */
 #include "templates.h"
 
 #include "../base/text.h"
@@ -21,23 +21,23 @@ static const struct {
             {"REAL_BITS", {"unsigned long long", "unsigned int"}}, /* an integer of its width */
             {"REAL_TOP", {"63", "31"}},                            /* the number of its highest bit */
             {"REAL_DIGITS", {"53", "24"}},                         /* of the mantissa */
-            {"REAL_UNIT", {"1.12e-16", "6e-8f"}},                  /* of rounding, or a little more */
+            {"REAL_UNIT", {"1.12e-16", "6e-8f"}},                  /* relative rounding error, rounded up */
             {"REAL_MIN", {"2.2250738585072014e-308", "1.1754944e-38f"}},
-            {"REAL_MIDDLE", {"511", "31"}}, /* exponents, biased: about the half of them, from 2^-LOW to 2^HIGH */
+            {"REAL_MIDDLE", {"511", "31"}}, /* middle of biased exponents from 2^-LOW to 2^HIGH */
             {"REAL_LOW", {"512", "96"}},
             {"REAL_HIGH", {"512", "32"}},
             {"REAL_ORDINARY", {"32", "12"}},     /* products of edges from 2^-this to 2^this stay in range */
-            {"REAL_CLOSE", {"1e-9", "3e-4f"}},   /* what is proved of a whole segment, where promises are finer */
-            {"REAL_FINE", {"1e-11", "1e-3f"}},   /* which these are */
-            {"REAL_APART", {"1e-6", "1e-3f"}},   /* steps that change the distance by more than rounding does */
-            {"REAL_TIE", {"1e-10", "3e-5f"}},    /* distances, over the longest edge, between which rounding decides */
+            {"REAL_CLOSE", {"1e-9", "3e-4f"}},   /* proved for a whole segment if promises are finer */
+            {"REAL_FINE", {"1e-11", "1e-3f"}},   /* fine promises are below this */
+            {"REAL_APART", {"1e-6", "1e-3f"}},   /* steps above change the distance by more than rounding */
+            {"REAL_TIE", {"1e-10", "3e-5f"}},    /* below, rounding decides between distances, over the longest edge */
             {"REAL_FLAT", {"1e-20", "1e-9f"}},   /* the square of the sine below which tangents are parallel */
             {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
             {"REAL_ANGLE", {"1e-24", "1e-12f"}}, /* the square of the sine below which a vector lies in a plane */
             {"REAL_SMALL", {"1e-29", "1e-12f"}}, /* the square of the rounding errors of a vector, over its parts */
-            {"REAL_ALONG", {"1e-9", "1e-3f"}},   /* what projection along a direction promises, and its name */
+            {"REAL_ALONG", {"1e-9", "1e-3f"}},   /* promise of projection along a direction; its name */
             {"ALONG_PROMISE", {"FOOTPOINT_ALONG_PROMISE", "FOOTPOINT_ALONG_PROMISE_F"}},
-            {"REAL_INWARD", {"0.0009765625", "0.03125f"}}, /* of the way to the middle, where corners have normals */
+            {"REAL_INWARD", {"0.0009765625", "0.03125f"}}, /* part of the way to the middle, for normals of corners */
             {"atan2", {"atan2", "atan2f"}},
             {"copysign", {"copysign", "copysignf"}},
             {"fabs", {"fabs", "fabsf"}},
@@ -56,7 +56,7 @@ static const char *find_text(const char *word, size_t n, enum precision precisio
     return NULL;
 }
 
-/* An identifier that is no placeholder itself, part by part. */
+/* Prints an identifier that is not a placeholder itself, part by part. */
 static void print_parts(const char *word, size_t n, enum precision precision, const struct placeholder *own, FILE *out)
 {
     static const char detail[] = "footpoint_detail_";
@@ -74,7 +74,7 @@ static void print_parts(const char *word, size_t n, enum precision precision, co
     }
 }
 
-/* Characters of the word or number at `text`. */
+/* Returns the length of the word or number at `text`. */
 static size_t token_length(const char *text)
 {
     size_t n = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
@@ -100,7 +100,7 @@ static void print_text(const char *text, enum precision precision, const struct 
             print_parts(text, n, precision, own, out);
         else
             fwrite(text, 1, n, out);
-        const bool ends = n > 0 && text[n - 1] == '.'; /* a sentence */
+        const bool ends = n > 0 && text[n - 1] == '.'; /* end of a sentence */
         if (number && !ends && precision == PRECISION_FLOAT && strcspn(text, ".e") < n && text[n] != 'f')
             fputc('f', out);
     }
@@ -111,7 +111,7 @@ void c_print(const char *text, enum precision precision, FILE *out)
     print_text(text, precision, NULL, out);
 }
 
-/* The column behind the last parenthesis that the line leaves open; 0 if there is none. */
+/* Returns the column after the last parenthesis that the line leaves open, or 0. */
 static size_t open_column(const char *text)
 {
     size_t column[20], depth = 0;
@@ -123,8 +123,8 @@ static size_t open_column(const char *text)
     return depth > 0 ? column[depth - 1] : 0;
 }
 
-/* A line of the text, broken behind commas where it gets long: below its first parenthesis, or, where it goes on behind
- * one, as it is indented. */
+/* Prints a line of the text.  A long line is broken after commas, and continued below its first parenthesis or, inside a
+ * parenthesis, with the current indent. */
 static void print_line(const char *rest, bool goes_on, FILE *out)
 {
     const int indent = (int)(goes_on ? strspn(rest, " ") : strcspn(rest, "(") + 1);
@@ -142,7 +142,7 @@ static void print_line(const char *rest, bool goes_on, FILE *out)
     fputs(rest, out);
 }
 
-/* One list of both; caller frees. */
+/* Joins two lists; caller frees. */
 static struct placeholder *joined_words(const struct placeholder *first, const struct placeholder *second)
 {
     size_t n = 0, m = 0;
@@ -158,11 +158,11 @@ static struct placeholder *joined_words(const struct placeholder *first, const s
 
 struct printed {
     enum precision precision;
-    const struct block *block; /* not owned: ends with a word NULL; NULL: none */
+    const struct block *block; /* not owned: ends with a word NULL; or NULL */
     FILE *out;
 };
 
-/* The block that begins with the line; NULL if it is no such line. */
+/* Returns the block that begins with the line, or NULL. */
 static const struct block *block_at(const struct block *b, const char *text)
 {
     for (text += strspn(text, " "); b && b->word; b++)
@@ -172,7 +172,7 @@ static const struct block *block_at(const struct block *b, const char *text)
     return NULL;
 }
 
-/* The line that ends the block. */
+/* Returns the line that ends the block. */
 static size_t block_end(const struct block *b, size_t i)
 {
     char *end = new_format("END_%s\n", b->word);
@@ -182,7 +182,7 @@ static size_t block_end(const struct block *b, size_t i)
     return i;
 }
 
-/* Lines of the text instead of a line that is nothing but a word; false if the line is another one. */
+/* Prints the text of a word instead of a line that consists of this word.  Returns false for other lines. */
 static bool print_instead(const char *text, const struct placeholder *own, FILE *out)
 {
     for (text += strspn(text, " "); own && own->word; own++)
@@ -191,7 +191,7 @@ static bool print_instead(const char *text, const struct placeholder *own, FILE 
     return false;
 }
 
-/* What goes on behind a parenthesis is indented as that is now. */
+/* Continues inside a parenthesis with the indent that it now has. */
 static void print_lines(size_t begin, size_t end, const struct placeholder *own, const struct printed *p)
 {
     size_t before = 0, now = 0;

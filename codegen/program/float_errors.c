@@ -1,4 +1,4 @@
-/* Samples in, errors out; see float_errors.h. */
+/* Reads samples and measures errors; see float_errors.h. */
 #include "float_errors.h"
 
 #include "../base/text.h"
@@ -33,7 +33,7 @@ bool measure_differs(const struct measure_error *a, const struct measure_error *
     return far_apart(a->mean, b->mean) || far_apart(a->p99, b->p99);
 }
 
-/* The line that the file must begin with. */
+/* Returns the line with which the file must begin. */
 static char *head_of(const struct genome_file *f)
 {
     struct growing g = {0};
@@ -46,7 +46,7 @@ static char *head_of(const struct genome_file *f)
     return g.text;
 }
 
-/* A part's name at the beginning of a line; what follows it, or NULL. */
+/* Reads a part's name at the beginning of a line.  Returns the rest of the line, or NULL. */
 static char *read_part(char *line, int *part)
 {
     char *end = strchr(line, ',');
@@ -123,7 +123,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Statistics as evolution's: p99 is the ceil(0.99 n)-th smallest.  Sorts. */
+/* Computes the same statistics as evolution: p99 is the ceil(0.99 n)-th smallest error.  Sorts. */
 static struct measure_error error_of(double *error, size_t n)
 {
     struct measure_error e = {.n = n};

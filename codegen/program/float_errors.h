@@ -1,44 +1,43 @@
-/* Errors of emitted float code on samples that footpoint-evolve --samples wrote. */
+/* Measures errors of emitted float code on samples that footpoint-evolve --samples wrote. */
 #ifndef FOOTPOINT_FLOAT_ERRORS_H
 #define FOOTPOINT_FLOAT_ERRORS_H
 
 #include "program.h"
 
-/* Held out on the grid of a scene, if it has one; held out off it; another distribution, to which nothing is fitted. */
+/* Parts: held out on the grid of a scene, if it has a grid; held out off it; another distribution. */
 enum { MEASURE_PARTS = 3, MEASURE_EVEN = 2 };
 
 struct measure_samples {
     size_t inputs, n, room, width;
-    double *row; /* owned: n rows of `width`: which part, the inputs, xi and eta */
+    double *row; /* owned: n rows of `width`: the part, the inputs, xi and eta */
 };
 
-/** |value - truth| of one output on one part. */
+/** |value - truth| of an output on a part. */
 struct measure_error {
     size_t n;
     double mean, p99, max; /* infinite if a value is not finite */
-    double climbed;        /* the largest, by climbing from the worst samples, too; 0: not climbed */
+    double climbed;        /* the largest error, climbing from the worst samples included; 0: not climbed */
 };
 
-/** Reads "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", and perhaps " climbing %.3e %.3e", evolution's words about xi
- *  and eta. */
+/** Reads evolution's errors of xi and eta: "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", and perhaps " climbing %.3e %.3e". */
 bool measure_errors_read(const char *text, struct measure_error e[2]);
 
-/** True if mean or 99 % is another one by a factor of more than 1.5. */
+/** Returns true if mean or 99 % differ by a factor of more than 1.5. */
 bool measure_differs(const struct measure_error *a, const struct measure_error *b);
 
 struct measured {
-    struct measure_error error[MEASURE_PARTS][2]; /* by part and output, xi and eta */
+    struct measure_error error[MEASURE_PARTS][2]; /* indexed by part and output, xi and eta */
 };
 
-/** "heldout", "heldout_random", "heldout_even". */
+/** The names "heldout", "heldout_random", "heldout_even", indexed by part. */
 extern const char *const measure_part[MEASURE_PARTS];
 
-/** Reads a file whose columns are the inputs of f, a segment, and xi, eta.  False with *d filled. */
+/** Reads a file whose columns are the inputs of f, a segment, and xi, eta.  Returns false with *d filled. */
 bool measure_read(const char *path, const struct genome_file *f, struct measure_samples *s, struct diag *d);
 void measure_samples_free(struct measure_samples *s);
 
-/** Errors of a program whose outputs are xi and eta, as the float code computes them, of coordinates relative to the
- *  segment or not. */
+/** Measures a program whose outputs are xi and eta, as the float code computes them, with coordinates relative to the segment or
+ *  not. */
 struct measured measure_program(const struct genome_file *f, const struct program *p, bool relative,
                                 const struct measure_samples *s);
 

@@ -8,7 +8,7 @@ wrong() {
     git -C "$1" log --no-merges --format='%as %s' | awk -v since=$since '
         $1 < since { next }
         { sub(/^[^ ]* /, "") }
-        length > 72 || /\.$/ || tolower($0) ~ /^([^ ]*: )?(add|chang|delet|fix|mak|mov|remov|renam|rewrit|updat)(s|es|ed|ing) /'
+        length > 72 || /\.$/ || tolower($0) ~ /^([^ ]*: )?(add|fix|change|make|move|remove|rename|update)(s|es|d|ed) /'
 }
 
 git ls-files --error-unmatch Makefile > "$work/log" 2>&1 || { echo 'ok 1 - subjects of commits # SKIP no clone'; exit 0; }

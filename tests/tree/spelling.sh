@@ -9,5 +9,5 @@ wrong=$(git ls-files | grep -E '(\.(md|c|h|hpp|cpp|cu|f90|sh|awk|inc|gen|scene|1
 [ -z "$wrong" ]; good=$?
 [ $good = 0 ] || echo "$wrong" | sed 's/^/# /'
 report $((! good)) 'spelling'
-echo 'A recieved answer.' > "$work/planted.md"
+printf 'A rec%sved answer.\n' ie > "$work/planted.md"
 [ "$(codespell -I tests/tree/spelling.words "$work/planted.md" | wc -l)" = 1 ]; report $((! $?)) 'a planted error is found'
