@@ -1,19 +1,18 @@
-/* Checked searches where the quick way does not tell. */
+/* Checked searches after the quick way has failed. */
 
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
- * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
- * zero: see footpoint_detail_zero. */
+/* A checked search: x has the vectors of the call.  The highest bit of the result is set if the answer fails: with way = 0, in a loop
+ * over arrays, or 2, in a single call, if it is not good beyond doubt; with way = 1, in full, if there is no answer, without a
+ * promise for xi and eta.  zero: see footpoint_detail_zero. */
 typedef REAL_BITS footpoint_detail_search(const REAL *const *x, int way, REAL zero, REAL *xi,
                                           REAL *eta, REAL *gap);
 
-/* A status, but FOOTPOINT_UNPROVED instead of FOOTPOINT_OK of functions that prove nothing, which have promise < 0. */
+/* Returns a status, with FOOTPOINT_UNPROVED instead of FOOTPOINT_OK for functions that prove nothing, whose promise is < 0. */
 FOOTPOINT_PART int footpoint_detail_claim(int status, REAL promise)
 {
     return promise < 0.0 && status == FOOTPOINT_OK ? FOOTPOINT_UNPROVED : status;
 }
 
-/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
- * long; with nodes = 0 not. */
+/* Searches in full; if that fails and nodes > 0, also in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const REAL *const *x,
                                           int nodes, int vectors, REAL loc[2], REAL *gap)
 {
@@ -30,7 +29,7 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
             return FOOTPOINT_ERR_DEGENERATE;
     }
     g = exponent ? ldexp(g, exponent) : g;
-    if (footpoint_detail_infinite(g) >> REAL_TOP) /* a distance beyond all numbers */
+    if (footpoint_detail_infinite(g) >> REAL_TOP) /* the distance overflows */
         return FOOTPOINT_ERR_DEGENERATE;
     loc[0] = xi;
     loc[1] = eta;

@@ -1,6 +1,6 @@
 /* The Bezier patch of runtime/geometry/bezier.c. */
 
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta), as a sum over the corners c: of the handles a[c][0] along xi and
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta), as a sum over the corners c, of the handles a[c][0] along xi and
  * a[c][1] along eta, whose sum leads to the inner point. */
 FOOTPOINT_FN void footpoint_detail_bezier_surface(const REAL *const *x, REAL xi, REAL eta,
                                                   REAL u[3], REAL v[3], REAL d[3])

@@ -1,7 +1,7 @@
-/* What every status rests on: the bits of numbers. */
+/* The bits of numbers, on which every status depends. */
 
-/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
- * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
+ * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_bits(REAL x)
 {
     union {
@@ -12,33 +12,33 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_bits(REAL x)
     return both.bits;
 }
 
-/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
- * instructions each where it knows them, else one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
+ * four instructions each instead of one. */
 FOOTPOINT_PART REAL footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
     return (REAL)zero;
 }
 
-/* Unless 2^-REAL_LOW <= |x| < 2^REAL_HIGH: room for products of what x is made of, and half of all exponents. */
+/* Tests that not 2^-REAL_LOW <= |x| < 2^REAL_HIGH: room for products of the parts of x, and half of all exponents. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_outside(REAL x)
 {
     return 2 * footpoint_detail_bits(x) - ((REAL_BITS)REAL_MIDDLE << REAL_DIGITS);
 }
 
-/* If |x| < least. */
+/* Tests |x| < least. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_below(REAL x, REAL least)
 {
     return (footpoint_detail_bits(x) & ~(REAL_BITS)0 >> 1) - footpoint_detail_bits(least);
 }
 
-/* If |x| > most, or NaN. */
+/* Tests |x| > most, or NaN. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_above(REAL x, REAL most)
 {
     return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(REAL_BITS)0 >> 1);
 }
 
-/* If x is infinite or NaN. */
+/* Tests that x is infinite or NaN. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_infinite(REAL x)
 {
     return (footpoint_detail_bits(x) & ~(REAL_BITS)0 >> 1) + ((REAL_BITS)1 << (REAL_DIGITS - 1));

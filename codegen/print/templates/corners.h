@@ -6,7 +6,7 @@ FOOTPOINT_FN REAL footpoint_detail_square_distance(const REAL a[3], const REAL b
     return x * x + y * y + z * z;
 }
 
-/* Number of the corner nearest to s: 0..3, the first of equals. */
+/* Returns the number of the corner nearest to s: 0..3, the first among equals. */
 FOOTPOINT_FN int footpoint_detail_nearest_corner(const REAL *const *x, const REAL s[3])
 {
     REAL least = footpoint_detail_square_distance(x[0], s);
@@ -19,14 +19,14 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const REAL *const *x, const REA
     return nearest;
 }
 
-/* 1 if |AD| > |AB| with corner k for A. */
+/* Returns 1 if |AD| > |AB| with corner k for A. */
 FOOTPOINT_FN int footpoint_detail_mirrored(const REAL *const *x, int k)
 {
     return footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
            footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
 }
 
-/* (u,v) of a segment that begins at corner k, as xi and eta. */
+/* Converts (u,v) of a segment that begins at corner k to xi and eta. */
 FOOTPOINT_PART void footpoint_detail_turn_back(int k, REAL u, REAL v, REAL *xi, REAL *eta)
 {
     *xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;

@@ -1,9 +1,8 @@
 /* The Gregory patch of runtime/geometry/gregory.c. */
 
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta), as a sum over the corners c: of the handles a[c][0] along xi and
- * a[c][1] along eta and the inner points q, which the two edges make each for itself.  w weighs these; f and g are the
- * Bernstein polynomials of a corner and of its handle, h their sum, and fd, gd, hd what they rise by towards larger xi,
- * eta. */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta), as a sum over the corners c, of the handles a[c][0] along xi and
+ * a[c][1] along eta and the inner points q, of which each of the two edges has its own.  w weights these; f and g are the
+ * Bernstein polynomials of a corner and of its handle, h their sum, and fd, gd, hd their derivatives towards larger xi, eta. */
 FOOTPOINT_FN void footpoint_detail_gregory_surface(const REAL *const *x, REAL xi, REAL eta,
                                                    REAL u[3], REAL v[3], REAL d[3])
 {

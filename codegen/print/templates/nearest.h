@@ -1,4 +1,4 @@
-/* The search where the scene assumes that corner A is nearest to the slave node: u and v are xi and eta found there. */
+/* The search if the scene assumes that corner A is nearest to the slave node: u and v are xi and eta found there. */
 
 FOOTPOINT_PART REAL_BITS NAME_detail_nearest(const REAL *const *x, REAL zero, REAL *xi, REAL *eta)
 {

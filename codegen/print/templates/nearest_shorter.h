@@ -1,4 +1,4 @@
-/* The search where the scene assumes that corner A is nearest to the slave node, and |AD| <= |AB|. */
+/* The search if the scene assumes that corner A is nearest to the slave node, and |AD| <= |AB|. */
 
 FOOTPOINT_PART REAL_BITS NAME_detail_nearest_shorter(const REAL *const *x, REAL zero, REAL *xi,
                                                      REAL *eta)

@@ -1,7 +1,6 @@
-/* The loop over slave nodes of one segment. */
+/* The loop over slave nodes of a segment. */
 
-/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
- * is computed once. */
+/* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
 FOOTPOINT_PART void
 footpoint_detail_KIND_over_n(footpoint_detail_search *search, const REAL *const *segment, size_t n,
                              const REAL *const *x, int nodes, REAL promise,

@@ -1,6 +1,6 @@
-/* For thresholds that go with the size of a segment. */
+/* Powers of lengths, for thresholds that depend on the size of a segment. */
 
-/* |AB| to the power n: what goes as that is compared with what it is for |AB| = 1. */
+/* Returns |AB| to the power n, which scales a threshold for |AB| = 1. */
 FOOTPOINT_FN REAL footpoint_detail_power(const REAL a[3], const REAL b[3], int n)
 {
     const REAL x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2], square = x * x + y * y + z * z;

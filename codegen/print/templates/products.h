@@ -1,4 +1,4 @@
-/* Products of vectors, and their differences: without loops, which compilers would vectorise where scalars are quicker. */
+/* Products of vectors, and their differences, without loops: compilers would vectorise these although scalars are quicker. */
 
 FOOTPOINT_PART void footpoint_detail_from(const REAL a[3], const REAL b[3], REAL d[3])
 {

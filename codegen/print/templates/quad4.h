@@ -1,6 +1,6 @@
 /* The bilinear segment. */
 
-/* See footpoint_detail_normal_gap(); size is the sum of the squares of the edges. */
+/* Computes the gap; see footpoint_detail_normal_gap().  size is the sum of the squares of the edges. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_gap(const REAL xA[3], const REAL xB[3], const REAL xC[3],
                                               const REAL xD[3], const REAL xS[3], REAL xi, REAL eta,
                                               REAL least, REAL *gap)
@@ -29,7 +29,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_gap(const REAL *const *x, REAL x
     return footpoint_detail_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
 }
 
-/* The gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times one number, whose square is 4 / unit,
+/* Computes the gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times a number whose square is 4 / unit,
  * d = (xS - c0) / per, and ratio is 1 / per over that number. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_over(const REAL a[3], const REAL b[3],
                                                      const REAL c[3], const REAL d[3], REAL size,

@@ -1,6 +1,6 @@
 /* The quadrilateral with mid-side nodes. */
 
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta): corners (a,b), mid-side nodes at a = 0 and at b = 0. */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta): corners (a,b), mid-side nodes at a = 0 and at b = 0. */
 FOOTPOINT_FN void footpoint_detail_quad8_surface(const REAL *const *x, REAL xi, REAL eta, REAL u[3],
                                                  REAL v[3], REAL d[3])
 {

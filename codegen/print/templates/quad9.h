@@ -1,6 +1,6 @@
 /* The quadrilateral with mid-side nodes and a middle. */
 
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta): products of the parabolas that are 1 at -1, 0, 1. */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta), by products of the parabolas that are 1 at -1, 0, 1. */
 FOOTPOINT_FN void footpoint_detail_quad9_surface(const REAL *const *x, REAL xi, REAL eta, REAL u[3],
                                                  REAL v[3], REAL d[3])
 {

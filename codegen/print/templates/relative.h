@@ -1,7 +1,7 @@
 /* The scale of coordinates that are relative to the segment. */
 
-/* 4 over the sum of the distances of the corners from A, component by component: coordinates relative to the segment
- * are those less xA, times this. */
+/* Returns 4 over the sum of the distances of the corners from A, component by component.  Coordinates relative to the segment are
+ * differences from xA times this factor. */
 FOOTPOINT_PART REAL footpoint_detail_relative(const REAL *const *x, int corners)
 {
     REAL sum = 0.0;
@@ -11,7 +11,7 @@ FOOTPOINT_PART REAL footpoint_detail_relative(const REAL *const *x, int corners)
     return 4.0 / sum;
 }
 
-/* The power of 2 that x > 0 begins with. */
+/* Returns the largest power of 2 that is at most x > 0. */
 FOOTPOINT_PART REAL footpoint_detail_leading(REAL x)
 {
     union {

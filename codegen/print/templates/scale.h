@@ -1,6 +1,6 @@
-/* What the checked searches of all kinds share. */
+/* Parts that the checked searches of all kinds share. */
 
-/* 1 if all coordinates of n vectors are finite. */
+/* Returns 1 if all coordinates of n vectors are finite. */
 FOOTPOINT_FN int footpoint_detail_finite(const REAL *const *x, int n)
 {
     REAL_BITS infinite = 0;
@@ -11,8 +11,8 @@ FOOTPOINT_FN int footpoint_detail_finite(const REAL *const *x, int n)
     return !(infinite >> REAL_TOP);
 }
 
-/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
- * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+/* Scales nodes and slave node, the last of the vectors, to a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which come before the slave node, are copied.  Returns an error if they are not finite, or of no length. */
 FOOTPOINT_FN int footpoint_detail_scale(const REAL *const *x, int nodes, int vectors, REAL (*y)[3],
                                         int *exponent)
 {
@@ -28,7 +28,7 @@ FOOTPOINT_FN int footpoint_detail_scale(const REAL *const *x, int nodes, int vec
     if ((footpoint_detail_below(most, REAL_MIN) | footpoint_detail_infinite(most)) >> REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
-    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may overflow */
     second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
@@ -36,10 +36,10 @@ FOOTPOINT_FN int footpoint_detail_scale(const REAL *const *x, int nodes, int vec
     return FOOTPOINT_OK;
 }
 
-/* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
- * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
- * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+/* Computes the gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
+ * > 0 open.  The highest bit of the result is set if u and v are parallel, so that there is no area and no normal, if size, a
+ * sum of squares of edges, is not between least and 1 / least, or if a number is not finite.
+ * uu * vv: at least the product of the squares of the terms of u and v; these cancel far outside, so that rounding makes a
  * normal of nodes on a line. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_normal_gap(const REAL u[3], const REAL v[3],
                                                      const REAL d[3], REAL uu, REAL vv, REAL size,

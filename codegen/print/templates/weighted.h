@@ -1,7 +1,7 @@
-/* The surface of the kinds whose points are sums of nodes times shape functions. */
+/* The surface of kinds whose points are sums of nodes times shape functions. */
 
-/* r_xi, r_eta and xS - r, of shape functions p and their derivatives: they add up to 1, 0 and 0, so that differences of
- * nodes will do. */
+/* Computes r_xi, r_eta and xS - r from shape functions p and their derivatives.  Their sums are 1, 0 and 0, so that differences of
+ * nodes suffice. */
 FOOTPOINT_PART void footpoint_detail_weighted(const REAL *const *x, int nodes, const REAL *p,
                                               const REAL *pu, const REAL *pv, REAL u[3], REAL v[3],
                                               REAL d[3])

@@ -1,7 +1,7 @@
-/* The gap of the kinds that have footpoint_detail_KIND_surface(). */
+/* Computes the gap for kinds that have footpoint_detail_KIND_surface(). */
 
-/* See footpoint_detail_normal_gap(); size is the sum of the squares of the distances of the nodes from A, which u and v are
- * sums of, times derivatives of shape functions. */
+/* Computes the gap; see footpoint_detail_normal_gap().  size is the sum of the squares of the distances of the nodes from A.  u and v
+ * are sums of these times derivatives of shape functions. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_gap(const REAL *const *x, REAL xi, REAL eta,
                                                    REAL least, REAL *gap)
 {

@@ -1,4 +1,4 @@
-/* The gap out of a search's own values: r = c0 + xi c1 + eta c2 + xi eta c3. */
+/* Computes the gap from a search's own values: r = c0 + xi c1 + eta c2 + xi eta c3. */
 
 FOOTPOINT_PART REAL_BITS NAME_detail_gap(NODE_PARAMETERS, REAL xi, REAL eta, REAL *gap)
 {

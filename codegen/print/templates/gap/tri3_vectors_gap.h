@@ -1,4 +1,4 @@
-/* The gap out of a search's own values, of a flat triangle: c3 = 0. */
+/* Computes the gap from a search's own values on a flat triangle: c3 = 0. */
 
 FOOTPOINT_PART REAL_BITS NAME_detail_gap(NODE_PARAMETERS, REAL xi, REAL eta, REAL *gap)
 {

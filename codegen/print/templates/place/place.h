@@ -1,6 +1,6 @@
-/* What the functions at a place of a face share. */
+/* Parts that functions at a place of a face share. */
 
-#ifndef FOOTPOINT_UNUSED /* before functions that a macro defines: who asks for one of them may not call the others */
+#ifndef FOOTPOINT_UNUSED /* before functions that a macro defines: a file that calls one of them may not call the others */
 #if defined(__GNUC__)
 #define FOOTPOINT_UNUSED __attribute__((unused))
 #else
@@ -8,30 +8,30 @@
 #endif
 #endif
 
-/* The largest gap, or coordinates of slave nodes, in the quick way, so that products of lengths are finite: 2^64. */
+/* The largest gap, or coordinate of a slave node, in the quick way, so that products of lengths are finite: 2^64. */
 #define FOOTPOINT_DETAIL_MOST 18446744073709551616.0
 
 /* A function at the place (xi,eta): x are the nodes and the slave node, and element i of row k goes to row[k][i * step].
- * The highest bit of what it returns is set if that is no answer; unless `always` nothing is written then, nor to a row
- * that is NULL.  What it writes is finite, unless `again`: then the caller tests it. */
+ * The highest bit of its result is set if there is no answer.  Then nothing is written, unless `always`; a row that is NULL is
+ * never written.  Results are finite, unless `again`: then the caller must test them. */
 typedef REAL_BITS footpoint_detail_place(const REAL *const *x, REAL xi, REAL eta, REAL *const *row,
                                          size_t step, int always, int again);
 
-/* If x is not > 0, or not a number that products of lengths may be. */
+/* Tests that x is not > 0, or too large for products of lengths. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_not_above(REAL x)
 {
     const REAL_BITS bits = footpoint_detail_bits(x);
     return (bits - footpoint_detail_bits(REAL_MIN)) | (bits + ((REAL_BITS)1 << (REAL_DIGITS - 1)));
 }
 
-/* If |xi| or |eta| is 2 or more, or not a number: their exponents' highest bit tells. */
+/* Tests that |xi| or |eta| is 2 or more, or NaN, by the highest bit of their exponents. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_far(REAL xi, REAL eta)
 {
     return (footpoint_detail_bits(xi) | footpoint_detail_bits(eta)) << 1;
 }
 
-/* If the tangents a and b at (xi,eta) are parallel as far as their rounding errors go, in a unit of length in which the
- * segment is about 1 long.  They are sums of edges times xi and eta to this power, at most. */
+/* Tests that the tangents a and b at (xi,eta) are parallel within rounding errors, in a unit of length in which the
+ * segment is about 1 long.  They are sums of edges times at most this power of xi and eta. */
 FOOTPOINT_FN REAL_BITS footpoint_detail_flat(const REAL a[3], const REAL b[3], REAL xi, REAL eta,
                                              int degree)
 {
@@ -45,7 +45,7 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_flat(const REAL a[3], const REAL b[3], R
     return footpoint_detail_not_above(x * x + y * y + z * z - most);
 }
 
-/* n numbers, which go with this power of 2: 0 if one of them is infinite or NaN. */
+/* Rescales n numbers by this power of 2.  Returns 0 if one of them is infinite or NaN. */
 FOOTPOINT_FN int footpoint_detail_rescale(REAL *x, int n, int exponent)
 {
     REAL_BITS flaw = 0;
@@ -57,9 +57,9 @@ FOOTPOINT_FN int footpoint_detail_rescale(REAL *x, int n, int exponent)
     return !(flaw >> REAL_TOP);
 }
 
-/* Once more, in a unit of length in which the segment is about 1 long; row k has shape[2 k] elements, which go with the
- * power shape[2 k + 1] of lengths, and space is for all of them.  tangents: 0, or what gives r_xi and r_eta as rows `first`
- * and the next, which grow with xi and eta to the power `degree`. */
+/* Repeats a function in a unit of length in which the segment is about 1 long.  Row k has shape[2 k] elements, which scale with
+ * the power shape[2 k + 1] of lengths; space has room for all of them.  tangents: 0, or a function that computes r_xi and r_eta as
+ * rows `first` and the next, which grow with xi and eta to the power `degree`. */
 FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
                                                 footpoint_detail_place *tangents, int first,
                                                 int degree, const REAL *const *x, int nodes,

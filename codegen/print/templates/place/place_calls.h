@@ -1,4 +1,4 @@
-/* What callers have at a place of a face. */
+/* The functions for callers at a place of a face. */
 
 FOOTPOINT_FN int NAME(NODE_PARAMETERS, const REAL loc[2], ROW_PARAMETERS)
 {

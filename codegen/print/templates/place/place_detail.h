@@ -1,4 +1,4 @@
-/* The rows of a function at a place of a face; again, for callers that stay small, in another unit of length. */
+/* Computes the rows of a function at a place of a face; again, for callers that stay small, in another unit of length. */
 
 FOOTPOINT_PART REAL_BITS NAME_detail(const REAL *const *x, REAL xi, REAL eta, REAL *const *row,
                                      size_t step, int always, int again)

@@ -1,4 +1,4 @@
-/* What callers have of a search and a place at once: the text of a macro. */
+/* The functions for callers that join a search and a place: the text of a macro. */
 
 FOOTPOINT_UNUSED
 FOOTPOINT_FN int JOINED(NODE_PARAMETERS, REAL loc[2], ROW_PARAMETERS)
