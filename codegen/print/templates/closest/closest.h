@@ -1,4 +1,4 @@
-/* Points of edges, and statuses of closest points. */
+/* Statuses and answers of closest points. */
 
 #ifndef FOOTPOINT_NOT_UNIQUE
 #define FOOTPOINT_NOT_UNIQUE 2
@@ -7,10 +7,10 @@
 #define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
-/* The status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
+/* Returns the status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
  * FOOTPOINT_ERR_DEGENERATE if something in `all` is not finite, if size, the sum of the squares of edges, is not between least
- * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge:
- * where the search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
+ * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge; if the
+ * search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
 FOOTPOINT_PART int footpoint_detail_closest_status(REAL_BITS flaw, REAL all, REAL nn, REAL size,
                                                    REAL least, REAL dd, REAL edge, REAL longest)
 {
@@ -24,22 +24,22 @@ FOOTPOINT_PART int footpoint_detail_closest_status(REAL_BITS flaw, REAL all, REA
            FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> REAL_TOP);
 }
 
-/* The root of the square of a distance, with its sign. */
+/* Returns the root of a squared distance, with its sign. */
 FOOTPOINT_PART REAL footpoint_detail_signed_root(REAL dd)
 {
     const REAL root = sqrt(fabs(dd));
     return dd < 0.0 ? -root : root;
 }
 
-/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved.
+/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a proof.
  * lanes = 1 in a loop over arrays. */
 typedef int footpoint_detail_nearby(const REAL *const *x, int lanes, REAL zero, REAL at[3],
                                     int *region);
 
-/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
 typedef int footpoint_detail_nearest(const REAL *const *x, REAL zero, REAL at[3], int *region);
 
-/* Its answer to the caller, if there is one. */
+/* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const REAL at[3], int where,
                                                    REAL loc[2], REAL *dist, int *region)
 {

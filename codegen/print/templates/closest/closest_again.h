@@ -1,7 +1,7 @@
-/* Closest points where the quick way has no answer. */
+/* Closest points after the quick way has failed. */
 
-/* Half of the Hessian of the square of the distance at (xi,eta), {11, 12, 22}: second derivatives by differences, and without
- * them, as Gauss and Newton have it, where it is not positive definite. */
+/* Computes half of the Hessian of the squared distance at (xi,eta), {11, 12, 22}, with second derivatives by differences, or the
+ * Gauss-Newton matrix, without them, if it is not positive definite. */
 FOOTPOINT_COLD void footpoint_detail_KIND_second(const REAL *const *x, const REAL at[2],
                                                  const REAL u[3], const REAL v[3], const REAL d[3],
                                                  REAL h[3])
@@ -22,8 +22,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_second(const REAL *const *x, const REA
     }
 }
 
-/* From (xi,eta) inside the face downhill to the foot point, or towards an edge: Newton's steps, damped where the distance does
- * not fall. */
+/* Moves (xi,eta) inside the face downhill to the foot point, or towards an edge, by Newton's steps, which are damped if the distance
+ * does not fall. */
 FOOTPOINT_COLD void footpoint_detail_KIND_descend(const REAL *const *x, REAL at[2])
 {
     REAL u[3], v[3], d[3], dd, damp = 0.0;
@@ -63,7 +63,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_descend(const REAL *const *x, REAL at[
     }
 }
 
-/* The closest point by a descent from `start`, in a unit of length in which the segment is about 1 long. */
+/* Finds the closest point by a descent from `start`, in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_KIND_closest_from(const REAL *const *x, const REAL start[2],
                                                       REAL at[3], int *region)
 {
@@ -78,7 +78,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_closest_from(const REAL *const *x, cons
         to[i] = start[i] + REAL_INWARD * (footpoint_detail_SHAPE_middle() - start[i]);
     footpoint_detail_KIND_descend(z, to);
     status = footpoint_detail_KIND_nearest(z, 0, 1e-6, to[0], to[1], at, region);
-    if (status == FOOTPOINT_OK && *region == 0) { /* beside an edge, a descent does not get there */
+    if (status == FOOTPOINT_OK && *region == 0) { /* beside an edge, a descent does not reach it */
         REAL other[3];
         int where;
         const REAL dd = fabs(at[2]);
@@ -93,8 +93,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_closest_from(const REAL *const *x, cons
     return status;
 }
 
-/* NAME_closest in that unit, unless the search has none, which `scalable` tells; where that has no answer either, by a descent
- * from the middle. */
+/* Searches in that unit, unless `scalable` is 0, and if there is still no answer, by a descent from the middle. */
 FOOTPOINT_COLD int footpoint_detail_KIND_closest_again(footpoint_detail_nearest *nearest,
                                                        const REAL *const *x, int scalable,
                                                        REAL at[3], int *region)
@@ -126,8 +125,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_tangent(const REAL u[3], const REAL v[
         e[i] = (to[0] - from[0]) * u[i] + (to[1] - from[1]) * v[i];
 }
 
-/* The distance that a better search might find, where the point at `at` is no foot point, or on an edge beside which xS lies
- * over the face: twice as much less as there is in the tangent plane to be gained. */
+/* Returns the distance that a better search might find if the point at `at` is not a foot point, or is on an edge beside which xS
+ * lies over the face: less by twice the gain in the tangent plane. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_least(const REAL *const *x, const REAL at[3], int region)
 {
     REAL u[3], v[3], d[3], e[3], n[3], in[3], dd, ahead, height;
@@ -150,8 +149,8 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_least(const REAL *const *x, const REAL
     return sqrt(height > 0.0 ? height : 0.0);
 }
 
-/* The status of a point that is farther off than the longest edge: once more, by a descent, where errors of the search may
- * hide a nearer one. */
+/* Returns the status of a point farther away than the longest edge, after a descent if errors of the search may hide a nearer
+ * point. */
 FOOTPOINT_COLD int footpoint_detail_KIND_closest_beyond(const REAL *const *x, REAL at[3],
                                                         int *region)
 {
@@ -167,7 +166,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_closest_beyond(const REAL *const *x, RE
     return footpoint_detail_KIND_closest_from(x, at, at, region);
 }
 
-/* NAME_closest, with the distance in at: once more where that has no answer. */
+/* Finds the closest point, with the distance in at, and repeats the search if it has no answer. */
 FOOTPOINT_PART int footpoint_detail_KIND_closest(footpoint_detail_nearest *nearest,
                                                  const REAL *const *x, int scalable, REAL at[3],
                                                  int *region)

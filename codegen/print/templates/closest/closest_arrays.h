@@ -1,6 +1,6 @@
 /* Closest points over arrays of faces and slave nodes. */
 
-/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length, behind the loop. */
+/* Takes roots of the squares in dist and, after the loop, repeats failed searches in another unit of length. */
 FOOTPOINT_PART void
 footpoint_detail_KIND_closest_n(footpoint_detail_nearest *nearest, size_t n, const REAL *const *x,
                                 int scalable, REAL *FOOTPOINT_RESTRICT xi,

@@ -1,4 +1,4 @@
-/* The search and what is nearest; what callers have of closest points. */
+/* The functions for callers that find closest points. */
 
 FOOTPOINT_PART int NAME_detail_closest(const REAL *const *x, REAL zero, REAL at[3], int *region)
 {

@@ -1,7 +1,7 @@
-/* The nearest of several faces, where answers are not proved. */
+/* The nearest of several faces whose answers are not proved. */
 
-/* The nearest of n faces, and the side of the surface that they make.  A face is searched once more, by a descent, if errors of
- * the search may hide that it is the nearest. */
+/* Finds the nearest of n faces, and the side of their surface.  A face is searched again, by a descent, if errors of the search may
+ * hide that it is the nearest. */
 FOOTPOINT_PART int footpoint_detail_KIND_closest_of(footpoint_detail_nearest *nearest, size_t n,
                                                     const REAL *const *x, const REAL *xS,
                                                     int scalable, REAL loc[2], REAL *dist,

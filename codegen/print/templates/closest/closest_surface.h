@@ -1,6 +1,6 @@
-/* The side of the surface that several faces make. */
+/* The side of the surface of several faces. */
 
-/* The vectors of face i and its slave node. */
+/* Collects the vectors of face i and its slave node. */
 FOOTPOINT_PART void footpoint_detail_KIND_row(const REAL *const *x, const REAL *xS, size_t i,
                                               const REAL *row[VECTORS])
 {

@@ -6,7 +6,7 @@ FOOTPOINT_PART int footpoint_detail_same(const REAL *a, const REAL *b)
     return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
 }
 
-/* (xi,eta) of corner k. */
+/* Computes (xi,eta) of corner k. */
 FOOTPOINT_PART void footpoint_detail_square_corner(int k, REAL at[2])
 {
     at[0] = k == 1 || k == 2 ? 1.0 : -1.0;
@@ -19,7 +19,7 @@ FOOTPOINT_PART void footpoint_detail_triangle_corner(int k, REAL at[2])
     at[1] = k == 2 ? 1.0 : 0.0;
 }
 
-/* Both coordinates of the middle. */
+/* Returns both coordinates of the middle. */
 FOOTPOINT_PART REAL footpoint_detail_square_middle(void)
 {
     return 0.0;
@@ -30,7 +30,7 @@ FOOTPOINT_PART REAL footpoint_detail_triangle_middle(void)
     return 1.0 / 3.0;
 }
 
-/* Keeps `to`, where a step from (xi,eta) = at leads, within the range of xi and eta: a tenth of the way to an edge is left. */
+/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
 FOOTPOINT_PART void footpoint_detail_square_clamp(const REAL at[2], REAL to[2])
 {
     int i;
@@ -50,7 +50,7 @@ FOOTPOINT_PART void footpoint_detail_triangle_clamp(const REAL at[2], REAL to[2]
     }
 }
 
-/* Moves (xi,eta) to the middle of the edge that it is on if the ends of that are one point.  Triangles have no such edges. */
+/* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
 FOOTPOINT_PART void footpoint_detail_square_bisect(const REAL *const *x, REAL at[2])
 {
     if ((at[1] <= -1.0 && footpoint_detail_same(x[0], x[1])) ||

@@ -1,13 +1,13 @@
 /* Closest points of curved edges, of three nodes each. */
 
-/* x between -1 and 1. */
+/* Clamps x to -1 and 1. */
 FOOTPOINT_PART REAL footpoint_detail_clamped(REAL x)
 {
     const REAL most = x < 1.0 ? x : 1.0;
     return most > -1.0 ? most : -1.0;
 }
 
-/* The edge r = m + t (q + t w), |t| <= 1, from node a over m to b; p = m - s. */
+/* Computes the edge r = m + t (q + t w), |t| <= 1, from node a over m to b; p = m - s. */
 FOOTPOINT_PART void footpoint_detail_curve(const REAL *a, const REAL *m, const REAL *b,
                                            const REAL *s, REAL p[3], REAL q[3], REAL w[3])
 {
@@ -19,9 +19,9 @@ FOOTPOINT_PART void footpoint_detail_curve(const REAL *a, const REAL *m, const R
     }
 }
 
-/* Where edge k of n is nearest to s.  The square of the distance is a polynomial of degree 4 in t, half its slope c[0] + t
- * (c[1] + t (c[2] + t c[3])); c[4] is the square of q.  at: where the chord is nearest, and, n places on, the end that is
- * farther away, as there may be two such places.  Returns the square of the chord. */
+/* Begins the search of the place of edge k of n that is nearest to s.  The squared distance is a polynomial of degree 4 in t, half its
+ * slope c[0] + t (c[1] + t (c[2] + t c[3])); c[4] is the square of q.  at: the nearest place of the chord and, at index k + n, its
+ * farther end, because there may be two minima.  Returns the square of the chord. */
 FOOTPOINT_PART REAL footpoint_detail_curve_begin(const REAL *a, const REAL *m, const REAL *b,
                                                  const REAL *s, int k, int n, REAL c[5][8],
                                                  REAL at[8])
@@ -46,8 +46,8 @@ FOOTPOINT_PART REAL footpoint_detail_curve_begin(const REAL *a, const REAL *m, c
     return 4.0 * qq;
 }
 
-/* Newton's steps of all edges to where their slopes are 0, Gauss and Newton's where the distance is not convex: five, and
- * more until none makes the square of a distance less but by rounding. */
+/* Moves all edges' places by Newton's steps to slopes of 0, by Gauss-Newton steps if the distance is not convex: five, and
+ * more while a squared distance falls by more than rounding. */
 FOOTPOINT_PART void footpoint_detail_curve_steps(int n, REAL c[5][8], REAL at[8])
 {
     REAL less[8];
@@ -68,7 +68,7 @@ FOOTPOINT_PART void footpoint_detail_curve_steps(int n, REAL c[5][8], REAL at[8]
     }
 }
 
-/* The nearer of the two places of edge k: *t; returns the square of the distance there. */
+/* Finds the nearer of the two places of edge k, *t; returns the squared distance there. */
 FOOTPOINT_PART REAL footpoint_detail_curve_end(const REAL *a, const REAL *m, const REAL *b,
                                                const REAL *s, int k, int n, const REAL at[8],
                                                REAL *t)

@@ -1,7 +1,7 @@
 /* The closest point of the closed triangle with curved edges. */
 
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  Where rounding hides which is nearer, see footpoint_detail_leeway. */
+/* Finds the nearer of the search's point (xi,eta), if it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  If rounding hides which is nearer, see footpoint_detail_leeway. */
 FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                  REAL xi, REAL eta, REAL at[3], int *region)
 {

@@ -1,7 +1,7 @@
 /* Closest points of straight edges. */
 
-/* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
- * lies, from 0 to 1; returns the square of their distance. */
+/* Finds the point of the edge from corner a to b that is nearest to s, at *t from 0 to 1: e = b - a, p = s - a, *ee the square of its
+ * length.  Returns the squared distance. */
 FOOTPOINT_PART REAL footpoint_detail_edge(const REAL a[3], const REAL b[3], const REAL s[3],
                                           REAL e[3], REAL p[3], REAL *ee, REAL *t)
 {

@@ -1,8 +1,8 @@
-/* The side of a surface at a point of an edge or of a corner that faces share: that of the sum of their unit normals there, each
- * times the angle that its face has around the point (Baerentzen and Aanaes 2005).  Nodes are the same if their coordinates
- * are. */
+/* The side of a surface at a point of an edge or of a corner that faces share, by the sum of their unit normals there, each
+ * times the angle of its face around the point (Baerentzen and Aanaes 2005).  Nodes with equal coordinates are the same
+ * node. */
 
-/* Returns the next corner, after k in the order `step`, 1 or CORNERS - 1, that is not the same point as k; or k. */
+/* Returns the next corner, after k in the order `step`, 1 or CORNERS - 1, that is a different point from k; or k. */
 FOOTPOINT_COLD int footpoint_detail_KIND_next(const REAL *const *x, int k, int step)
 {
     int next = (k + step) % CORNERS;
@@ -11,7 +11,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_next(const REAL *const *x, int k, int s
     return next;
 }
 
-/* The direction e in which the edge to that corner leaves the point of corner k. */
+/* Computes the direction e in which the edge to that corner leaves corner k. */
 FOOTPOINT_COLD void footpoint_detail_KIND_leave(const REAL *const *x, int k, int step, REAL e[3])
 {
     const int to = footpoint_detail_KIND_next(x, k, step), from = (to + CORNERS - step) % CORNERS;
@@ -68,8 +68,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_add_edge(const REAL *const *x, int k, 
     footpoint_detail_KIND_add_normal(x, at, 3.1415926535897931, fan);
 }
 
-/* The corners a and b between which the closest point at loc, in `region` > 0 of a face, lies, one if it is a corner or an
- * edge of no length; returns where it lies on the edge, from -1 to 1. */
+/* Finds the corners a and b between which the closest point at loc, in `region` > 0 of a face, lies; they are equal at a corner or on
+ * an edge of no length.  Returns its place on the edge, from -1 to 1. */
 FOOTPOINT_COLD REAL footpoint_detail_KIND_feature(const REAL *const *x, const REAL loc[2],
                                                   int region, const REAL *end[2])
 {
@@ -84,7 +84,7 @@ FOOTPOINT_COLD REAL footpoint_detail_KIND_feature(const REAL *const *x, const RE
     return 2.0 * along / across - 1.0;
 }
 
-/* Adds the normal of one face, if it has that edge or corner. */
+/* Adds the normal of a face, if it has that edge or corner. */
 FOOTPOINT_COLD void footpoint_detail_KIND_add_face(const REAL *const *x, const REAL *const end[2],
                                                    REAL t, REAL fan[3])
 {
@@ -98,7 +98,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_add_face(const REAL *const *x, const R
         const int single = end[0] == end[1], first = footpoint_detail_same(here, end[0]);
         const int there = first & footpoint_detail_same(next, end[1]);
         const int back = footpoint_detail_same(here, end[1]) & footpoint_detail_same(next, end[0]);
-        if (!(single ? first & !there : there | back)) /* of corners that are one point, the last */
+        if (!(single ? first & !there : there | back)) /* of corners that coincide, the last */
             continue;
         if (!found && footpoint_detail_scale(x, NODES, VECTORS, y, &exponent) != FOOTPOINT_OK)
             return;
@@ -110,8 +110,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_add_face(const REAL *const *x, const R
     }
 }
 
-/* Returns 1 if the slave node, the last of x, lies behind the point at loc: of the surface that has the normal `fan` there, or,
- * if that is NULL, of the face, `edge` if the point is on an edge of it. */
+/* Returns 1 if the slave node, the last of x, lies behind the point at loc: behind the surface that has the normal `fan` there, or,
+ * if that is NULL, behind the face; `edge` is 1 if the point is on an edge of it. */
 FOOTPOINT_COLD int footpoint_detail_KIND_behind(const REAL *const *x, const REAL loc[2], int edge,
                                                 const REAL *fan)
 {

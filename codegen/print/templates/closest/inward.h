@@ -1,7 +1,7 @@
-/* Normals where the face itself has none. */
+/* Normals near points at which the face itself has no normal. */
 
-/* The normal m, of any length, at the point REAL_INWARD of the way from (xi,eta) to the middle; from an edge whose ends are
- * one point, on the bisector there. */
+/* Computes the normal m, of any length, at the point REAL_INWARD of the way from (xi,eta) to the middle; from an edge whose ends
+ * coincide, on the bisector there. */
 FOOTPOINT_PART void footpoint_detail_KIND_inward(const REAL *const *x, REAL xi, REAL eta, REAL m[3])
 {
     const REAL middle = footpoint_detail_SHAPE_middle();

@@ -1,6 +1,6 @@
-/* Choices of numbers that raise no exception of NaN. */
+/* Choices of numbers that raise no exception for NaN. */
 
-/* a if x > 0, b otherwise. */
+/* Returns a if x > 0, otherwise b. */
 FOOTPOINT_PART REAL footpoint_detail_pick(REAL x, REAL a, REAL b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -10,7 +10,7 @@ FOOTPOINT_PART REAL footpoint_detail_pick(REAL x, REAL a, REAL b)
 #endif
 }
 
-/* The lesser number. */
+/* Returns the lesser number. */
 FOOTPOINT_PART REAL footpoint_detail_least(REAL a, REAL b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)

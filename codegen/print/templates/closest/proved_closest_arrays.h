@@ -1,6 +1,6 @@
-/* Closest points that are proved: one, over arrays, and of one slave node over many segments. */
+/* Proved closest points: single, over arrays, and for a slave node over many segments. */
 
-/* An answer, with the distance in at. */
+/* Finds an answer, with the distance in at. */
 FOOTPOINT_PART int footpoint_detail_KIND_proved_closest(footpoint_detail_nearby *nearby,
                                                         const REAL *const *x, int scalable,
                                                         REAL promise, REAL at[3], int *region)
@@ -12,7 +12,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_proved_closest(footpoint_detail_nearby 
     return status;
 }
 
-/* Its answer to the caller, if there is one. */
+/* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_KIND_proved_answer(int status, const REAL at[3], int where,
                                                        REAL loc[2], REAL *dist, int *region)
 {
@@ -21,7 +21,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_proved_answer(int status, const REAL at
     return status;
 }
 
-/* Answers to n pairs; what the loop does not prove follows behind it. */
+/* Answers n pairs; pairs that the loop does not prove follow after it. */
 FOOTPOINT_PART void footpoint_detail_KIND_proved_closest_n(
     footpoint_detail_nearby *nearby, size_t n, const REAL *const *x, int scalable, REAL promise,
     REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT dist,
@@ -63,7 +63,7 @@ typedef struct {
     int region, status;
 } footpoint_detail_KIND_candidate;
 
-/* An answer to rounding, if it is proved. */
+/* Refines an answer to rounding, if that is proved. */
 FOOTPOINT_COLD void footpoint_detail_KIND_refine(footpoint_detail_nearby *nearby,
                                                  const REAL *const *x, const REAL *xS, REAL promise,
                                                  footpoint_detail_KIND_candidate *c)
@@ -80,8 +80,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_refine(footpoint_detail_nearby *nearby
     *c = finer;
 }
 
-/* The nearest of n segments, and the side of the surface that they make.  FOOTPOINT_UNPROVED if another whose answer
- * is not proved may be nearer; where errors of two answers could hide which is nearer, both are refined. */
+/* Finds the nearest of n segments, and the side of their surface.  FOOTPOINT_UNPROVED if another segment without a proved
+ * answer may be nearer; if errors of two answers could hide which is nearer, both are refined. */
 FOOTPOINT_PART int footpoint_detail_KIND_proved_closest_of(footpoint_detail_nearby *nearby,
                                                            size_t n, const REAL *const *x,
                                                            const REAL *xS, int scalable,
@@ -89,7 +89,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_proved_closest_of(footpoint_detail_near
                                                            int *region, size_t *which)
 {
     footpoint_detail_KIND_candidate best = {0, {0.0, 0.0, 0.0}, 0.0, 0, FOOTPOINT_ERR_DOMAIN};
-    REAL hidden = -1.0; /* what no unproved one is nearer than; < 0: there is none */
+    REAL hidden = -1.0; /* lower bound on the distances of unproved segments; < 0: all are proved */
     size_t i;
     for (i = 0; i < n; i++) {
         footpoint_detail_KIND_candidate c, loser;

@@ -1,4 +1,4 @@
-/* What callers have of closest points that are proved. */
+/* The functions for callers that find proved closest points. */
 
 FOOTPOINT_FN int NAME_closest(NODE_PARAMETERS, REAL loc[2], REAL *dist, int *region)
 {

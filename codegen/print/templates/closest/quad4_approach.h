@@ -1,5 +1,4 @@
-/* From a search's xi and eta to the closest point of the closed segment, with its proof, of values that the search
- * has. */
+/* Moves from a search's xi and eta to the closest point of the closed segment, with its proof, by values of the search. */
 
 FOOTPOINT_PART int NAME_detail_approach(NODE_PARAMETERS, REAL promise, int lanes, REAL xi, REAL eta,
                                         REAL at[3], int *region)

@@ -1,6 +1,6 @@
-/* The closest point of a closed bilinear segment from scalar products that a search has, with its proof. */
+/* The closest point of a closed bilinear segment, with its proof, from scalar products that a search has. */
 
-/* Of the edge u = e the point v nearest to xS, clamped, and its slope outwards; a, b, ... in products as in
+/* Finds the point v of the edge u = e nearest to xS, clamped, and returns its slope outwards; a, b, ... in products as in
  * footpoint_detail_quad4_step.  For edges of v, exchange a and b. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_edge(REAL aa, REAL e12, REAL bb, REAL ac, REAL bc,
                                                 REAL cc, REAL ad, REAL bd, REAL e, REAL *v)
@@ -12,7 +12,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_edge(REAL aa, REAL e12, REAL bb, REAL
     return e * (ad - t * (e12 + t * bc)) - (aa + t * (ac + ac + t * cc));
 }
 
-/* Where (u,v) is outside of the segment, moves it to an edge or a corner: of xi = 1 or -1 if that has been crossed,
+/* Moves (u,v), if outside of the segment, to an edge or a corner: to xi = 1 or -1 if that has been crossed,
  * unless eta is outside, too, and the distance does not grow inwards there. */
 FOOTPOINT_PART void footpoint_detail_quad4_inside(const REAL p[9], REAL *u, REAL *v)
 {
@@ -27,16 +27,16 @@ FOOTPOINT_PART void footpoint_detail_quad4_inside(const REAL p[9], REAL *u, REAL
     *v = footpoint_detail_pick(outside, footpoint_detail_pick(on, t, ev), *v);
 }
 
-/* 1 to 4: edges, 5 to 8: corners; 0 inside. */
+/* Returns the region: 1 to 4: edges, 5 to 8: corners; 0 inside. */
 FOOTPOINT_PART int footpoint_detail_quad4_region(REAL u, REAL v)
 {
     const int left = u <= -1.0, right = u >= 1.0, below = v <= -1.0, above = v >= 1.0;
     return below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
 }
 
-/* At (u,v) of the closed segment: at = {u, v, square of the distance with its sign}.  The result's highest bit is
- * not set if the closest point is proved to lie there, see footpoint_detail_quad4_sole; *beyond has its set if the
- * distance is longer than the longest edge.  Products of eight lengths have to be numbers, see footpoint_detail_outside. */
+/* Examines (u,v) of the closed segment: at = {u, v, square of the distance with its sign}.  The highest bit of the result is
+ * not set if the closest point is proved to lie there, see footpoint_detail_quad4_sole; *beyond has its highest bit set if the
+ * distance exceeds the longest edge.  Products of eight lengths must be finite, see footpoint_detail_outside. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_touch(const REAL p[9],
                                                       const footpoint_detail_quad4_vectors *r,
                                                       REAL promise, REAL per, REAL u, REAL v,
@@ -46,7 +46,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_touch(const REAL p[9],
     footpoint_detail_quad4_bounds bounds;
     const REAL apart = 8.0 * (r->size + p[5]);
     const REAL inside = footpoint_detail_least(1.0 - fabs(u), 1.0 - fabs(v));
-    const REAL close = promise < REAL_FINE ? REAL_CLOSE : promise; /* proved of the whole segment */
+    const REAL close =
+        promise < REAL_FINE ? REAL_CLOSE : promise; /* proved for the whole segment */
     REAL x[3], y[3], w[3], n[3], nn, longest, f, g, grows, area;
     REAL_BITS doubt;
     int i;
@@ -75,8 +76,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_touch(const REAL p[9],
                nn - footpoint_detail_greater(1e5 * REAL_UNIT, REAL_INWARD * REAL_INWARD) * area);
 }
 
-/* From (xi,eta) by one step, for the finest promise two, or from far outside none, to the closest point;
- * FOOTPOINT_UNPROVED if that is not proved.  per: the factor of the vectors; lanes = 1: no branches, for a loop over
+/* Moves from (xi,eta) to the closest point by one step, for the finest promise by two, from far outside directly;
+ * FOOTPOINT_UNPROVED without a proof.  per: the factor of the vectors; lanes = 1: no branches, for a loop over
  * arrays, with the same result. */
 FOOTPOINT_PART int footpoint_detail_quad4_close(const REAL products[9],
                                                 const footpoint_detail_quad4_vectors *r,

@@ -1,12 +1,12 @@
-/* What the proof of the closest point needs, out of scalar products that a search has. */
+/* The numbers for the proof of the closest point, from scalar products that a search has. */
 
-/* At (u,v): x = r_xi, y = r_eta and w = D, the products of them, and bounds; finely: those of slopes as well as can be.
+/* Computes at (u,v): x = r_xi, y = r_eta and w = D, their products, and bounds; finely: slopes as accurate as possible.
  *
  * Rounding, in units u = REAL_UNIT and with S = a . a + b . b + c . c, |xi| and |eta| <= 1: vectors are off by k u of
- * what bounds them, k <= 0.5 rounding / u - 6.5, products by `rounding`.  These bounds are at most 1.42 sqrt(S) for
+ * their bounds, k <= 0.5 rounding / u - 6.5, products by `rounding`.  These bounds are at most 1.42 sqrt(S) for
  * a and b, 2.53 sqrt(S) for c and |D| + 3.5 sqrt(S) for d.  So slopes are off by (k + 3) u sqrt(S) (5.4 |D| + 12.6
  * sqrt(S)) or less; products at (u,v) by 26 S `rounding`, D . c by 29.3 S + 1.3 D . D of it, `mixed` by 55 S + 1.3 D
- * . D; and Q, as |t| <= 2 and, where Q > 0, |mixed| <= 2 S, by 40 S times that. */
+ * . D; and Q, as |t| <= 2 and, if Q > 0, |mixed| <= 2 S, by 40 S times that. */
 FOOTPOINT_PART void footpoint_detail_quad4_here(const REAL p[9],
                                                 const footpoint_detail_quad4_vectors *r, int finely,
                                                 REAL u, REAL v, REAL x[3], REAL y[3], REAL w[3],

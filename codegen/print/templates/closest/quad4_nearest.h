@@ -1,7 +1,7 @@
 /* The closest point of the closed bilinear segment. */
 
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
- * footpoint_detail_nearest.  Where rounding hides which is nearer, see footpoint_detail_leeway.  m, the product of the
+/* Finds the nearer of the search's point (xi,eta), if it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  If rounding hides which is nearer, see footpoint_detail_leeway.  m, the product of the
  * diagonals, is 8 times the normal in the middle: normals are linear in xi and eta. */
 FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                   REAL xi, REAL eta, REAL at[3], int *region)

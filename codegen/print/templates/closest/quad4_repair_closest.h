@@ -1,12 +1,12 @@
-/* The closest point of a closed bilinear segment where the quick way proves nothing: by descents, seldom. */
+/* The closest point of a closed bilinear segment if the quick way proves nothing: by descents, seldom. */
 
-/* Vectors of r = c0 + xi a + eta b + xi eta c, d = xS - c0, four times as long; what bounds |a| + |c|, |b| + |c|,
- * |c| and all of them; and the longest edge. */
+/* Vectors of r = c0 + xi a + eta b + xi eta c, d = xS - c0, four times as long; bounds on |a| + |c|, |b| + |c|,
+ * |c| and on all of them; and the longest edge. */
 typedef struct {
     REAL a[3], b[3], c[3], d[3], first, second, turn, far, longest;
 } footpoint_detail_quad4_face;
 
-/* From nodes and slave node in a unit of length in which the segment is about 1 long. */
+/* Measures nodes and slave node in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD void footpoint_detail_quad4_measure(REAL y[VECTORS][3],
                                                    footpoint_detail_quad4_face *r)
 {
@@ -17,7 +17,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_measure(REAL y[VECTORS][3],
         footpoint_detail_from(y[k], y[(k + 1) % 4], e[k]);
         square[k] = footpoint_detail_dot(e[k], e[k]);
     }
-    if (square[1] + square[3] < square[0] + square[2]) /* c of the shorter edges is more accurate */
+    if (square[1] + square[3] <
+        square[0] + square[2]) /* c from the shorter edges is more accurate */
         for (i = 0; i < 3; i++)
             r->c[i] = e[1][i] + e[3][i];
     longest = footpoint_detail_greater(square[0], square[1]);
@@ -30,7 +31,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_measure(REAL y[VECTORS][3],
     r->far = footpoint_detail_length(r->d) + 2.0 * (r->first + r->second);
 }
 
-/* What is at (u,v). */
+/* Evaluates the face at (u,v). */
 FOOTPOINT_COLD void footpoint_detail_quad4_look(const footpoint_detail_quad4_face *r, REAL u,
                                                 REAL v, footpoint_detail_quad4_local *q)
 {
@@ -55,7 +56,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_look(const footpoint_detail_quad4_fac
     q->dd = footpoint_detail_dot(w, w);
 }
 
-/* Newton's step of the coordinates that no edge holds; where that may lead uphill, that of Gauss and Newton. */
+/* Computes Newton's step in the coordinates that no edge holds, or the Gauss-Newton step if Newton's may lead uphill. */
 FOOTPOINT_COLD void footpoint_detail_quad4_free_step(const footpoint_detail_quad4_local *q, REAL *s,
                                                      REAL *t)
 {
@@ -75,7 +76,7 @@ FOOTPOINT_COLD REAL footpoint_detail_clamp(REAL x)
     return x < -1.0 ? -1.0 : x > 1.0 ? 1.0 : x;
 }
 
-/* From *q downhill, until steps are no longer than rounding makes them. */
+/* Moves *q downhill, until steps are within rounding. */
 FOOTPOINT_COLD void footpoint_detail_quad4_downhill(const footpoint_detail_quad4_face *r,
                                                     footpoint_detail_quad4_local *q)
 {
@@ -102,7 +103,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_downhill(const footpoint_detail_quad4
     }
 }
 
-/* Start number k of six: (u,v), nearest points of edges, the middle. */
+/* Chooses start number k of six: (u,v), nearest points of edges, the middle. */
 FOOTPOINT_COLD void footpoint_detail_quad4_begin(const footpoint_detail_quad4_face *r, int k,
                                                  REAL u, REAL v, footpoint_detail_quad4_local *q)
 {
@@ -117,7 +118,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_begin(const footpoint_detail_quad4_fa
         footpoint_detail_quad4_look(r, footpoint_detail_clamp(q->f / (q->uu + REAL_MIN)), v, q);
 }
 
-/* The least value of q0 + q1 t + q2 t^2 for t from lo to hi. */
+/* Returns the least value of q0 + q1 t + q2 t^2 for t from lo to hi. */
 FOOTPOINT_COLD REAL footpoint_detail_lowest(REAL q0, REAL q1, REAL q2, REAL lo, REAL hi)
 {
     const REAL t = q2 > 0.0 ? -0.5 * q1 / q2 : lo;
@@ -126,8 +127,8 @@ FOOTPOINT_COLD REAL footpoint_detail_lowest(REAL q0, REAL q1, REAL q2, REAL lo, 
     return t > lo && t < hi ? q0 + t * (q1 + t * q2) : ends;
 }
 
-/* The least value of b (a0 + 2 a1 t + a2 t^2) - k^2 for t from 0 to end, where k = k0 + k1 t is < 0, and of the
- * first term elsewhere. */
+/* Returns the least value, for t from 0 to end, of b (a0 + 2 a1 t + a2 t^2) - k^2 if k = k0 + k1 t is < 0, and otherwise of the
+ * first term. */
 FOOTPOINT_COLD REAL footpoint_detail_quad4_lowest(REAL b, REAL a0, REAL a1, REAL a2, REAL k0,
                                                   REAL k1, REAL end)
 {
@@ -143,8 +144,8 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_lowest(REAL b, REAL a0, REAL a1, REAL
     return bent < least ? bent : least;
 }
 
-/* A number Q for footpoint_detail_quad4_sole, sharper than footpoint_detail_quad4_least_det: for each pair of signs
- * of s and t that leads into the segment, s t K and |s t| `grows` / 2 together: where their sum is positive, Q is A
+/* Returns a number Q for footpoint_detail_quad4_sole, sharper than footpoint_detail_quad4_least_det: for each pair of signs
+ * of s and t that leads into the segment, it takes s t K and |s t| `grows` / 2 together.  If their sum is positive, Q is A
  * times B; weight: of that sum, 1 or a little less. */
 FOOTPOINT_COLD REAL footpoint_detail_quad4_sharp_det(const footpoint_detail_quad4_local *q,
                                                      REAL grows, REAL weight)
@@ -165,12 +166,12 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_sharp_det(const footpoint_detail_quad
     return least;
 }
 
-/* footpoint_detail_quad4_sole; or, if slack > 0, whether no point is nearer than q by more than `slack`.
+/* Proves footpoint_detail_quad4_sole; or, if slack > 0, that no point is nearer than q by more than `slack`.
  *
- * Rounding, u = REAL_UNIT, with what bounds |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
- * u of their lengths, a, b, c by 2 u first, second, turn, for which the shorter pair of edges serves, r_xi by 6 u
+ * Rounding, u = REAL_UNIT, with the bounds on |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
+ * u of their lengths, a, b, c by 2 u first, second, turn, computed from the shorter pair of edges, r_xi by 6 u
  * first, r_eta by 6 u second, D by 12 u far.  So slopes are off by 24 u first far and 24 u second far, products by
- * 15 u of what bounds the two, and `mixed` by 20 u (first second + far turn); Q, as |t| <= 2, by 600 u first second
+ * 15 u of the bounds of both factors, and `mixed` by 20 u (first second + far turn); Q, as |t| <= 2, by 600 u first second
  * times that. */
 FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_face *r,
                                                   const footpoint_detail_quad4_local *q,
@@ -201,7 +202,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_f
     return !(footpoint_detail_quad4_sole(q, &bounds, promise, f, g, det) >> REAL_TOP);
 }
 
-/* Whether the closest point is proved to be the apex of a triangle: an edge whose ends are the same, with q on it.
+/* Returns 1 if the closest point is proved to be the apex of a triangle: an edge whose ends coincide, with q on it.
  * All lines from there lie between the edges beside it, and if along both of these the distance grows, it does so
  * along all. */
 FOOTPOINT_COLD int footpoint_detail_quad4_apex(const footpoint_detail_quad4_face *r,
@@ -228,7 +229,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_apex(const footpoint_detail_quad4_face
     return 0;
 }
 
-/* The nearest point that descents find, as q; its status.  A tie is proved, too: no point is nearer by more than
+/* Finds the nearest point by descents, as q, and its status.  A tie is proved, too: no point is nearer by more than
  * REAL_TIE of the longest edge, and another, elsewhere in space, is not farther by more. */
 FOOTPOINT_COLD int footpoint_detail_quad4_seek(const footpoint_detail_quad4_face *r,
                                                REAL y[VECTORS][3], REAL promise, REAL u, REAL v,
@@ -259,7 +260,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_seek(const footpoint_detail_quad4_face
     return FOOTPOINT_UNPROVED;
 }
 
-/* The square of the distance at q with its sign, four times as long. */
+/* Returns the squared distance at q with its sign, in vectors four times as long. */
 FOOTPOINT_COLD REAL footpoint_detail_quad4_signed(const footpoint_detail_quad4_face *r,
                                                   const footpoint_detail_quad4_local *q)
 {
@@ -279,8 +280,8 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_signed(const footpoint_detail_quad4_f
                                           footpoint_detail_quad4_region(q->u, q->v) ? 1.0 : 0.0));
 }
 
-/* The answer where the quick way proves nothing, at = where that ended: once more in a unit of length in which the
- * segment is about 1 long, if it is far from that, then by descents.  at[2]: the distance. */
+/* Answers after the quick way has proved nothing and ended in `at`: in a unit of length in which the segment is about 1 long,
+ * if it is far from that, then by descents.  at[2]: the distance. */
 FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_nearby *nearby,
                                                        const REAL *const *x, int scalable,
                                                        REAL promise, REAL at[3], int *region)
@@ -322,7 +323,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_nearby *
     return status;
 }
 
-/* A distance that no point of the segment is nearer than, for an answer `at` of that status: by slopes, or by the
+/* Returns a lower bound on the distance of the segment, for an answer `at` of that status: by slopes, or by the
  * ball about the corners. */
 FOOTPOINT_COLD REAL footpoint_detail_quad4_none_nearer(const REAL *const *x, REAL promise,
                                                        int status, const REAL at[3])

@@ -1,6 +1,6 @@
-/* The proof that the closest point of a closed bilinear segment lies near a given one. */
+/* The proof that the closest point of a closed bilinear segment lies near a given point. */
 
-/* What the proof needs at (u,v) of r = c0 + xi a + eta b + xi eta c, all times one number: products of r_xi, r_eta,
+/* The numbers for the proof at (u,v) of r = c0 + xi a + eta b + xi eta c, with a common factor: products of r_xi, r_eta,
  * c and D = xS - r, two letters each: uu = r_xi . r_xi, uc = r_xi . c, ...; slopes f = r_xi . D and g = r_eta . D;
  * and dd = D . D. */
 typedef struct {
@@ -13,8 +13,8 @@ typedef struct {
     REAL wide, high, off_f, off_g, off_det, off_rows;
 } footpoint_detail_quad4_bounds;
 
-/* How fast half the square of the distance grows from an edge of u, of slope f, into the segment; 0 inside.  *falls:
- * how fast it may fall, f being off by `off`. */
+/* Returns the slope of half the squared distance from an edge of u, of slope f, into the segment; 0 inside.  *falls:
+ * the steepest possible fall, f being off by `off`. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_grows(REAL u, REAL f, REAL off, REAL *falls)
 {
     const REAL outward = footpoint_detail_pick(1.0 - fabs(u), -fabs(f), u * f);
@@ -22,13 +22,13 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_grows(REAL u, REAL f, REAL off, REAL 
     return footpoint_detail_greater(outward, 0.0);
 }
 
-/* How far from u a point may be for all that: `promise`, and within the region, or REAL_CLOSE. */
+/* Returns the largest permitted distance of a point from u: `promise`, and within the region, or REAL_CLOSE. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_reach(REAL u, REAL promise)
 {
     return footpoint_detail_least(promise, footpoint_detail_greater(1.0 - fabs(u), REAL_CLOSE));
 }
 
-/* A number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
+/* Returns a number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
  * slopes. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_least_det(const footpoint_detail_quad4_local *q,
                                                      REAL grows)
@@ -40,24 +40,24 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_least_det(const footpoint_detail_quad
     return det - footpoint_detail_least(fabs(by_t) + by_t * q->v, fabs(by_s) + by_s * q->u);
 }
 
-/* The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
+/* Proves the closest point.  The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
  * `promise` of (u,v), in xi and in eta, and in the same region unless it is within REAL_CLOSE of that region's border.  f,
- * g: how fast half the square of the distance may fall, see footpoint_detail_quad4_grows; least_det: Q.
+ * g: how fast half the squared distance may fall, see footpoint_detail_quad4_grows; least_det: Q.
  *
- * Let phi be half the square of the distance.  With a = r_xi and b = r_eta at (u,v)
+ * Let phi be half the squared distance.  With a = r_xi and b = r_eta at (u,v)
  *   phi(u + s, v + t) - phi(u,v) = -s f - t g - s t D . c + |s (a + t c) + t b|^2 / 2.
- * At an edge s has one sign: there -s f is |s| times the slope outwards, if that is positive.  Elsewhere it is at
+ * At an edge s has one sign: there -s f is |s| times the slope outwards, if that is positive.  Otherwise it is at
  * least -|s f|. As |s|, |t| <= 2, slopes outwards are worth |s t| `grows` / 2, which takes as much from |D . c|; so
  *   phi(u + s, v + t) - phi >= (s^2 A + 2 s t K + t^2 B) / 2 - |s| f - |t| g,
  * A = |a + t c|^2, B = b . b, K = mixed + t b . c.  If A B - K^2 >= Q > 0 for all t from -1 - v to 1 - v, then, with
  * wide >= A and high >= B, the form of s sqrt(wide) and t sqrt(high) has a trace of at most 2 and a determinant of
  * at least Q / (wide high), half of which its eigenvalues exceed.  So with x = Q / (4 high), y = Q / (4 wide), the
  * difference is at least (x s^2 - |s| f) + (y t^2 - |t| g), f and g being as above.  It is > 0 for all |s| > p if p
- * (x p - f) > g^2 / (4 y), and likewise for |t| > p' of its own.  Then no point is as near as (u,v) but within p and
- * p' of it, and the closest point, which exists, is there.  The same with s and t exchanged.  Of the quadratic A B -
- * K^2 the term of t^2 is >= 0 and may be left out.
+ * (x p - f) > g^2 / (4 y), and likewise for |t| > p' of its own.  Then all points as near as (u,v) are within p and
+ * p' of it, and the closest point, which exists, is there.  The same with s and t exchanged.  The term of t^2 of the quadratic A B -
+ * K^2 is >= 0 and may be left out.
  *
- * Rounding: slopes are off by off_f and off_g, Q by off_det; 0.999 leaves for what follows more than it can lose. */
+ * Rounding: slopes are off by off_f and off_g, Q by off_det; 0.999 leaves more room than the remaining operations can lose. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_sole(const footpoint_detail_quad4_local *q,
                                                      const footpoint_detail_quad4_bounds *r,
                                                      REAL promise, REAL f, REAL g, REAL least_det)
@@ -72,10 +72,10 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_sole(const footpoint_detail_quad
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* The highest bit of the result is not set if the closest point, known to be within `close` of q, is within promise in xi and in
- * eta: inside, both slopes vanish there, and change by the Hessian at q and at most half the third derivatives times close^2.
- * At an edge where the slope outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or |r_eta|^2.
- * 1.05 leaves for rounding in Cramer's rule what det > 20000 units of mixed^2 lets it be. */
+/* Proves a finer promise.  The highest bit of the result is not set if the closest point, known to be within `close` of q, is within
+ * promise in xi and in eta: inside, both slopes vanish there, and change by the Hessian at q and at most half the third derivatives
+ * times close^2.  At an edge where the slope outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or
+ * |r_eta|^2.  1.05 leaves room for rounding in Cramer's rule, which det > 20000 units of mixed^2 limits. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_within(const footpoint_detail_quad4_local *q,
                                                        const footpoint_detail_quad4_bounds *r,
                                                        REAL close, REAL promise)

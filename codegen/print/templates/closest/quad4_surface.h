@@ -1,6 +1,6 @@
 /* The surface of the bilinear segment. */
 
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta); without differences of edges, which on collapsed ones leave rounding. */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta), without differences of edges, which on collapsed edges leave rounding. */
 FOOTPOINT_PART void footpoint_detail_quad4_surface(const REAL *const *x, REAL xi, REAL eta,
                                                    REAL u[3], REAL v[3], REAL d[3])
 {

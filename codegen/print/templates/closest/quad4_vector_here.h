@@ -1,9 +1,9 @@
-/* What the proof of the closest point needs, out of nodes: in float, where products lose too many digits. */
+/* The numbers for the proof of the closest point, from nodes: in float, because products lose too many digits. */
 
-/* At (u,v): x = r_xi, y = r_eta and w = D, the products of them, and bounds, all four times or, where squares, sixteen times.
+/* Computes at (u,v): x = r_xi, y = r_eta and w = D, their products, and bounds, all four times or, if squares, sixteen times.
  *
  * Rounding, see footpoint_detail_quad4_visit and footpoint_detail_quad4_newton: with Z = (U + V + C) . (U + V + C + W), products
- * are off by 13 units of Z, mixed by 27; and Q, as |t| <= 2 and, where Q > 0, |mixed| <= (uu + vv) / 2, by 250 units of
+ * are off by 13 units of Z, mixed by 27; and Q, as |t| <= 2 and, if Q > 0, |mixed| <= (uu + vv) / 2, by 250 units of
  * Z (uu + vv + cc). */
 FOOTPOINT_PART void footpoint_detail_quad4_here(const REAL p[9],
                                                 const footpoint_detail_quad4_vectors *r, int finely,

@@ -1,5 +1,5 @@
-/* The quick way to the closest point in float: in a unit of length in which the segment is about 1 long, as products of eight
- * lengths have to be numbers. */
+/* The quick way to the closest point in float: in a unit of length in which the segment is about 1 long, because products of eight
+ * lengths must be finite. */
 
 FOOTPOINT_PART int NAME_detail_nearby(const REAL *const *x, int lanes, REAL zero, REAL at[3],
                                       int *region)

@@ -1,21 +1,21 @@
-/* The sign of distances: on which side of a face a slave node lies.  All kinds and functions share this one rule. */
+/* The sign of distances: the side of a face on which a slave node lies.  All kinds and functions share this rule. */
 
-/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
- * being vectorised and is foreseen badly. */
+/* Returns 1 if x > 0 and 0 if x < 0, to choose between two values without a branch, which would keep loops from
+ * being vectorised and is predicted badly. */
 FOOTPOINT_PART REAL footpoint_detail_step(REAL x)
 {
     return 0.5 + copysign(0.5, x);
 }
 
-/* a where step is 0, b where it is 1; both finite. */
+/* Returns a if step is 0, b if it is 1; both must be finite. */
 FOOTPOINT_PART REAL footpoint_detail_either(REAL step, REAL a, REAL b)
 {
     return (1.0 - step) * a + step * b;
 }
 
-/* By how much the square dd of the distance of a point inside may exceed that of a point of an edge and still be taken: by the
- * rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta as far as rounding lets it be; if it is not, no
- * foot point lies there, and dd has to be less by as much. */
+/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
+ * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
+ * Otherwise no foot point lies there, and dd must be less by as much. */
 FOOTPOINT_PART REAL footpoint_detail_leeway(const REAL u[3], const REAL v[3], const REAL d[3],
                                             REAL dd, REAL size)
 {
@@ -27,9 +27,9 @@ FOOTPOINT_PART REAL footpoint_detail_leeway(const REAL u[3], const REAL v[3], co
 }
 
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
- * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
+ * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
  * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
- * whose differences n is. */
+ * whose differences make n. */
 FOOTPOINT_PART REAL footpoint_detail_facing(const REAL n[3], const REAL d[3], REAL dd, REAL size,
                                             REAL spread, REAL edge)
 {
@@ -39,7 +39,7 @@ FOOTPOINT_PART REAL footpoint_detail_facing(const REAL n[3], const REAL d[3], RE
     return ahead * fabs(ahead) + edge * beside;
 }
 
-/* The same for the normal u x v, u = r_xi and v = r_eta, or, where that vanishes, as it does at collapsed and at straight
+/* Returns the same for the normal u x v, u = r_xi and v = r_eta, or, if that vanishes, as at collapsed and at straight
  * corners, for m, the normal at a point REAL_INWARD of the way to the middle. */
 FOOTPOINT_PART REAL footpoint_detail_side(const REAL u[3], const REAL v[3], const REAL m[3],
                                           const REAL d[3], REAL dd, REAL size, REAL edge)

@@ -1,8 +1,8 @@
 /* The closest point of the closed triangle. */
 
-/* The foot point, where it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point
- * (xi,eta) of the search is found once more, from areas: the search's Gram determinant has rounding errors that grow with the
- * square of the aspect ratio.  The distance of a point inside is the one to the plane, whatever the errors of xi and eta are. */
+/* Finds the foot point, if it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point
+ * (xi,eta) of the search is computed again, from areas, because the rounding errors of the search's Gram determinant grow with the
+ * square of the aspect ratio.  The distance of a point inside is measured to the plane, for any errors of xi and eta. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                  REAL xi, REAL eta, REAL at[3], int *region)
 {
