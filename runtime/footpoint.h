@@ -9,7 +9,7 @@
  * Functions return a status.  Outputs are written if it is >= 0 and untouched if it is < 0.  Nothing here allocates, prints
  * or keeps state; every function may be called from several threads.  Only the C library's <math.h> is needed.
  *
- * Equation numbers are those of Oishi and Yoshimura, "Genetic approaches to iteration-free local contact search",
+ * Equation numbers follow Oishi and Yoshimura, "Genetic approaches to iteration-free local contact search",
  * CMES 2008. */
 #ifndef FOOTPOINT_H
 #define FOOTPOINT_H
@@ -178,7 +178,7 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
 
 /** Computes force and consistent tangent of a contact element along the normal, for any kind of face: pressure = multiplier -
  *  stiffness gap if that is > 0, otherwise 0, and force = pressure d gap / dx.  With multiplier = 0 these are the penalty
- *  forces (10), (11) along the segment's own normal, at the exact foot point those of footpoint_force_balanced.  Otherwise
+ *  forces (10), (11) along the segment's own normal, at the exact foot point equal to footpoint_force_balanced.  Otherwise
  *  they belong to an augmented Lagrangian, whose next multiplier is `pressure`.
  *  @param[in]  nodes       of the face, 3 to 9; coordinate 3 k + i is component i of node k, the slave node last
  *  @param[in]  gap, d_gap, hessian  from footpoint_KIND_hessian of generated/

@@ -1,6 +1,6 @@
 /* footpoint: many foot points at once, in a mesh's own arrays, and several slave nodes over a segment.
  *
- * Conventions are those of footpoint.h.  Blocks of pairs use the vector instructions of the machine at run time: AVX-512, AVX2
+ * Conventions follow footpoint.h.  Blocks of pairs use the vector instructions of the machine at run time: AVX-512, AVX2
  * or SSE2 on x86-64, elsewhere the compiler's code for plain loops.  An answer depends only on its own five nodes, to the
  * bit, not on batch size, order, threads or instructions, provided that the compiler contracts no a * b + c
  * (-ffp-contract=off, as in the Makefile).  It equals the answer of the same tier in generated/footpoint_quad4.h.

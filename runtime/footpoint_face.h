@@ -5,7 +5,7 @@
  * counter-clockwise seen from the slave nodes, then the middles of edges from AB on, then the middle.  A triangle has
  * 0 <= xi, eta and xi + eta <= 1, a quadrilateral xi and eta in [-1,1].
  *
- * Statuses and conventions are those of footpoint.h.  footpoint_face_locate proves foot points, footpoint_face_robust and
+ * Statuses and conventions follow footpoint.h.  footpoint_face_locate proves foot points, footpoint_face_robust and
  * footpoint_face_robust_pairs closest points: call these unless you know your faces.  With d_gap, d_normal and hessian,
  * footpoint_element_normal and footpoint_element_friction compute force and tangent of a contact element. */
 #ifndef FOOTPOINT_FACE_INCLUDED

@@ -5,7 +5,7 @@
  * footpoint_gregory_derivatives.h.  Corners are in the order A, B, C, D of footpoint.h, with xi and eta in [-1,1]; the gap is
  * measured from the patch.  footpoint-node-normals.h computes normals of a mesh.
  *
- * Statuses and conventions are those of footpoint.h. */
+ * Statuses and conventions follow footpoint.h. */
 #ifndef FOOTPOINT_PATCH_INCLUDED
 #define FOOTPOINT_PATCH_INCLUDED
 

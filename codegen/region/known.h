@@ -46,7 +46,7 @@ struct known {
     size_t *length;         /* owned: by operation; number of operations in it (at most; requires only) */
 };
 
-/** Returns the facts about program p, made from a genome of file f. If `shapes` is set, the region is that of the
+/** Returns the facts about program p, made from a genome of file f. If `shapes` is set, the region comes from the
  *  file's region block, if any; otherwise only facts about the inputs themselves are used. */
 struct known *known_new(const struct genome_file *f, const struct program *p, bool shapes);
 void known_free(struct known *x);

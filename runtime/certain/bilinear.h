@@ -123,7 +123,7 @@ int footpoint_bilinear_refine(const double *const x[5], const struct bilinear *f
 
 /* Computes products at (xi,eta).  Their errors: let u be the unit, X = 1 + |xi|, Y = 1 + |eta|, D = s + 2 m X Y >= |d_i|, and
  * mm the smaller of m1, m2.  The error of c1 is at most u m1, of c2 u m2, of c3 u mm (from the shorter edges), of d0
- * u (2 s + 7 m).  So the error of a is at most 2 u m1 Y, of b 2 u m2 X, of d 5 u D, and those of the products are at most
+ * u (2 s + 7 m).  So the error of a is at most 2 u m1 Y, of b 2 u m2 X, of d 5 u D, and the errors of the products are at most
  *     a.d: 18 u m1 Y D    a.a: 9 u (m1 Y)^2    a.b - c3.d: 10 u m1 m2 X Y + 17 u mm D    a.c3: 8 u m1 mm Y
  * and the like.  After the division all are below 24 u max(X,Y) D/m; 32 leaves room for the division and for terms
  * in u^2.  Fusing or reordering operations raises no error above these bounds. */

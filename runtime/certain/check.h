@@ -1,5 +1,5 @@
 /* Checks answers of the iteration-free search without a branch, for vectorised loops; only for files of the library.  The notation
- * is that of bilinear.h: a = r_xi, b = r_eta, d = xS - r, H the Hessian of |d|^2/2, so that Newton's step is H^-1 (a.d, b.d).
+ * follows bilinear.h: a = r_xi, b = r_eta, d = xS - r, H the Hessian of |d|^2/2, so that Newton's step is H^-1 (a.d, b.d).
  *
  * 1. By the argument of certify.c, a foot point lies within r of (xi,eta) if
  *        |step| <= r (1 - k),   k = |H^-1| |change of H within r|.

@@ -124,7 +124,7 @@ void footpoint_lines_point(const struct lines *l, struct twofold t, double z[2])
     z[!l->exchanged] = bilinear_clamp(2.0 * across - 1.0);
 }
 
-/* Bounds a ratio of quadratics in Bernstein form: it is a mean of the ratios of their coefficients, if those of Q are positive. */
+/* Bounds a ratio of quadratics in Bernstein form: it is a mean of the ratios of their coefficients, if the coefficients of Q are positive. */
 double footpoint_lines_bound(const struct lines *l, const struct roots_interval *interval, double s[2])
 {
     struct twofold a[2][3], e[2][3];

@@ -11,7 +11,7 @@
  *
  * Otherwise boxes of (a,b) are halved.  The square of the distance is a polynomial of degree 4 in a and in b, and is at least its
  * smallest Bernstein coefficient.  Coefficients are computed for each box from its own control points, so that their errors are of
- * the size of the box and its distance.  The distance is also at least that of a plane beyond which all of these control points
+ * the size of the box and its distance.  The distance is also at least the distance of a plane beyond which all of these control points
  * lie: for slim boxes, a plane along them.  A box is dropped if it is settled as above, or if a bound proves that it is farther
  * away than p, or nearer by less than the tolerance. */
 #include "ieee.h"
@@ -110,7 +110,7 @@ static void add_part(const struct term *from, double by, struct term *to)
     to->error += fabs(by) * (from->error + 16.0 * UNIT * from->size);
 }
 
-/* Computes the coefficients of r - xS in y and z, from those of s^i, which belong to (y + k z + l z^2)^i; likewise for t^i.
+/* Computes the coefficients of r - xS in y and z, from the coefficients of s^i, which belong to (y + k z + l z^2)^i; likewise for t^i.
  *  @return the highest power of z */
 static int terms_of(const struct quadratic *f, const struct quadratic_taylor *t, const struct form *m,
                     struct term to[3][DEGREE + 1])

@@ -16,7 +16,7 @@
  * overflows. */
 enum { ORDINARY = 200, FARTHEST = 200 };
 
-/* Lengths are in 2^exponent mesh lengths, those of `from` in 2^(exponent + far). */
+/* Lengths are in 2^exponent mesh lengths, `from` is in 2^(exponent + far). */
 struct triangle {
     struct twofold way[3][3], from[3][3]; /* AB, BC, CA; from A, B, C to xS */
     int exponent, far;

@@ -1,7 +1,7 @@
 /* Computes the gap if a search has the tangents: on bilinear segments and flat triangles. */
 
 /* Computes the gap (9) from tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
- * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times at most 4 times that of edges.
+ * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times at most 4 times the square of edges.
  * If the highest bit of the result is not set, footpoint_detail_KIND_gap() sets it neither: (xi,eta) is near enough that
  * the square of u is less than 66 sizes, the size is well within limits, and so is the square of n, which is far from 0. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_height(const REAL u[3], const REAL v[3], const REAL w[3],
