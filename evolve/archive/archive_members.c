@@ -1,11 +1,11 @@
-/* Which members of a front may become tiers; see archive.h. */
+/* Selects the members of a front that may become tiers; see archive.h. */
 #include "archive.h"
 
 #include <math.h>
 
-static const double spare = 1.06; /* of the budget: costs are estimates, times decide */
+static const double spare = 1.06; /* factor on the budget: costs are estimates, times decide */
 
-/* From the cheapest on those that are better, on the judge's samples, than all that are cheaper. */
+/* Keeps, from the cheapest on, members that are better on the judge's samples than all cheaper members. */
 static size_t judged_front(const struct archive *a, struct objective *judge, const struct quest *q,
                            const struct member **found)
 {

@@ -1,14 +1,13 @@
-/* SplitMix64 (random.h) as a GSL generator.  It is chosen because its 127 bits of state (start and stride) are filled
- * straight from the key: GSL's own small generators take seeds of 32 bits, among which some hundred thousand keys
- * collide. */
+/* SplitMix64 (random.h) as a GSL generator.  Its 127 bits of state (start and stride) are filled straight from the key.  GSL's own
+ * small generators take seeds of 32 bits, with which some hundred thousand keys collide. */
 #include "stream.h"
 
 #include "../../codegen/base/random.h"
 
 struct state {
     uint64_t counter, stride; /* stride odd */
-    struct stream_tape *tape; /* not owned; NULL: none */
-    size_t at;                /* numbers yielded since it plays */
+    struct stream_tape *tape; /* not owned; or NULL */
+    size_t at;                /* numbers returned since the tape began to play */
 };
 
 static uint64_t next(struct state *s)

@@ -1,15 +1,15 @@
-/* Random streams keyed by what they are for, so that nothing random depends on ranks, threads, order or time. */
+/* Random streams keyed by their purpose, so that no random number depends on ranks, threads, order or time. */
 #ifndef FOOTPOINT_STREAM_H
 #define FOOTPOINT_STREAM_H
 
 #include <gsl/gsl_rng.h>
 #include <stdint.h>
 
-/** A generator for all gsl_rng_ and gsl_ran_ functions; key it before use. Free with gsl_rng_free(). */
+/** Returns a generator for all gsl_rng_ and gsl_ran_ functions, which must be keyed before use. Free with gsl_rng_free(). */
 gsl_rng *stream_new(void);
 
-/** Start the stream of (seed, a, b, c), for instance (seed, island, generation, individual): a few nanoseconds.  Equal
- *  keys give equal streams on every machine; different keys give unrelated ones. */
+/** Starts the stream of (seed, a, b, c), for instance (seed, island, generation, individual), in a few nanoseconds.  Equal
+ *  keys give equal streams on every machine; different keys give unrelated streams. */
 void stream_key(gsl_rng *stream, uint64_t seed, uint64_t a, uint64_t b, uint64_t c);
 
 enum { TAPE_NUMBERS = 128 };

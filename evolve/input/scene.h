@@ -1,4 +1,4 @@
-/* A scene: the text file that says what the generated code is for; see evolve/scenes/ and evolve/README.md. */
+/* A scene: the text file that describes the purpose of the generated code; see evolve/scenes/ and evolve/README.md. */
 #ifndef FOOTPOINT_SCENE_H
 #define FOOTPOINT_SCENE_H
 
@@ -38,7 +38,7 @@ struct shapes {
     bool evenly;     /* aspect, angle of warp and curvature uniform; see PART_HELDOUT_EVEN */
 };
 
-/** How far outside the segment contact points of mesh pairs are kept: this fraction of it. */
+/** The margin outside the segment in which contact points of mesh pairs are kept: this fraction of it. */
 #define MESH_OVERHANG 0.1
 
 /** Slave-node and master-segment pairs of a mesh file. */
@@ -49,35 +49,35 @@ struct mesh_pairs {
     size_t reads;
 };
 
-/** One header function to make: which values its expressions may use, and how long they may be. */
+/** A header function to make: the values that its expressions may use, and their largest length. */
 struct tier {
     char *name;                   /* owned */
     char *frame;                  /* owned: file evolve/frames/<frame>.gen */
-    int frame_line, frame_column; /* where the scene names it; 0: it does not */
+    int frame_line, frame_column; /* place in the scene that names it; 0: not named */
     char **terminal;              /* owned: names of inputs or lets of the frame, with the suffix of tier_suffix() */
     size_t terminals;
-    size_t max_length; /* operations of a program, or genes of one expression */
-    bool rational;     /* quotients beside + - *, where no functions are listed */
+    size_t max_length; /* operations of a program, or genes of an expression */
+    bool rational;     /* quotients beside + - *, if no functions are listed */
     char **function;   /* owned: names of operators and of functions of the frame */
-    size_t functions;  /* 0: none are listed */
-    bool calls;        /* one of them is a function of the frame */
+    size_t functions;  /* 0: not listed */
+    bool calls;        /* a listed function belongs to the frame */
     bool program;      /* bred as programs that make xi and eta (line_program.h) */
-    double budget;     /* operations of one expression, or of a program, in the plan's cost model; 0: none is set */
-    char *last;        /* owned: function of the frame that programs end in; NULL: none */
-    char *(*start)[2]; /* owned: pairs of values of the frame that programs are first made of */
+    double budget;     /* operations of an expression or a program, in the plan's cost model; 0: unset */
+    char *last;        /* owned: function of the frame that programs end in; or NULL */
+    char *(*start)[2]; /* owned: pairs of values of the frame from which programs are first made */
     size_t starts;
-    bool starts_at_large; /* they are the scene's, for other terminals than the tier's own: those that suit serve */
+    bool starts_at_large; /* the scene's, for other terminals than the tier's own: suitable pairs serve */
     double reference[2];
-    int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
-    int line; /* where it stands in the scene; 0: it follows */
+    int at;   /* index of the tier's own reference point, from 1; 0: the scene's */
+    int line; /* line in the scene; 0: it follows from another */
 };
 
-/** Genes of a tier's longest expression; a program has two and then three for each operation (line_program.h). */
+/** Returns the genes of a tier's longest expression; a program has two and then three for each operation (line_program.h). */
 static inline size_t tier_genes(const struct tier *t)
 {
     return t->program ? 2 + 3 * t->max_length : t->max_length;
 }
-/** Its expressions are one gene each, chosen among the terminals: nothing to evolve. */
+/** Returns true if its expressions are a gene each, chosen among the terminals: nothing to evolve. */
 static inline bool tier_is_chosen(const struct tier *t)
 {
     return !t->program && t->max_length == 1;
@@ -96,47 +96,47 @@ struct scene {
     const char *precision; /* of the generated code, "double" or "float" */
     size_t training, heldout;
     size_t seed; /* of the samples, not of the evolution */
-    size_t run;  /* seed of the run, from which samples held out follow, too; 1 unless set */
+    size_t run;  /* seed of the run, which also determines held-out samples; 1 unless set */
     enum scene_source source;
     struct lattice lattice;
     struct shapes shapes;
     struct mesh_pairs mesh;
     struct tier *tier;
     size_t tiers;   /* 0: left to the segments, see default_tiers.h */
-    char *warnings; /* owned: lines about what is unusual, "file:line: warning: ..."; or NULL */
+    char *warnings; /* owned: warnings, "file:line: warning: ..."; or NULL */
 };
 
-/** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d filled
+/** Reads a scene by name (evolve/scenes/<name>.scene under `root`) or path.  Returns NULL with *d filled
  *  ("file:line: error: ..."). */
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
 
-/** Give all tiers another max_length. */
+/** Gives all tiers another max_length. */
 void scene_set_lengths(struct scene *s, size_t max_length);
-/** False with *d where a tier that is not of programs ends in a function. */
+/** Returns false with *d filled if a tier that is not of programs ends in a function. */
 bool scene_check_last(const struct scene *s, struct diag *d);
-/** Let tiers have trees of one output, the paper's, in the place of programs.  False with *d where a tier's functions
- *  are those of a frame, or it ends in one. */
+/** Gives tiers the paper's trees of a single output instead of programs.  Returns false with *d filled if a tier uses functions of
+ *  a frame, or ends in a function. */
 bool scene_take_trees(struct scene *s, struct diag *d);
 
-/** The scene that is called as s->segment, evolve/scenes/<kind>.scene.  NULL with *d: there is none, it has no tiers of
- *  its own, or it is `s` itself. */
+/** Reads the scene with the name of s->segment, evolve/scenes/<kind>.scene.  Returns NULL with *d filled if it does not exist, has no
+ *  tiers of its own, or is `s` itself. */
 struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag *d);
 
-/** The path that a name or path stands for.  The caller frees it. */
+/** Returns the path of a scene given by name or path.  The caller frees it. */
 char *scene_path(const char *root, const char *name_or_path);
 
-/** What the names of a tier's values end in: "", or "_at1" if the frame expands about the first of the tiers' own
+/** Writes the suffix of the names of a tier's values: "", or "_at1" if the frame expands about the first of the tiers' own
  * reference points. */
 void tier_suffix(const struct tier *t, char text[16]);
 
-/** Box of the scene's contact points: lo < xi,eta <= hi, dimensionless; on triangles xi + eta <= hi[0], too. */
+/** Computes the box of the scene's contact points: lo < xi,eta <= hi, dimensionless; on triangles also xi + eta <= hi[0]. */
 void scene_box(const struct scene *s, double lo[2], double hi[2]);
 
-/** Corner A, or the middle of the contact points' box; of triangles their centre. */
+/** Chooses as reference corner A, or the middle of the contact points' box; on triangles their centre. */
 void scene_choose_reference(struct scene *s, bool from_corner);
 
-/** The file of a tier's frame. */
+/** Writes the path of a tier's frame file. */
 enum { FRAME_PATH = 1024 };
 void tier_frame_path(const char *root, const struct tier *t, char path[FRAME_PATH]);
 

@@ -1,4 +1,4 @@
-/* The tables of keys; see scene_table.h. */
+/* Defines the tables of keys; see scene_table.h. */
 #include "scene_table.h"
 
 #include "scene.h"
@@ -22,8 +22,8 @@ static bool has_no_normals(const struct segment_kind *k)
     return !has_normals(k);
 }
 
-/* Triangles have no taper and no warp of their own.  Segments with normals come from meshes of smooth bodies
- * (body_samples.h), and end at their edges. */
+/* Returns true if segments have taper and warp of their own.  Triangles do not, nor do segments with normals, which come from meshes
+ * of smooth bodies (body_samples.h) and end at their edges. */
 static bool bends(const struct segment_kind *k)
 {
     return has_no_normals(k) && !k->triangle;

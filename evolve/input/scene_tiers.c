@@ -1,4 +1,4 @@
-/* The functions of a header that a scene asks for; see scene_parts.h. */
+/* Reads the functions of a header that a scene asks for; see scene_parts.h. */
 #include "scene_parts.h"
 
 #include "../../codegen/base/text.h"
@@ -25,7 +25,7 @@ static bool read_terminals(const struct scene_reader *r, const config_setting_t 
     return true;
 }
 
-/* Tiers that expand about the same point share their values. */
+/* Reads a tier's reference point.  Tiers that expand about the same point share their values. */
 static bool read_tier_reference(const struct scene_reader *r, const config_setting_t *s, const struct scene *scene,
                                 struct tier *t)
 {
@@ -48,7 +48,7 @@ static void add_suffix(char **name, const char *suffix)
     *name = longer;
 }
 
-/* What the tier names of its frame, as a frame about the tier's own point calls it. */
+/* Renames the values of its frame that the tier names, as a frame about the tier's own point calls them. */
 static void suffix_names(struct tier *t)
 {
     char suffix[16];
@@ -64,7 +64,7 @@ static void suffix_names(struct tier *t)
         add_suffix(&t->last, suffix);
 }
 
-/* "polynomial", "rational", or a list of operators and of functions of the frame. */
+/* Reads "polynomial", "rational", or a list of operators and of functions of the frame. */
 static bool read_functions(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
     static const char *const word[] = {"polynomial", "rational", NULL};
@@ -91,7 +91,7 @@ static bool read_functions(const struct scene_reader *r, const config_setting_t 
     return sums == 2 || key_fail(r, s, "'functions' must hold \"+\" and \"*\", which terms are added with");
 }
 
-/* The function that a tier's programs end in. */
+/* Reads the function in which a tier's programs end. */
 static bool read_last(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
     return key_string(r, s, "last", &t->last) &&
@@ -153,7 +153,7 @@ static bool read_name(const struct scene_reader *r, const config_setting_t *s, c
     return true;
 }
 
-/* A key of KEY_OWN. */
+/* Reads a key of KEY_OWN. */
 static bool read_own(const struct scene_reader *r, const config_setting_t *s, const char *key,
                      const struct scene *scene, struct tier *t)
 {
@@ -170,7 +170,7 @@ static bool read_own(const struct scene_reader *r, const config_setting_t *s, co
     return strcmp(key, "starts") == 0 ? read_starts(r, s, t) : read_last(r, s, t);
 }
 
-/* Of tiers of one gene each, what the scene gives for programs is passed over. */
+/* Returns true for keys that tiers with a gene each ignore, because they are for programs. */
 static bool of_programs(const char *key)
 {
     return strcmp(key, "starts") == 0 || strcmp(key, "last") == 0;

@@ -1,5 +1,5 @@
-/* A run of footpoint-evolve; see run.h.  Every process reads the same files and computes the same table of
- * training samples; islands are shared out, and what they find is independent of who computes them. */
+/* Runs footpoint-evolve; see run.h.  Every process reads the same files and computes the same table of training samples.  Islands are
+ * shared among the processes, and their results do not depend on this. */
 #include "run.h"
 
 #include "../../codegen/base/text.h"
@@ -21,12 +21,12 @@
 #include <unistd.h>
 
 struct run_samples {
-    struct sample_set training; /* empty once the table is there */
+    struct sample_set training; /* empty after the table is computed */
     struct columns validation;  /* on rank 0, as is: */
     struct heldout heldout;
     struct variation vary; /* of the training samples */
-    size_t real;           /* of them, slave nodes of a mesh */
-    bool follows;          /* frame and tiers follow from that */
+    size_t real;           /* number of slave nodes of a mesh among them */
+    bool follows;          /* true if frame and tiers follow from that */
 };
 
 struct run {
@@ -38,7 +38,7 @@ struct run {
     struct outcome outcome;
 };
 
-/* Of the values that genes are numbers of, and of the tiers, which may be those of another scene. */
+/* Computes the digest of the values to which genes refer, and of the tiers, which may come from another scene. */
 static void digest_frames(const struct problem *p, char sha256[65])
 {
     struct memory *m = memory_open();
@@ -79,7 +79,7 @@ static bool draw_training(const struct scene *scene, struct run_samples *s, stru
     return true;
 }
 
-/* A scene without tiers takes those that suit its segments. */
+/* Completes a scene without tiers by those that suit its segments. */
 static bool complete_scene(const char *root, struct scene *scene, struct run_samples *s, struct diag *d)
 {
     if (scene->tiers > 0)
@@ -90,7 +90,7 @@ static bool complete_scene(const char *root, struct scene *scene, struct run_sam
     return true;
 }
 
-/* What is read: the cheap part, in which most mistakes show. */
+/* Reads all files: the cheap part, which shows most mistakes. */
 static bool load(struct run *r, struct diag *d)
 {
     const struct evolve_options *o = r->call.options;
@@ -125,7 +125,7 @@ static bool load(struct run *r, struct diag *d)
     return !resume || resume_suits_frames(resume, r->files.frames_sha256, d);
 }
 
-/* A value without a number somewhere would make every expression with it hopeless, without a word. */
+/* Checks a column: a value that is not finite would spoil every expression with it, silently. */
 static bool finite_column(const struct problem *p, const char *name, int line, size_t column, struct diag *d)
 {
     const double *v = columns_at(&p->table, column);
@@ -163,7 +163,7 @@ static struct columns table_of(const struct problem *p, const struct sample_set 
     return table;
 }
 
-/* Samples to choose programs by, if any are bred. */
+/* Draws samples to choose programs by, if any are bred. */
 static bool draw_validation(const struct problem *p, struct columns *validation, struct diag *d)
 {
     struct sample_set set = {0};
@@ -176,7 +176,7 @@ static bool draw_validation(const struct problem *p, struct columns *validation,
     return good;
 }
 
-/* The table of training samples, and on rank 0 the samples that islands do not see. */
+/* Computes the table of training samples and, on rank 0, the samples that islands do not see. */
 static bool sample(const struct call *call, struct problem *p, struct run_samples *s, struct diag *d)
 {
     if (!draw_training(p->scene, s, d))
@@ -190,7 +190,7 @@ static bool sample(const struct call *call, struct problem *p, struct run_sample
            ((!judged || draw_validation(p, &s->validation, d)) && scene_heldout(p->scene, &s->heldout, d));
 }
 
-/* A front keeps what costs no more than its limit: where a value of a frame is dearer, the limit is raised. */
+/* Returns the largest cost that a front must hold: the plan's limit, or the cost of the dearest terminal if that is higher. */
 static size_t front_limit(const struct problem *p)
 {
     enum { SPARE = 128 };
@@ -224,7 +224,7 @@ static void make_plan(const struct evolve_options *o, struct problem *p)
     plan->front_limit = front_limit(p);
 }
 
-/* The tiers whose expressions are chosen, those apart that are exact and named already. */
+/* Prints the tiers whose expressions are chosen, except exact tiers, which are already named. */
 static void tell_chosen(const struct problem *p)
 {
     size_t told = 0;
@@ -238,7 +238,7 @@ static void tell_chosen(const struct problem *p)
         printf(": one gene, chosen among the frame's values\n");
 }
 
-/* Where the samples of a mesh come from. */
+/* Prints the origin of the samples of a mesh. */
 static void tell_nodes(const struct problem *p, size_t real)
 {
     if (p->scene->source == SOURCE_MESH)
@@ -246,7 +246,7 @@ static void tell_nodes(const struct problem *p, size_t real)
                real < MESH_FEW ? ", too few to go by: errors are of random nodes over the same faces" : "");
 }
 
-/* Which inputs the scene varies, and what follows from that.  A run that is resumed has said it before. */
+/* Prints the inputs that the scene varies, and the consequences.  A resumed run has printed them before. */
 static void tell_segments(const struct problem *p, const struct run_samples *s)
 {
     printf("%s: ", p->scene->name);
@@ -262,7 +262,7 @@ static void tell_segments(const struct problem *p, const struct run_samples *s)
     fflush(stdout);
 }
 
-/* What trees are measured by, what they are made of, and what they are fitted with. */
+/* Makes the tools that measure, compose and fit trees. */
 static void make_tools(const struct evolve_options *o, struct problem *p)
 {
     const enum functions f = o->functions;
@@ -278,11 +278,11 @@ static void make_tools(const struct evolve_options *o, struct problem *p)
     }
 }
 
-/* Hand-written methods, composed of the functions of tiers of programs, to breed from.  All ranks find the same. */
+/* Composes hand-written methods, from functions of tiers of programs, to breed from.  All ranks find the same. */
 static void compose_seeds(const struct problem *p)
 {
     const size_t n = p->scene->tiers;
-    struct front **found = new_array(n, sizeof *found); /* NULL where an earlier tier's is the same */
+    struct front **found = new_array(n, sizeof *found); /* NULL if an earlier tier has the same front */
     for (size_t i = 0; i < n; i++) {
         const struct tier *t = &p->scene->tier[i];
         size_t first = 0;
@@ -305,7 +305,7 @@ static void compose_seeds(const struct problem *p)
     free(found);
 }
 
-/* What is known before islands breed: exact values, seeds, and the fronts of both. */
+/* Prepares exact values, seeds and their fronts, before islands breed. */
 static void prepare(const struct call *call, struct problem *p, const struct run_samples *s)
 {
     const struct evolve_options *o = call->options;
@@ -321,13 +321,13 @@ static void prepare(const struct call *call, struct problem *p, const struct run
     archive_measure(p->archive, &p->plan, p->objective);
 }
 
-/* False of outputs that are exact or chosen; in a run of no generations true of those alone that have no champion. */
+/* Returns false for outputs that are exact or chosen; in a run of 0 generations, true only for those without a champion. */
 static bool needs_ring(const struct quest *q, size_t generations)
 {
     return q->champion.exact == 0 && !tier_is_chosen(q->own) && (generations > 0 || q->champion.genes.length == 0);
 }
 
-/* Programs are near their tier's budget, most of them. */
+/* Returns the ring of a quest.  Most programs are near their tier's budget. */
 static struct ring ring_of(struct quest *q)
 {
     const struct tier *t = q->own;
@@ -347,20 +347,20 @@ static void make_rings(const struct evolve_options *o, const struct problem *p, 
     s->seeded = new_array(islands_count(s), sizeof *s->seeded);
 }
 
-/* The paper's last island of a ring of several starts from random trees alone. */
+/* Returns true if an island starts only from random trees: the paper's last island of a ring of several. */
 static bool starts_at_random(const struct islands *s, size_t place)
 {
     return s->places > 1 && place == s->places - 1;
 }
 
-/* A program dearer than its tier's budget is of use as an ancestor only, and hardly so where it is much dearer. */
+/* Returns the largest cost on islands.  A program above its tier's budget serves only as an ancestor, far above it hardly so. */
 static size_t islands_limit(const struct problem *p, const struct tier *t)
 {
     const size_t limit = (size_t)(1.06 * t->budget);
     return t->program && limit > 0 && limit < p->plan.front_limit ? limit : p->plan.front_limit;
 }
 
-/* The islands of this rank; those of a resumed run are still to be loaded. */
+/* Makes the islands of this rank; a resumed run has yet to load them. */
 static void make_islands(const struct call *call, const struct problem *p, struct islands *s)
 {
     for (size_t i = 0; i < islands_count(s); i++) {
@@ -389,7 +389,7 @@ static void make_islands(const struct call *call, const struct problem *p, struc
     }
 }
 
-/* A message has at most INT_MAX bytes. */
+/* Returns true if all messages have at most INT_MAX bytes. */
 static bool fits_messages(const struct evolve_options *o, const struct plan *plan, const struct islands *s,
                           struct diag *d)
 {
@@ -420,7 +420,7 @@ static void say(const struct call *call, const char *phase)
     progress_phase(call->team->rank == 0 && !call->options->quiet, phase);
 }
 
-/* What measures on validation samples; NULL where there are none. */
+/* Returns an objective on validation samples, or NULL without such samples. */
 static struct objective *judge_new(const struct problem *p, const struct columns *validation)
 {
     if (validation->n == 0)
@@ -430,7 +430,7 @@ static struct objective *judge_new(const struct problem *p, const struct columns
     return judge;
 }
 
-/* The fronts of all islands, merged in their order, and the champions chosen from them, on rank 0.
+/* Merges the fronts of all islands, in their order, and chooses the champions, on rank 0.
  * Collective. */
 static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s,
                            struct objective *judge)
@@ -460,7 +460,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
     reports_free(&f);
 }
 
-/* False with *d filled if a tier has no expression; the first one, if none has. */
+/* Returns false with *d filled if a tier has no expression, with `all`, or if no tier has any. */
 static bool found(const struct archive *a, bool all, struct diag *d)
 {
     size_t lacking = 0, first = 0;
@@ -474,10 +474,10 @@ static bool found(const struct archive *a, bool all, struct diag *d)
                    a->scene->tier[first].name);
 }
 
-/* Samples that errors are measured on where a run ends early: its time is up, or who sent the signal may not wait. */
+/* Number of samples for errors if a run ends early: its time is up, or the sender of the signal may not wait. */
 enum { HURRIED = 10000 };
 
-/* On rank 0: what was found, to the files and in a table. */
+/* Writes the results, on rank 0, to the files and in a table. */
 static bool write_found(const struct call *call, const struct problem *p, const char *output,
                         const struct heldout *heldout, struct objective *judge, const struct outcome *out,
                         struct diag *d)
@@ -509,7 +509,7 @@ static bool write_found(const struct call *call, const struct problem *p, const 
         return false;
     if (fflush(stdout) != 0)
         return diag_system(d, "standard output", "cannot write");
-    *d = (struct diag){.code = out->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */
+    *d = (struct diag){.code = out->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* reported when it happened */
     return !out->unsaved && found(a, true, d);
 }
 
@@ -540,7 +540,7 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
 {
     struct run r = {.call = {o, team, resume, begun}};
     struct problem *p = &r.problem;
-    /* The ranks agree before any of them goes on. */
+    /* The ranks agree before any rank continues. */
     bool good = team_agree(team, load(&r, d), d);
     if (good) {
         say(&r.call, "drawing samples ...");

@@ -1,4 +1,4 @@
-/* The last word of a run; see run_verdict.h. */
+/* Prints the verdict of a run; see run_verdict.h. */
 #include "run_verdict.h"
 
 #include "../eval/frame.h"
@@ -10,11 +10,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The functions of the kind, as an archive of the same scene, and some of the samples held out. */
+/* The functions of the kind, as an archive of the same scene, and some of the held-out samples. */
 struct beside {
     struct archive *shipped; /* owned */
     struct sample *sample;   /* owned */
-    struct columns table;    /* of them, as columns of the bare program */
+    struct columns table;    /* the samples, as columns of the bare program */
     struct objective *judge; /* owned */
 };
 
@@ -30,7 +30,7 @@ static bool choose_samples(struct beside *b, struct sampler *p, struct diag *d)
     return good;
 }
 
-/* False where there is nothing beside it: no genomes of the kind, or they are the scene's own. */
+/* Returns false without a comparison: no genomes of the kind, or they are the scene's own. */
 static bool find_beside(const struct call *call, const struct problem *p, const struct heldout *heldout,
                         struct beside *b)
 {
@@ -62,7 +62,7 @@ static void free_beside(struct beside *b)
 
 /* ---- the page ---- */
 
-/* Means over xi and eta in the bands; negative where there is no function, or no sample. */
+/* Computes means over xi and eta in the bands; negative without a function or without samples. */
 static void measure_bands(const struct beside *b, const struct quest *q, const struct quest *last,
                           double mean[GAP_BANDS])
 {
@@ -92,7 +92,7 @@ static double length(const double a[3], const double b[3], const double c[3], co
     return sqrt(sum);
 }
 
-/* As scenes measure them, of the corners; a triangle is half of a parallelogram. */
+/* Measures a sample by its corners, as scenes do; a triangle is half of a parallelogram. */
 static void measure_sample(const struct sample *s, bool triangle, struct page_measure *m, size_t i)
 {
     const double degrees = 180 / acos(-1);
@@ -111,7 +111,7 @@ static void measure_sample(const struct sample *s, bool triangle, struct page_me
     m[GAP].value[i] = fmin(100, fabs(s->gap) / sample_shortest_edge(s, triangle ? 3 : 4));
 }
 
-/* The limits of the scene of the kind. */
+/* Sets the limits of the scene of the kind. */
 static void set_limits(const struct scene *usual, struct page_measure *m)
 {
     const double degrees = 180 / acos(-1);

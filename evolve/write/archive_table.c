@@ -1,17 +1,17 @@
-/* Tables of what a run changed; see archive_write.h. */
+/* Prints tables of the changes of a run; see archive_write.h. */
 #include "archive_write.h"
 
 #include "../eval/frame.h"
 
 #include <math.h>
 
-/* "1.234e-05", or in words. */
+/* Formats an error as "1.234e-05", or in words. */
 static void error_text(double error, char text[16])
 {
     snprintf(text, 16, error < INFINITY ? "%.3e" : "not finite", error);
 }
 
-/* What a program's tier has gained: the error at its cost, and the cost at its error. */
+/* Prints the gain of a program's tier: the error at its cost, and the cost at its error. */
 static void print_gain(const struct front *f, const struct champion *c, double rounding, FILE *stream)
 {
     size_t cost = 0;

@@ -1,16 +1,16 @@
-/* The last word of a run: which functions to call, beside those that ship for the kind of face; see archive_write.h. */
+/* Prints the verdict of a run: the functions to call, beside the functions that ship for the kind of face; see archive_write.h. */
 #include "archive_write.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const double worth = 0.9; /* less than one in ten is no gain */
+static const double worth = 0.9; /* an error above this part of the old error is no gain */
 
-/* A tier's function of this run and the one that ships, on the same samples. */
+/* A tier's function of this run and the shipped function, on the same samples. */
 struct row {
     const char *tier; /* not owned */
     double error, cost, shipped_error, shipped_cost;
-    double gain; /* how many times less error, or cost of what is right to rounding; at most 1: none */
+    double gain; /* ratio of errors, or of costs if right to rounding; at most 1: no gain */
 };
 
 static double gain_of(const struct row *r, double rounding)
@@ -40,7 +40,7 @@ static void print_name(const char *scene, const char *tier, FILE *stream)
     fprintf(stream, "_%s", tier);
 }
 
-/* The gain that five at most exceed. */
+/* Returns the gain that at most five rows exceed. */
 static double least_told(const struct row *row, size_t n)
 {
     enum { LINES = 5 };

@@ -1,5 +1,5 @@
-/* Files of an archive; see archive_write.h.  Measured notes are measured anew on every writing, and provenance is carried
- * over with the expression it belongs to, so that a run that finds nothing better writes the same bytes again. */
+/* Writes files of an archive; see archive_write.h.  Notes of measurements are measured again on every writing, and provenance is
+ * carried over with its expression, so that a run that finds nothing better writes the same bytes again. */
 #include "archive_write.h"
 
 #include "../../codegen/base/outfile.h"
@@ -14,7 +14,7 @@
 
 static const char *const norm_name[] = {[NORM_MEAN] = "mean", [NORM_P99] = "p99", [NORM_MAX] = "max"};
 
-/* "aspect <= 5, ..." */
+/* Notes the shapes: "aspect <= 5, ...". */
 static void note_shapes(struct genome_file *f, const struct scene *s)
 {
     const double degree = acos(-1) / 180;
@@ -35,7 +35,7 @@ static void note_shapes(struct genome_file *f, const struct scene *s)
                     warps, curves, p->gap);
 }
 
-/* What the error tables hold for. */
+/* Notes the range for which the error tables hold. */
 static void note_range(struct genome_file *f, const struct scene *s)
 {
     const char *slash = s->source == SOURCE_MESH ? strrchr(s->mesh.file, '/') : NULL;
@@ -84,7 +84,7 @@ static void add_file_notes(struct genome_file *f, const struct scene *s, const s
 #undef NOTE
 }
 
-/* Notes that this program writes are "<what>_xi" and "<what>_eta"; others are somebody's remarks. */
+/* Notes of this program are "<kind>_xi" and "<kind>_eta"; all others are remarks. */
 static const char *const measured[] = {"found",          "exact",        "training", "heldout",
                                        "heldout_random", "heldout_even", "gaps"};
 
@@ -107,7 +107,7 @@ static bool is_remark(const char *key)
 
 #define NOTE(...) genome_add_note(&g->note, &g->notes, &g->note_room, __VA_ARGS__)
 
-/* Provenance: carried over with an expression of the start file, new for one that this run found.  Remarks are about
+/* Adds provenance: carried over with an expression of the start file, new for an expression that this run found.  Remarks are about
  * the whole genome and stay as long as it stays. */
 static void add_provenance(struct genome *g, const struct quest *quest, size_t n, const struct genome *before,
                            const struct run_facts *run)
@@ -136,7 +136,7 @@ static void add_provenance(struct genome *g, const struct quest *quest, size_t n
     }
 }
 
-/* Lets and outputs of a program of a tier, as its text is read again; gives how many genes it has then. */
+/* Writes lets and outputs of a tier's program and reads its text again.  Returns its number of genes. */
 static size_t expand(const struct archive *a, const struct genes *t, const struct quest *q, struct genome_file *f,
                      const char *name, struct genes out[2])
 {
@@ -152,7 +152,7 @@ static size_t expand(const struct archive *a, const struct genes *t, const struc
     return length;
 }
 
-/* Means of xi and eta in the bands of |gap|: "to 1e-3 1.0e-09 1.1e-09, to 1e-2 ..." of the shortest edge. */
+/* Notes means of xi and eta in the bands of |gap|: "to 1e-3 1.0e-09 1.1e-09, to 1e-2 ..." of the shortest edge. */
 static void add_bands(struct genome *g, const struct errors *e)
 {
     char text[200] = "", key[40];
@@ -166,7 +166,7 @@ static void add_bands(struct genome *g, const struct errors *e)
     NOTE(key, "mean at |gap| over shortest edge %s", text);
 }
 
-/* Training errors are the champions'; those held out are measured on what is written. */
+/* Notes errors: the champions' on training samples; held-out errors are measured on the written program. */
 static void add_errors(struct genome *g, const struct archive *a, const struct measured *m, size_t at)
 {
     char key[40];
@@ -184,7 +184,7 @@ static void add_errors(struct genome *g, const struct archive *a, const struct m
         add_bands(g, &m->found[0][at]);
 }
 
-/* The genome of a tier, with what is known of it before it is measured. */
+/* Adds the genome of a tier, with all facts known before it is measured. */
 static void add_tier(struct archive *a, size_t tier, const struct run_facts *run)
 {
     const struct tier *t = &a->scene->tier[tier];
@@ -230,8 +230,8 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     return outfile_commit(&f, d);
 }
 
-/* The genome of one member, with its cost, where it comes from, and its errors; of programs, of which hundreds stand on
- * a front with lets of their own, those on the training samples alone. */
+/* Adds the genome of a member, with its cost, origin and errors.  Programs, of which a front contains hundreds with lets of their own,
+ * have only errors on the training samples. */
 static void add_member(const struct archive *a, const struct member *m, const struct quest *q, struct genome_file *f)
 {
     char name[300];
@@ -256,7 +256,7 @@ static void add_member(const struct archive *a, const struct member *m, const st
     }
 }
 
-/* Of a front all members, of programs only those that may become tiers where their number is given. */
+/* Adds all members of a front; if the number of members is given, only programs that may become tiers. */
 static void add_front(const struct archive *a, const struct quest *q, struct objective *judge, size_t most,
                       struct genome_file *f)
 {
@@ -274,7 +274,7 @@ static void add_front(const struct archive *a, const struct quest *q, struct obj
             add_member(a, &front->member[c], q, f);
 }
 
-/* Errors of the members of one output each. */
+/* Adds errors of the members of a single output. */
 static void add_member_errors(struct genome_file *f, const struct measured *m)
 {
     for (size_t i = 0, at = 0; i < f->genomes; i++) {
