@@ -1,5 +1,5 @@
-/* Certain answers by the million: footpoint_robust, _stationary, _locate, _certify, _select_closest and attach_2d_ are
- * called once a case, the last with 3, 4, 6 and 8 nodes in turn.  Each judge is in judges.c or judge_faces.c. */
+/* Judges certain answers by the million: footpoint_robust, _stationary, _locate, _certify, _select_closest and attach_2d_ are
+ * called once a case, the last with 3, 4, 6 and 8 nodes in turn.  The judges are in judges.c and judge_faces.c. */
 #include "certain.h"
 
 #include "judges.h"
@@ -13,7 +13,7 @@ enum function { ROBUST, STATIONARY, LOCATE, CERTIFY, SELECT, ATTACH3, ATTACH4, A
 static const char *const name_of[FUNCTIONS] = {"robust",  "stationary", "locate",  "certify", "select",
                                                "attach3", "attach4",    "attach6", "attach8"};
 
-/* Several truths are too much for the stack. */
+/* Several truths would overflow the stack. */
 struct bench {
     struct hard_case h[SEGMENTS], triangle;
     struct truth truth[SEGMENTS], of_triangle;
@@ -27,7 +27,7 @@ static void print_case(const struct hard_case *h)
         printf("#   {%a, %a, %a}\n", h->x[i][0], h->x[i][1], h->x[i][2]);
 }
 
-/* Another case of the family, moved so that corner `at` of it is corner `to` of the first. */
+/* Draws another case of the family, moved so that its corner `at` is corner `to` of the first. */
 static void draw_neighbour(int family, uint64_t seed, uint64_t index, int k, int at, int to, struct bench *b)
 {
     struct hard_case *const h = &b->h[k];

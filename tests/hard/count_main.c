@@ -1,5 +1,4 @@
-/* For counting instructions: count_main FAMILY calls footpoint_robust on 1000 cases of a family, seed 1; see
- * long/robust_cost.sh. */
+/* Calls footpoint_robust on 1000 cases of a family, seed 1, to count instructions: count_main FAMILY; see long/robust_cost.sh. */
 #include "../../runtime/footpoint.h"
 #include "hard.h"
 

@@ -1,4 +1,4 @@
-/* See draw.h. */
+/* Draws random numbers and segments; see draw.h. */
 #include "draw.h"
 
 #include <math.h>
@@ -6,7 +6,7 @@
 
 const double draw_corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
-/* splitmix64 */
+/* Uses splitmix64. */
 uint64_t draw_next(uint64_t *stream)
 {
     uint64_t z = *stream += 0x9e3779b97f4a7c15u;
@@ -35,7 +35,7 @@ double draw_sign(uint64_t *stream)
     return draw_choose(stream, 2) ? 1 : -1;
 }
 
-/* Marsaglia's polar method. */
+/* Uses Marsaglia's polar method. */
 double draw_normal(uint64_t *stream)
 {
     double x, square;

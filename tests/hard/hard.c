@@ -1,4 +1,4 @@
-/* The families; see hard.h.  Those that leave meshes far behind are in wild.c. */
+/* Draws the families; see hard.h.  Families beyond any mesh are in wild.c. */
 #include "hard.h"
 
 #include "draw.h"
@@ -77,7 +77,7 @@ static void draw_repeated(uint64_t *s, struct hard_case *h)
     draw_move(s, h, 1, 2);
 }
 
-/* The Hessian's determinant vanishes at the gap (t.u +- |t| |u|)/(c.n). */
+/* Places xS near a gap (t.u +- |t| |u|)/(c.n), at which the Hessian's determinant vanishes. */
 static void draw_focal(uint64_t *s, struct hard_case *h)
 {
     double r[3], t[3], u[3], c[3], n[3];
@@ -131,7 +131,7 @@ static void draw_offset(uint64_t *s, struct hard_case *h)
     draw_move(s, h, draw_power(s, -2, 2), draw_choose(s, 2) ? 1e6 : draw_power(s, 5, 9));
 }
 
-/* In float, an edge is not resolved from 1e7 edges away. */
+/* Moves a case less far: in float, an edge is not resolved from 1e7 edges away. */
 static void draw_offset_float(uint64_t *s, struct hard_case *h)
 {
     draw_quad(s, draw_flat(s, 1, 3), 0.15, 0.1, h);
@@ -184,7 +184,7 @@ static void draw_edge(uint64_t *s, struct hard_case *h)
         draw_move(s, h, 1, 2);
 }
 
-/* A corner drawn in beyond the other diagonal, or two corners exchanged. */
+/* Draws a corner in beyond the other diagonal, or exchanges two corners. */
 static void draw_folded(uint64_t *s, struct hard_case *h)
 {
     double keep[3];
@@ -204,7 +204,7 @@ static void draw_folded(uint64_t *s, struct hard_case *h)
     draw_move(s, h, 1, 2);
 }
 
-/* Any five points: beyond every scene. */
+/* Draws any five points, beyond every scene. */
 static void draw_beyond(uint64_t *s, struct hard_case *h)
 {
     for (int i = 0; i < 5; i++)
@@ -213,7 +213,7 @@ static void draw_beyond(uint64_t *s, struct hard_case *h)
     draw_move(s, h, 1, 2);
 }
 
-/* A saddle with xS on its axis: two closest points beyond the focal distance. */
+/* Draws a saddle with xS on its axis: two closest points beyond the focal distance. */
 static void draw_symmetric(uint64_t *s, struct hard_case *h)
 {
     const double warp = draw_flat(s, 0.1, 1), aspect = draw_choose(s, 2) ? 1 : draw_flat(s, 1, 2);
@@ -226,7 +226,7 @@ static void draw_symmetric(uint64_t *s, struct hard_case *h)
     h->x[4][2] = draw_flat(s, -3, 3);
 }
 
-/* The same about the height where one closest point becomes two, and next to the axis. */
+/* Draws the same near the height at which one closest point becomes two, and next to the axis. */
 static void draw_cusp(uint64_t *s, struct hard_case *h)
 {
     const double warp = draw_flat(s, 0.1, 1), aspect = draw_choose(s, 2) ? 1 : draw_flat(s, 1, 2);
@@ -242,7 +242,7 @@ static void draw_cusp(uint64_t *s, struct hard_case *h)
         draw_move(s, h, 1, 2);
 }
 
-/* Coordinates on a coarse grid: coincidences of every kind. */
+/* Draws coordinates on a coarse grid, with coincidences of every kind. */
 static void draw_grid(uint64_t *s, struct hard_case *h)
 {
     for (int i = 0; i < 5; i++)
@@ -322,7 +322,7 @@ void hard_draw(int family, uint64_t seed, uint64_t index, struct hard_case *h)
     hard_families[family].draw(&stream, h);
 }
 
-/* volatile: gcc 12 -O3 vectorises the two conversions into none. */
+/* volatile, because gcc 12 -O3 would vectorise away the two conversions. */
 void hard_draw_float(int family, uint64_t seed, uint64_t index, struct hard_case *h)
 {
     uint64_t stream = stream_of(family, seed, index);

@@ -1,4 +1,4 @@
-/* Segments and slave nodes that searches fail on, family by family, each from a seed; see hard.c. */
+/* Draws segments and slave nodes on which searches fail, in families, from a seed; see hard.c. */
 #ifndef FOOTPOINT_HARD_H
 #define FOOTPOINT_HARD_H
 
@@ -9,16 +9,16 @@ struct hard_family {
     const char *what; /* a few words for the table */
     void (*draw)(uint64_t *stream, struct hard_case *h);
     void (*draw_float)(uint64_t *stream, struct hard_case *h); /* within the range of float, or NULL */
-    int finite;                                                /* whether all coordinates are numbers */
-    int sized;                                                 /* ... and neither denormal nor near 1e308 */
+    int finite;                                                /* 1 if all coordinates are finite */
+    int sized;                                                 /* 1 if they are also neither denormal nor near 1e308 */
 };
 
 extern const struct hard_family hard_families[];
 extern const int hard_family_count;
 
-/** Case number `index` of a family: the same on every machine. */
+/** Draws case number `index` of a family, the same on every machine. */
 void hard_draw(int family, uint64_t seed, uint64_t index, struct hard_case *h);
-/** The same for code in float: coordinates are floats. */
+/** Draws the same for code in float: coordinates are floats. */
 void hard_draw_float(int family, uint64_t seed, uint64_t index, struct hard_case *h);
 
 #endif

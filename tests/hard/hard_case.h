@@ -1,4 +1,4 @@
-/* A segment and a slave node that searches may fail on. */
+/* A segment and a slave node on which searches may fail. */
 #ifndef FOOTPOINT_HARD_CASE_H
 #define FOOTPOINT_HARD_CASE_H
 

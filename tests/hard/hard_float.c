@@ -1,5 +1,5 @@
-/* Hard cases in float; see hard_float.h.  Coordinates are rounded before the truth is sought, so that nothing is owed
- * to their rounding: a minimum of the distance is within NAME_PROMISE, wherever the segment lies. */
+/* Judges hard cases in float; see hard_float.h.  Coordinates are rounded before the truth is computed, so that their rounding explains
+ * no error: a minimum of the distance is within NAME_PROMISE, wherever the segment lies. */
 #include "hard_float.h"
 
 #include "../../generated/footpoint_quad4_float.h"
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Of the gap at (xi,eta), over the sum of edge and distance and the sine between the tangents. */
+/* Error of the gap at (xi,eta), over the sum of edge and distance and the sine between the tangents. */
 #define GAP_ERROR 2e-6
 
 typedef int search(const float *xA, const float *xB, const float *xC, const float *xD, const float *xS, float loc[2],
@@ -32,7 +32,7 @@ static const char *const row_name[ROWS] = {"float", "float_all"};
 
 struct tally {
     long asked, answered, refused;
-    long wrong, wrong_status; /* answers too far off; numbers not finite, statuses that are not true */
+    long wrong, wrong_status; /* answers beyond the promise; results not finite, false statuses */
     double worst;
 };
 
@@ -51,7 +51,7 @@ static void set_single(const struct hard_case *h, struct single *s)
         }
 }
 
-/* The gap is that along the normal at loc, whose direction rounding decides where tangents are nearly parallel. */
+/* Returns 1 if the gap is right along the normal at loc, whose direction depends on rounding if tangents are nearly parallel. */
 static int gap_is_right(const struct truth_surface *f, const double loc[2], double gap)
 {
     const wide z[2] = {loc[0], loc[1]};

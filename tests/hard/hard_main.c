@@ -1,7 +1,6 @@
-/* The hard cases: hard_main [N [SEED [FAMILY]]] prints, as CSV, what each method makes of N cases of each family,
- * against truth.c, methods in float (hard_float.c) of cases of their own; hard_main --certain N [SEED [FIRST [FAMILY]]]
- * puts the certain functions to the test (certain.c).  Exits 1 if the library was wrong, or a checked function in
- * float. */
+/* Judges the hard cases: hard_main [N [SEED [FAMILY]]] prints, as CSV, the answers of each method to N cases of each family, against
+ * truth.c, methods in float (hard_float.c) on cases of their own; hard_main --certain N [SEED [FIRST [FAMILY]]]
+ * judges the certain functions (certain.c).  Exits 1 if the library was wrong, or a checked function in float. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"
 #include "../rivals/trust_region.h"
@@ -45,14 +44,14 @@ static int trust(const struct hard_case *h, double loc[2], double *dist)
                : FOOTPOINT_ERR_NO_CONVERGENCE;
 }
 
-/* What a method looks for: a minimum of the distance to the whole surface; a foot point, which is the closest point of the
+/* The aim of a method: a minimum of the distance to the whole surface; a foot point, which is the closest point of the
  * segment if that is inside; the closest point of the segment. */
 enum aim { MINIMUM, FOOT_POINT, CLOSEST };
 
 static const struct method {
     const char *name;
     search *find;
-    double error; /* that its answers may have */
+    double error; /* permitted error of its answers */
     enum aim aim;
 } methods[] = {{"expression", expression, BANNER_WORST, FOOT_POINT},
                {"newton", newton, CONVERGED_ERROR, FOOT_POINT},
@@ -60,7 +59,7 @@ static const struct method {
                {"header", header, FOOTPOINT_QUAD4_ACCURATE_PROMISE, MINIMUM}};
 enum { OTHERS = sizeof methods / sizeof *methods, RIVALS = OTHERS - 1, LOCATE = OTHERS, ROBUST, STATIONARY, METHODS };
 
-/* Distance in space from the closest point, of several the nearest. */
+/* Returns the distance in space from the closest point, or from the nearest of several. */
 static double closest_error(const struct truth *t, const double loc[2])
 {
     const wide z[2] = {loc[0], loc[1]};

@@ -1,4 +1,4 @@
-/* Judges of what searches among several segments, and of the search for CalculiX; see judges.h. */
+/* Judges searches among several segments, and the search for CalculiX; see judges.h. */
 #include "judges.h"
 
 #include "../../runtime/footpoint.h"
@@ -8,10 +8,10 @@
 
 enum { MOST = 8 };
 
-#define NEAR 1e-10     /* of the longest edge: what a distance may be off by */
-#define ATTACHED 1e-9  /* ... in attach_2d_ */
+#define NEAR 1e-10     /* permitted error of a distance, over the longest edge */
+#define ATTACHED 1e-9  /* the same in attach_2d_ */
 #define ROUNDING 1e-14 /* of distances and coordinates */
-#define FARTHEST 1e11  /* longest edges from which a segment may be taken for a point */
+#define FARTHEST 1e11  /* longest edges from which a segment may count as a point */
 
 void attach_2d_(double (*pneigh)[3], double *pnode, const int *nterms, double *ratio, double *dist, double *xil,
                 double *etl);
@@ -27,7 +27,7 @@ static double tolerance(const struct truth *t, double part)
     return part * size + ROUNDING * true_distance(t) + (t->surface.distance > FARTHEST ? 2 * size : 0);
 }
 
-/* Nodes: the common one is number 0, then four of each segment but for that. */
+/* Judges a selection.  Node 0 is the common node; the others of each segment follow. */
 void judge_select(const struct hard_case *h, const int *at, int count, const struct truth *t, struct tally *a)
 {
     double xyz[3 * (4 * MOST + 1)], distance = -1, least = INFINITY, most = 0;

@@ -1,20 +1,20 @@
-/* See judges.h. */
+/* Judges functions with certain answers; see judges.h. */
 #include "judges.h"
 
 #include "../../runtime/footpoint.h"
 
 #include <math.h>
 
-#define ERROR 1e-10       /* of the longest edge, in space: what footpoint_robust may be off by */
+#define ERROR 1e-10       /* permitted error of footpoint_robust in space, over the longest edge */
 #define ROUNDING 1e-14    /* of a distance */
-#define LEAST 0x1p-1074   /* ... when it is a denormal number */
-#define FARTHEST 1e11     /* longest edges up to which there has to be an answer */
-#define DEGENERATE 1e-5   /* least eigenvalue of a Hessian, over its diagonal, that is next to 0 */
-#define INSIDE (1 - 1e-9) /* a stationary point within must be found ... */
+#define LEAST 0x1p-1074   /* the same if it is a denormal number */
+#define FARTHEST 1e11     /* longest edges up to which an answer is required */
+#define DEGENERATE 1e-5   /* least eigenvalue of a Hessian, over its diagonal, that counts as 0 */
+#define INSIDE (1 - 1e-9) /* a stationary point inside this range must be found ... */
 #define APART 1e-7        /* ... if no other is as near, in xi and eta ... */
-#define REGULAR 1e-10     /* ... and if the determinant of its Hessian is larger, over its terms */
-#define SETTLED 1e-9      /* how far from a stationary point one of a list may be, in space or in xi and eta */
-#define CLEAR 1e-4        /* points that far apart, and so regular, can be told apart */
+#define REGULAR 1e-10     /* ... and if the determinant of its Hessian exceeds this, over its terms */
+#define SETTLED 1e-9      /* permitted distance of a listed point from a stationary point, in space or in xi and eta */
+#define CLEAR 1e-4        /* points so far apart, and so regular, must be separated */
 
 #define NODES(h) (h)->x[0], (h)->x[1], (h)->x[2], (h)->x[3], (h)->x[4]
 #define UNTOUCHED 7
@@ -37,7 +37,7 @@ static void count_status(struct tally *a, int status)
 
 /* ---- footpoint_robust ---- */
 
-/* How much farther away q is than p. */
+/* Returns the difference of the distances of q and p. */
 static double rise(const struct truth_surface *f, wide p_square, wide q_square)
 {
     const double both = verdict_root(p_square) + verdict_root(q_square);
@@ -45,7 +45,7 @@ static double rise(const struct truth_surface *f, wide p_square, wide q_square)
     return both > 0 ? (double)(q_square - p_square) / both : 0;
 }
 
-/* Several closest points, or one whose place rounding decides. */
+/* Returns 1 if there are several closest points, or one whose place depends on rounding. */
 static int is_ambiguous(const struct truth *t)
 {
     const double tie = ERROR * t->surface.edge;
@@ -56,7 +56,7 @@ static int is_ambiguous(const struct truth *t)
     return !t->all || t->point[0].least < DEGENERATE * (1 + t->surface.distance);
 }
 
-/* The tied closest point that z is, or NULL. */
+/* Returns the tied closest point at z, or NULL. */
 static const struct truth_point *find_point(const struct truth *t, const wide z[2], double *error)
 {
     const double near = ERROR * t->surface.edge;
@@ -70,7 +70,7 @@ static const struct truth_point *find_point(const struct truth *t, const wide z[
     return NULL;
 }
 
-/* n = r_xi x r_eta at z; returns |r_xi|^2 |r_eta|^2. */
+/* Computes n = r_xi x r_eta at z; returns |r_xi|^2 |r_eta|^2. */
 static wide normal_at(const struct truth_surface *f, const wide z[2], wide n[3])
 {
     wide a[3], b[3], aa = 0, bb = 0;
@@ -90,8 +90,8 @@ static wide product(const wide a[3], const wide b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* (xS - r) . n at z, over the product of the lengths of its terms; 0 if the normal is not clear.  Where it is shorter than 1/1024
- * of that at 1/1024 of the way to the middle, n is the latter. */
+/* Returns (xS - r) . n at z, over the product of the lengths of its terms; 0 if the normal is not clear.  If |r_xi x r_eta| is less
+ * than 1/1024 of its value 1/1024 of the way to the middle, n is the normal there. */
 static double side_of(const struct truth_surface *f, const wide z[2])
 {
     const wide inwards[2] = {z[0] * 1023 / 1024, z[1] * 1023 / 1024};
@@ -100,7 +100,8 @@ static double side_of(const struct truth_surface *f, const wide z[2])
     const wide spread = normal_at(f, z, n), nn = product(n, n), dd = product(d, d);
     (void)normal_at(f, inwards, m);
     const wide ratio = nn * 1024 * 1024 / product(m, m);
-    if (!(nn > (wide)1e-12 * spread && nn > (wide)1e-24 && dd > (wide)1e-18)) /* rounding of loc makes a normal */
+    if (!(nn > (wide)1e-12 * spread && nn > (wide)1e-24 &&
+          dd > (wide)1e-18)) /* rounding of loc determines the normal */
         return 0;
     if (ratio > (wide)0.99 && ratio < (wide)1.01)
         return 0;
@@ -109,7 +110,7 @@ static double side_of(const struct truth_surface *f, const wide z[2])
     return fabs(side) > 1e-5 ? side : 0;
 }
 
-/* An answer with the status OK or OUTSIDE. */
+/* Judges an answer with the status OK or OUTSIDE. */
 static void judge_point(const struct truth *t, int status, const double loc[2], double dist, struct tally *a)
 {
     const wide z[2] = {loc[0], loc[1]};
@@ -180,7 +181,7 @@ static double apart(const long double p[2], const long double q[2])
     return fmax((double)fabsl(p[0] - q[0]), (double)fabsl(p[1] - q[1]));
 }
 
-/* How far, in xi and eta, root k is from any other, and from what is not known. */
+/* Returns the distance, in xi and eta, of root k from any other root and from undecided boxes. */
 static double separation(const struct boxes_list *list, int k)
 {
     double least = INFINITY;
@@ -192,7 +193,7 @@ static double separation(const struct boxes_list *list, int k)
     return least;
 }
 
-/* Distance from root to the nearest of a list, in space. */
+/* Returns the distance from root to the nearest point of a list, in space. */
 static double nearest_of(const struct truth *t, const long double root[2], double loc[][2], int count)
 {
     double least = INFINITY;
@@ -226,7 +227,7 @@ static int is_stationary(const struct truth *t, double loc[2])
            fabs((double)g[1]) <= 1e-12 * m2 * (1 + t->surface.distance);
 }
 
-/* No edge is short, and no two neighbours are nearly parallel. */
+/* Returns 1 if no edge is short and no two neighbouring edges are nearly parallel. */
 static int is_clear(const struct hard_case *h)
 {
     double e[4][3], length[4], most = 0;
@@ -314,7 +315,7 @@ static uint64_t scramble(uint64_t z)
     return (z ^ z >> 27) * 0x94d049bb133111ebu;
 }
 
-/* One stationary point within rho of loc; for some cases, reached from the corners of that, too. */
+/* Returns 1 if exactly one stationary point lies within rho of loc; some cases also start from the corners of that box. */
 static int is_true(const struct truth_surface *f, const double loc[2], const double rho[2], int corners,
                    double *tightest)
 {

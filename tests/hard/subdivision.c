@@ -1,13 +1,13 @@
-/* Subdivision of a bilinear segment; see subdivision.h.  A box of (xi,eta), mapped to -1 <= u, v <= 1, is a bilinear segment
+/* Subdivides a bilinear segment; see subdivision.h.  A box of (xi,eta), mapped to -1 <= u, v <= 1, is a bilinear segment
  * itself: d = xS - r is
  *     d(u,v) = d - u a - v b - u v t,
  * with d, a, b of its middle, so that with a(v) = a + v t and b(u) = b + u t, exactly,
  *     F1 = a(v) . d(u,v) = a.d - u a.a - v (a.b - t.d) - 2 u v a.t - v^2 b.t - u v^2 t.t,
  *     F2 = b(u) . d(u,v) = b.d - v b.b - u (a.b - t.d) - 2 u v b.t - u^2 a.t - u^2 v t.t.
- * No stationary point lies in it where F1 or F2 keeps from 0, or a third product in the valley of the box, where F1 is
- * 0; there is one at most if that product rises or falls all along: Newton's method then leads to it. Distances: the
- * box lies in the hull of its four corners, so with any unit vector n no point of it is nearer than the least n . d of
- * a corner; n is taken from the nearest point of the parallelogram t = 0, so that the bound falls short by |t| at most,
+ * The box contains no stationary point if F1 or F2 stays away from 0, or a third product in the valley of the box, along which F1 is
+ * 0.  It contains at most one if that product rises or falls all along; Newton's method then leads to it.  Distances: the
+ * box lies in the hull of its four corners, so for any unit vector n no point of it is nearer than the least n . d of
+ * a corner.  n is taken from the nearest point of the parallelogram t = 0, so that the bound falls short by at most |t|,
  * of second order in the width of the box. */
 #include "subdivision.h"
 
@@ -18,8 +18,8 @@ enum { STACK = 200, MOST_BOXES = 20000, STEPS = 40 };
 
 #define ROUNDING 0x1p-59L /* of products, over the sizes of their terms */
 #define SETTLED 1e-5L     /* the last step of Newton's method, over the width of the box */
-#define FAR 100           /* distance from which on heights are not differences of distances */
-#define SMALL 1e-13L      /* boxes of that size in space are points */
+#define FAR 100           /* beyond this distance, heights are not computed as differences of distances */
+#define SMALL 1e-13L      /* boxes of this size in space count as points */
 
 typedef long double real;
 
@@ -43,7 +43,7 @@ static real larger(real a, real b)
     return a > b ? a : b;
 }
 
-/* In two; the first half stays in *q. */
+/* Halves a box; *q keeps the first half. */
 static void halve(struct box *q, int along_x, struct box *other)
 {
     if (along_x)
@@ -65,7 +65,7 @@ static void offset(const struct boxes_segment *f, real xi, real eta, real away[3
         away[k] = -xi * f->c1[k] - eta * (f->c2[k] + xi * f->c3[k]);
 }
 
-/* |d0 + away| - |d0| */
+/* Returns |d0 + away| - |d0|. */
 static real height_of(const struct boxes_segment *f, real far, const real away[3])
 {
     real d[3];
@@ -87,7 +87,7 @@ static real clamp(real x)
     return x < -1 ? -1 : x > 1 ? 1 : x;
 }
 
-/* u, v of the nearest point of the parallelogram d - u a - v b, |u|, |v| <= 1. */
+/* Computes u, v of the nearest point of the parallelogram d - u a - v b, |u|, |v| <= 1. */
 static void nearest(const real a[3], const real b[3], const real d[3], real w[2])
 {
     const real aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), ad = dot(a, d), bd = dot(b, d);
@@ -110,7 +110,7 @@ static void nearest(const real a[3], const real b[3], const real d[3], real w[2]
     }
 }
 
-/* A lower bound on the heights in a box, and the height of the point of it that is (u,v) of the parallelogram. */
+/* Returns a lower bound on the heights in a box, and the height of its point (u,v) of the parallelogram. */
 static real bound(const struct boxes_segment *f, real far, const struct box *q, real z[2], real *height, real *size)
 {
     real a[3], b[3], d[3], away[3], n[3], w[2], na = 0, nb = 0, nt = 0, nd = 0, tilt = 0, length = 0;
@@ -195,7 +195,7 @@ int boxes_lower(const struct boxes_segment *f, real enough, real z[2], real *hei
 struct local {
     real a[3], b[3], t[3], d[3];                   /* of the middle, in u and v */
     real f1, f2, h11, h12, h22, at, bt, tt;        /* F1, F2, H, a.t, b.t, t.t */
-    real size_a, size_b, size_t, size_d, noise[2]; /* lengths from above; rounding errors of F1, F2 */
+    real size_a, size_b, size_t, size_d, noise[2]; /* upper bounds on lengths; rounding errors of F1, F2 */
 };
 
 static void expand(const struct boxes_segment *f, const struct box *q, struct local *l)
@@ -225,7 +225,7 @@ static void expand(const struct boxes_segment *f, const struct box *q, struct lo
 
 enum verdict { NONE, ONE_AT_MOST, UNKNOWN };
 
-/* F1 or F2 is larger in the middle than all that may be added. */
+/* Returns 1 if F1 or F2 in the middle exceeds the sum of all other terms. */
 static int is_empty(const struct local *l)
 {
     const real at = fabsl(l->at), bt = fabsl(l->bt), h12 = fabsl(l->h12);
@@ -233,11 +233,10 @@ static int is_empty(const struct local *l)
            fabsl(l->f2) > l->noise[1] + l->h22 + h12 + 2 * bt + at + l->tt;
 }
 
-/* F1 = 0 is a valley across the box: u = u0 - k v + w, k = h12/h11, u0 = F1/h11, |w| at most that of the terms of
- * second order.  With s = a.t and the like, what (7), (8) leave of xS, (a.a) F2 - (a.b) F1 = (a x b) . (a x d)    of
- * a(v), b(u), d(u,v) a x b = n + u p + v q,  n = a x b, p = a x t, q = t x b,    a x d = m0 + v m1 + v^2 m2, m0 = a x
- * d, m1 = t x d - n, m2 = -q, is a cubic in v there, and a rest with w.  It may keep from 0, or rise or fall all along.
- */
+/* Judges a box by its valley.  F1 = 0 is a valley across the box: u = u0 - k v + w, k = h12/h11, u0 = F1/h11, with |w| at most the
+ * terms of second order.  With s = a.t and the like, the remaining combination of (7), (8), (a.a) F2 - (a.b) F1 = (a x b) . (a x d)
+ * of a(v), b(u), d(u,v), a x b = n + u p + v q,  n = a x b, p = a x t, q = t x b,  a x d = m0 + v m1 + v^2 m2, m0 = a x d,
+ * m1 = t x d - n, m2 = -q, is a cubic in v there, with a rest in w.  It may stay away from 0, or rise or fall all along. */
 static enum verdict judge_valley(const struct local *l)
 {
     real n[3], p[3], q[3], m0[3], m1[3];
@@ -268,7 +267,7 @@ static enum verdict judge_valley(const struct local *l)
     return fabsl(g1) > 2 * fabsl(g2) + 3 * fabsl(g3) + rest + 4 * noise ? ONE_AT_MOST : UNKNOWN;
 }
 
-/* xi and eta exchanged. */
+/* Exchanges xi and eta. */
 static void exchange(struct local *l)
 {
     const struct local o = *l;
@@ -295,7 +294,7 @@ static enum verdict judge(struct local *l)
     return judge_valley(l);
 }
 
-/* Newton's step, in u and v, with what cancels taken from cross products. */
+/* Computes Newton's step, in u and v, with cancelling terms from cross products. */
 static void newton(const struct local *l, real *u, real *v)
 {
     real n[3], ad[3], bd[3];
@@ -308,7 +307,7 @@ static void newton(const struct local *l, real *u, real *v)
     *v = (td * l->f1 + dot(n, ad)) / det;
 }
 
-/* Newton's method from the middle; 1 if it settles in the box. */
+/* Iterates Newton's method from the middle.  Returns 1 if it converges in the box. */
 static int settle(const struct boxes_segment *f, const struct box *q, real z[2])
 {
     struct box at = {q->x, q->y, q->hx, q->hy};

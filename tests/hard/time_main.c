@@ -1,4 +1,4 @@
-/* What certainty costs: nanoseconds of processor time a search, the least of many runs in turn, for each family, as
+/* Measures the price of certainty: nanoseconds of processor time a search, the least of many runs in turn, for each family, as
  * CSV. Exits 1 if on ordinary segments footpoint_robust takes more than twice as long as the bare expression. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"

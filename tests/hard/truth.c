@@ -1,7 +1,7 @@
-/* Truth by subdivision; see truth.h and subdivision.h.  A closest point is a stationary point or lies on an edge, where it is
- * known in closed form; all of them that are nearly as near as the best are polished by a projected Newton iteration in
- * extended precision.  Where the list of stationary points has gaps, subdivision by bounds on the distance tells how
- * near the segment comes; any other case can be put to that test, too. */
+/* Finds the truth by subdivision; see truth.h and subdivision.h.  A closest point is a stationary point or lies on an edge, on which it
+ * is known in closed form.  All points nearly as near as the best are polished by a projected Newton iteration in extended
+ * precision.  If the list of stationary points has gaps, subdivision with bounds on the distance decides how near the segment
+ * comes; any other case can be tested so, too. */
 #include "truth.h"
 
 #include "subdivision.h"
@@ -10,9 +10,9 @@
 
 enum { NEWTON_STEPS = 60, LEAVES = 12 };
 
-#define NEARLY 2e-10L /* heights above the least that are polished */
-#define SAME 1e-8     /* what a root may be off by, in xi and eta or in space */
-#define ENOUGH 2e-12L /* to which the least height is known */
+#define NEARLY 2e-10L /* points up to this height above the least are polished */
+#define SAME 1e-8     /* permitted error of a root, in xi and eta or in space */
+#define ENOUGH 2e-12L /* accuracy of the least height */
 
 static wide dot(const wide a[3], const wide b[3])
 {
@@ -57,7 +57,7 @@ int truth_surface_of(const struct hard_case *h, struct truth_surface *f)
     return 1;
 }
 
-/* 1 if the corners are clearly not in a line: what rounding in long double may hide is far less. */
+/* Returns 1 if the corners are clearly not in a line, far beyond rounding in long double. */
 static int has_clear_area(const struct hard_case *h)
 {
     long double most = 0, area = 0, e[4][3];
@@ -109,7 +109,7 @@ wide truth_square(const struct truth_surface *f, const wide z[2])
     return dot(d, d);
 }
 
-/* Gradient and Hessian of half the square. */
+/* Computes gradient and Hessian of half the square. */
 static void expand(const struct truth_surface *f, const wide z[2], wide g[2], wide h[3])
 {
     wide a[3], b[3], d[3];
@@ -141,7 +141,7 @@ static wide clamp(wide x)
     return x < -1 ? -1 : x > 1 ? 1 : x;
 }
 
-/* Newton's step in the directions that are free, downhill. */
+/* Computes Newton's step in the free directions, downhill. */
 static void propose(const wide g[2], const wide h[3], const int held[2], wide step[2])
 {
     const wide determinant = h[0] * h[2] - h[1] * h[1];
@@ -218,8 +218,8 @@ static void segment_of(const struct truth_surface *f, struct boxes_segment *s)
     }
 }
 
-/* Newton's method in long double, which takes a twentieth of the time: *z to about its rounding, and the inverse of the
- * Hessian there (1/11, 1/12, 1/22).  0 if it does not settle. */
+/* Iterates Newton's method in long double, which takes a twentieth of the time: *z to about its rounding, and the inverse of the
+ * Hessian there (1/11, 1/12, 1/22).  Returns 0 if it does not converge. */
 static int approach(const struct truth_surface *f, const double loc[2], wide z[2], wide inverse[3])
 {
     struct boxes_segment s;
@@ -254,8 +254,8 @@ static int approach(const struct truth_surface *f, const double loc[2], wide z[2
     return fabsl(step[0]) < 1e-9L && fabsl(step[1]) < 1e-9L;
 }
 
-/* From there on in extended precision, with the Hessian of before: each step leaves so small a part of the error that
- * two or three are enough.  0 where they are not. */
+/* Continues in extended precision, with the same Hessian: each step leaves so small a part of the error that
+ * two or three suffice.  Returns 0 if they do not. */
 static int settle(const struct truth_surface *f, const wide inverse[3], wide z[2])
 {
     for (int n = 0; n < 4; n++) {
@@ -294,7 +294,7 @@ int truth_stationary(const struct truth_surface *f, const double loc[2], wide z[
     return 0;
 }
 
-/* ---- all of it ---- */
+/* ---- the truth ---- */
 
 double truth_between(const struct truth_surface *f, const wide p[2], const wide q[2])
 {
@@ -306,7 +306,7 @@ double truth_between(const struct truth_surface *f, const wide p[2], const wide 
     return (double)most;
 }
 
-/* Whether q is p, to what a root in long double may be off by. */
+/* Returns 1 if q is p, within the error of a root in long double. */
 static int is_near(const struct truth_surface *f, const wide p[2], const wide q[2])
 {
     return (size_of(p[0] - q[0]) <= (wide)SAME && size_of(p[1] - q[1]) <= (wide)SAME) || truth_between(f, p, q) <= SAME;
@@ -332,7 +332,7 @@ void truth_add(struct truth *t, const double loc[2])
     insert(t, &p);
 }
 
-/* xi and eta of the nearest point of edge k. */
+/* Computes xi and eta of the nearest point of edge k. */
 static void nearest_of_edge(const struct boxes_segment *f, int k, long double z[2])
 {
     const long double side = k & 1 ? 1 : -1, *const along = k < 2 ? f->c1 : f->c2,
@@ -348,8 +348,8 @@ static void nearest_of_edge(const struct boxes_segment *f, int k, long double z[
     z[k < 2] = side;
 }
 
-/* Long double leaves little where the equations are nearly singular: all roots again in extended precision.  0 if one was
- * not what it seemed. */
+/* Computes all roots again in extended precision, because long double leaves little if the equations are nearly singular.  Returns 0
+ * if a root was not confirmed. */
 static int sharpen(const struct truth_surface *f, struct boxes_list *list)
 {
     for (int k = 0; k < list->roots; k++) {

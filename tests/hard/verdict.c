@@ -1,4 +1,4 @@
-/* Distances from the truth; see verdict.h. */
+/* Measures distances from the truth; see verdict.h. */
 #include "verdict.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@ double verdict_tie(const struct truth *t)
     return 1e-13 * (1 + t->surface.distance);
 }
 
-/* A foot point: near a stationary point, which is the closest one of the segment if any is inside. */
+/* Judges a foot point: near a stationary point, which must be the closest point of the segment if a closest point is inside. */
 double verdict_free(const struct truth *t, const double loc[2], double worst)
 {
     wide z[2];

@@ -1,4 +1,4 @@
-/* How far an answer is from the truth, for the judges of double and of float. */
+/* Measures errors of answers, for the judges of double and of float. */
 #ifndef FOOTPOINT_VERDICT_H
 #define FOOTPOINT_VERDICT_H
 
@@ -6,16 +6,16 @@
 
 double verdict_root(wide x);
 
-/** Rounding errors of distances. */
+/** Returns the rounding errors of distances. */
 double verdict_tie(const struct truth *t);
 
-/** Of a foot point, inside the segment or not: distance in xi and eta from the stationary point that is meant; INFINITY
- *  where that is not the closest point of the segment though one inside is, or where there is none.  `worst`: the error
- *  that answers may have. */
+/** Returns the error of a foot point, inside the segment or not: its distance in xi and eta from the stationary point.  INFINITY if
+ *  that is not the closest point of the segment although an inner point is, or if there is no stationary point.  `worst`: the
+ *  permitted error. */
 double verdict_free(const struct truth *t, const double loc[2], double worst);
 
-/** Of a minimum of the distance to the whole surface: distance in xi and eta, relative to max(1, |xi|, |eta|), from it;
- *  INFINITY where there is none. */
+/** Returns the error of a minimum of the distance to the whole surface: its distance in xi and eta from a minimum, relative to
+ *  max(1, |xi|, |eta|); INFINITY without a minimum. */
 double verdict_minimum(const struct truth *t, const double loc[2]);
 
 #endif

@@ -1,4 +1,4 @@
-/* See wild.h. */
+/* Draws wild families; see wild.h. */
 #include "wild.h"
 
 #include "draw.h"
@@ -15,7 +15,7 @@ static void corners_of_normal(uint64_t *s, double width, double height, struct h
     }
 }
 
-/* Any point of the segment. */
+/* Draws any point of the segment. */
 static void draw_point(uint64_t *s, const struct hard_case *h, double r[3])
 {
     const double xi = draw_flat(s, -1, 1), eta = draw_flat(s, -1, 1);
@@ -23,7 +23,7 @@ static void draw_point(uint64_t *s, const struct hard_case *h, double r[3])
     draw_evaluate(h, xi, eta, r, t, u, c);
 }
 
-/* xS on the segment but for rounding, within the height of it, or anywhere in the plane. */
+/* Places xS on the segment to rounding, within the segment's height, or anywhere in the plane. */
 static void place_flat(uint64_t *s, double height, struct hard_case *h)
 {
     double r[3];
@@ -85,7 +85,7 @@ void wild_flat_needle(uint64_t *s, struct hard_case *h)
     settle(s, h);
 }
 
-/* An edge of no length. */
+/* Draws an edge of no length. */
 void wild_flat_collapsed(uint64_t *s, struct hard_case *h)
 {
     const double height = draw_power(s, -6, -1);
@@ -96,7 +96,7 @@ void wild_flat_collapsed(uint64_t *s, struct hard_case *h)
     settle(s, h);
 }
 
-/* Two edges of no length, two opposite corners that are one, or both pairs of them. */
+/* Draws two edges of no length, two coinciding opposite corners, or both pairs of them. */
 void wild_flat_pairs(uint64_t *s, struct hard_case *h)
 {
     const double height = draw_power(s, -6, -1);
@@ -140,7 +140,7 @@ void wild_scales16(uint64_t *s, struct hard_case *h)
     mix(s, 16, h);
 }
 
-/* Aspects of up to 1e8. */
+/* Draws aspects of up to 1e8. */
 void wild_needle(uint64_t *s, struct hard_case *h)
 {
     const double aspect = draw_power(s, 2, 8);
@@ -163,7 +163,7 @@ static double little(uint64_t *s)
     return draw_choose(s, 3) ? draw_sign(s) * size : 0;
 }
 
-/* A part of the saddle z = w x y with xS near the axis, at the height where one closest point becomes two. */
+/* Draws a part of the saddle z = w x y with xS near the axis, at the height at which one closest point becomes two. */
 void wild_pitchfork(uint64_t *s, struct hard_case *h)
 {
     const double a = draw_flat(s, 0.5, 2), b = draw_choose(s, 2) ? a : draw_flat(s, 0.5, 2), w = draw_power(s, -1, 1);
@@ -205,7 +205,7 @@ void wild_on_corner(uint64_t *s, struct hard_case *h)
     memcpy(h->x[4], h->x[draw_choose(s, 4)], sizeof h->x[4]);
 }
 
-/* On an edge to the last bit. */
+/* Places xS on an edge to the last bit. */
 void wild_on_edge(uint64_t *s, struct hard_case *h)
 {
     const int i = draw_choose(s, 4);
@@ -215,7 +215,7 @@ void wild_on_edge(uint64_t *s, struct hard_case *h)
         h->x[4][k] = h->x[i][k] + t * (h->x[(i + 1) % 4][k] - h->x[i][k]);
 }
 
-/* Where two edges cross. */
+/* Places xS at the crossing of two edges. */
 void wild_pinch(uint64_t *s, struct hard_case *h)
 {
     const int turn = draw_choose(s, 4);
@@ -235,7 +235,7 @@ void wild_pinch(uint64_t *s, struct hard_case *h)
         h->x[4][k] += height * draw_normal(s);
 }
 
-/* The worst that were found. */
+/* The worst cases found. */
 static const double worst[][5][3] = {
     /* xS on a concave segment, nearly plane, of edges of 1 and of 10 to 200 */
     {{0.39997465605888455, 1.5333185436955445, 0.014074889855700344},
@@ -261,7 +261,7 @@ static const double worst[][5][3] = {
      {-0x1.11bdc5470a23p-7, -0x1.37c7415a9dc46p+4, -0x1.37e8c3a791c37p+20},
      {-0x1.730d043372b7bp+7, -0x1.591dadbbf3b8p+3, -0x1.0be46660f74a1p+20}}};
 
-/* One of them as it is, with other numbers of the corners and another unit, or with last digits changed. */
+/* Draws one of them as it is, with other numbers of the corners and another unit, or with last digits changed. */
 void wild_worst(uint64_t *s, struct hard_case *h)
 {
     const int which = draw_choose(s, sizeof worst / sizeof *worst), turn = draw_choose(s, 4),

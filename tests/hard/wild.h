@@ -1,4 +1,4 @@
-/* Families of hard cases that no mesh should hold: nearly plane and folded, needles, of mixed scales; see wild.c. */
+/* Draws families of hard cases that no mesh should contain: nearly plane and folded, needles, of mixed scales; see wild.c. */
 #ifndef FOOTPOINT_WILD_H
 #define FOOTPOINT_WILD_H
 
