@@ -1,4 +1,4 @@
-/* Monomials; see monomials.h. */
+/* Computes monomials; see monomials.h. */
 #include "monomials.h"
 
 #include "../../../evolve/common/decimal.h"
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Append m times symbols from `first` on, of up to `degree` more; returns how many there are then. */
+/* Appends m times symbols from `first` on, up to `degree` more; returns the new number of monomials. */
 static size_t extend(struct monomial m, const int *symbol, size_t n, size_t first, size_t degree, struct monomial *all,
                      size_t count)
 {
@@ -30,7 +30,7 @@ struct monomial *monomials_new(const int *symbol, size_t n, size_t degree, size_
     return all;
 }
 
-/* A monomial that is left when factors have been taken out, and its coefficient. */
+/* A monomial after factors have been taken out, and its coefficient. */
 struct part {
     struct monomial m;
     double coefficient;
@@ -44,7 +44,7 @@ static size_t find(const struct monomial *m, int symbol)
     return i;
 }
 
-/* The symbol that most parts contain, the first of equals. */
+/* Returns the symbol that most parts contain, the first among equals. */
 static int commonest(const struct part *p, size_t n)
 {
     int best = 0;
@@ -72,7 +72,7 @@ static int *write_product(const struct part *p, int *gene)
     return gene;
 }
 
-/* Write the sum of n >= 1 parts, which are reordered; returns where it ends. */
+/* Writes the sum of n >= 1 parts, which are reordered; returns its end. */
 static int *write_sum(struct part *p, size_t n, int *gene)
 {
     if (n == 1)

@@ -12,13 +12,13 @@ struct monomial {
     size_t degree;
 };
 
-/** All monomials of at most that degree (0..MONOMIAL_DEGREE) in n symbols, 1 first; *count of them.  Free with free().
- */
+/** Returns all monomials of at most that degree (0..MONOMIAL_DEGREE) in n symbols, 1 first, and their number *count.  Free with
+ *  free(). */
 struct monomial *monomials_new(const int *symbol, size_t n, size_t degree, size_t *count);
 
-/** Genes that monomials_tree may need for n terms. */
+/** Returns the number of genes that monomials_tree may need for n terms. */
 size_t monomials_room(size_t n);
-/** The sum of n different monomials, each times its coefficient, in Horner's form: what occurs most is factored out
+/** Writes the sum of n different monomials, each times its coefficient, in Horner's form: the most frequent symbol is factored out
  *  first. */
 void monomials_tree(const struct monomial *term, const double *coefficient, size_t n, struct genes *t);
 

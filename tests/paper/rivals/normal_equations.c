@@ -1,4 +1,4 @@
-/* Sums of products; see normal_equations.h.  Tiles of 4 x 2 columns stay in registers over a block of samples. */
+/* Sums products of columns; see normal_equations.h.  Tiles of 4 x 2 columns stay in registers over a block of samples. */
 #include "normal_equations.h"
 
 #include "../../../codegen/base/base.h"
@@ -81,8 +81,8 @@ void products_sum(const struct products *p, bool lower, double *sum)
         }
 }
 
-/* Lower Cholesky factor of the n x n matrix a in place; the upper triangle is left alone.  False if it is not positive
- * definite.  In an order of its own, as that of a library depends on the machine. */
+/* Computes the lower Cholesky factor of the n x n matrix a in place, without touching the upper triangle.  Returns false if a is not
+ * positive definite.  The order is fixed here, because a library's depends on the machine. */
 static bool cholesky_factor(double *a, size_t n)
 {
     for (size_t j = 0; j < n; j++) {
@@ -104,7 +104,7 @@ static bool cholesky_factor(double *a, size_t n)
     return true;
 }
 
-/* x = L^-1 x. */
+/* Computes x = L^-1 x. */
 static void cholesky_forward(const double *l, size_t n, double *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -114,7 +114,7 @@ static void cholesky_forward(const double *l, size_t n, double *x)
     }
 }
 
-/* x = L^-T x. */
+/* Computes x = L^-T x. */
 static void cholesky_backward(const double *l, size_t n, double *x)
 {
     for (size_t i = n; i-- > 0;) {
@@ -127,7 +127,7 @@ static void cholesky_backward(const double *l, size_t n, double *x)
 double products_fit(const double *gram, size_t count, const size_t *chosen, size_t k, size_t goal, double *coefficient,
                     double *work)
 {
-    static const double independent = 1e-12; /* of a column's square */
+    static const double independent = 1e-12; /* least part of a column's square */
     for (size_t i = 0; i < k; i++) {
         for (size_t j = 0; j <= i; j++)
             work[i * k + j] = gram[chosen[i] * count + chosen[j]];

@@ -1,12 +1,12 @@
-/* Sums of products of columns, which normal equations are made of, and their solution.  One pass over the samples gives
- * the products of all pairs of columns; any choice of these columns is then fitted without the samples. */
+/* Sums products of columns for normal equations, and solves these.  A pass over the samples computes the products of all pairs of
+ * columns; any choice of these columns is then fitted without the samples. */
 #ifndef FOOTPOINT_NORMAL_EQUATIONS_H
 #define FOOTPOINT_NORMAL_EQUATIONS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/** Products under way: of each of `rows` columns with each of `columns` others. */
+/** Products in progress: of each of `rows` columns with each of `columns` others. */
 struct products {
     size_t rows, columns;
     double *lane; /* owned: for each pair the sums of its lanes, so that the order of summation is always the same */
@@ -20,14 +20,14 @@ struct panel {
     const double *first;
     size_t stride;
 };
-/** Add n samples (a multiple of 8) of a's columns, one for each row, times b's, one for each column.  `lower`: the
- * pairs above the diagonal are not needed. */
+/** Adds n samples (a multiple of 8) of a's columns, one for each row, times b's, one for each column.  `lower`: the
+ * pairs above the diagonal may be left out. */
 void products_add(struct products *p, struct panel a, struct panel b, size_t n, bool lower);
-/** The sums so far, row after row; with `lower` the upper triangle is the mirror of the lower one. */
+/** Writes the sums so far, row after row; with `lower` the upper triangle mirrors the lower. */
 void products_sum(const struct products *p, bool lower, double *sum);
 
-/** Normal equations of the columns chosen[0..k-1] for column `goal`: `gram` holds the products of all `count` columns.
- *  Fills coefficient[k]; returns the sum of squares that is left, or -1 where the columns are dependent.
+/** Solves the normal equations of the columns chosen[0..k-1] for column `goal`; `gram` holds the products of all `count` columns.
+ *  Fills coefficient[k]; returns the remaining sum of squares, or -1 if the columns are dependent.
  *  @param work  room for k * k numbers */
 double products_fit(const double *gram, size_t count, const size_t *chosen, size_t k, size_t goal, double *coefficient,
                     double *work);

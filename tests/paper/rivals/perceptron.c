@@ -1,4 +1,4 @@
-/* Networks and their derivatives; see perceptron.h. */
+/* Evaluates networks and their derivatives; see perceptron.h. */
 #include "perceptron.h"
 
 #include "../../../evolve/common/stream.h"
@@ -41,7 +41,7 @@ void perceptron_forward(const struct perceptron *p, const double *weight, const 
         }
 }
 
-/* Derivative of the sigmoid. */
+/* Returns the derivative of the sigmoid. */
 static double sigmoid_slope(double sum)
 {
     const double square = 1 + sum * sum;
@@ -72,7 +72,7 @@ void perceptron_backward(const struct perceptron *p, const double *weight, const
 
 /* ---- genome text ---- */
 
-/* Rounds the weight to what is written. */
+/* Rounds the weight to the written digits. */
 static int constant_of(double *weight, struct genome_file *program)
 {
     char text[32];
@@ -81,7 +81,7 @@ static int constant_of(double *weight, struct genome_file *program)
     return -1 - (int)genome_add_constant(program, text);
 }
 
-/* Genes of bias + sum of weight * input: 4 for each input, and 1.  Returns how many. */
+/* Writes genes of bias + sum of weight * input: 4 for each input, and 1.  Returns their number. */
 static size_t weighted_sum(double *weight, const int *input, size_t inputs, struct genome_file *program, int *gene)
 {
     size_t n = 0;

@@ -1,5 +1,5 @@
 /* footpoint-perceptron: trains perceptrons on a scene's training samples and writes them as genomes, with their errors
- * on the held-out ones. */
+ * on held-out samples. */
 #include "../../../codegen/base/options.h"
 #include "../../../evolve/common/data_root.h"
 #include "../../../evolve/eval/errors.h"
@@ -24,7 +24,7 @@ struct perceptron_options {
 
 /* ---- command line ---- */
 
-/* "16,16": a network more. */
+/* Reads another network, such as "16,16". */
 static bool read_hidden(const struct option_table *t, const struct option_row *r, const char *text, void *values,
                         struct diag *d)
 {
@@ -70,7 +70,7 @@ static const struct option_table option_table = {
     .row = rows,
     .rows = sizeof rows / sizeof *rows};
 
-/* OPTIONS_WRONG with *d "footpoint-perceptron: error: ...". */
+/* Reads the command line.  Returns OPTIONS_WRONG with *d "footpoint-perceptron: error: ...". */
 static enum options_outcome read_options(int argc, char **argv, struct perceptron_options *o, struct diag *d)
 {
     const struct option_table *t = &option_table;
@@ -94,11 +94,11 @@ struct study {
     struct genome_file *program;
     int input[PERCEPTRON_INPUTS]; /* genes */
     struct columns table;
-    size_t target[2]; /* its columns of xi and eta; the program's lets become more */
+    size_t target[2]; /* columns of xi and eta; the program gets more lets later */
     struct sample_set training, heldout[2];
 };
 
-/* The scene's samples, seen in the similarity frame whatever frames its tiers name. */
+/* Returns the program of the similarity frame, for the scene's samples, regardless of the frames that its tiers name. */
 static struct genome_file *similarity_program(const struct study *s, struct diag *d)
 {
     struct tier tier = {
@@ -109,7 +109,7 @@ static struct genome_file *similarity_program(const struct study *s, struct diag
     return frame_program(s->options->root, &view, s->options->output, d);
 }
 
-/* What cannot be written, or is read, shows before the training. */
+/* Checks before the training that files can be written and are not read. */
 static bool files_suit(const struct study *s, struct diag *d)
 {
     const struct perceptron_options *o = s->options;
@@ -143,7 +143,7 @@ static void name_of(const struct perceptron *p, char name[60])
         n += snprintf(name + n, 60 - (size_t)n, "_%zu", p->size[l]);
 }
 
-/* The errors of one output of the genome, on what it was trained with and on the rest. */
+/* Adds the errors of an output of the genome, on its training samples and on the rest. */
 static void add_errors(const struct study *s, struct genome *g, size_t weights, int k)
 {
     static const char *const part_name[] = {"training", "heldout", "heldout_random"};
@@ -164,7 +164,7 @@ static void add_errors(const struct study *s, struct genome *g, size_t weights, 
     }
 }
 
-/* Train one network and append its genome. */
+/* Trains a network and appends its genome. */
 static void train(const struct study *s, const struct perceptron *p)
 {
     const struct perceptron_options *o = s->options;

@@ -1,5 +1,5 @@
-/* Training; see perceptron_train.h.  GSL keeps the damped steps; the normal equations are summed here, block by block,
- * by normal_equations.h: the derivatives are never stored for all samples. */
+/* Trains perceptrons; see perceptron_train.h.  GSL takes the damped steps.  normal_equations.h sums the normal equations block by
+ * block, so the derivatives are never stored for all samples. */
 #include "perceptron_train.h"
 
 #include "normal_equations.h"
@@ -9,13 +9,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { ROWS = 512 }; /* of derivatives held at once: two for each sample */
+enum { ROWS = 512 }; /* rows of derivatives held at once: two for each sample */
 static const double settled = 1e-9;
 
 struct task {
     const struct perceptron *p;
     const struct lesson *lesson;
-    struct products products; /* of the weights' columns and the residual's */
+    struct products products; /* products of the weights' columns and the residual's */
     double *panel, *sum;      /* a block of J and of the residual beside it; their products */
 };
 
@@ -25,7 +25,7 @@ static void row_inputs(const struct task *t, size_t row, double *in)
         in[i] = columns_at(t->lesson->table, t->lesson->input[i])[row];
 }
 
-/* Residuals: of sample i's outputs in 2 i and 2 i + 1. */
+/* Computes residuals: those for sample i are elements 2 i and 2 i + 1. */
 static int residuals(const gsl_vector *weight, void *context, gsl_vector *f)
 {
     const struct task *t = context;
@@ -41,7 +41,7 @@ static int residuals(const gsl_vector *weight, void *context, gsl_vector *f)
     return GSL_SUCCESS;
 }
 
-/* Two rows of the panel: the derivatives of a sample's outputs, and u beside them.  Beyond the last sample, zeros. */
+/* Fills two rows of the panel: the derivatives of a sample's outputs, and u beside them.  Beyond the last sample, zeros. */
 static void fill_rows(const struct task *t, const double *weight, const gsl_vector *u, size_t sample, double *row)
 {
     const size_t count = perceptron_weights(t->p);
@@ -60,7 +60,7 @@ static void fill_rows(const struct task *t, const double *weight, const gsl_vect
     }
 }
 
-/* v = J'u and JTJ = J'J, which is what GSL's Levenberg-Marquardt method asks for. */
+/* Computes v = J'u and JTJ = J'J for GSL's Levenberg-Marquardt method. */
 static int derivatives(CBLAS_TRANSPOSE_t transposed, const gsl_vector *weight, const gsl_vector *u, void *context,
                        gsl_vector *v, gsl_matrix *JTJ)
 {
@@ -99,7 +99,7 @@ double perceptron_train(const struct perceptron *p, const struct lesson *lesson,
     how.trs = gsl_multilarge_nlinear_trs_lm;
     gsl_multilarge_nlinear_workspace *w =
         gsl_multilarge_nlinear_alloc(gsl_multilarge_nlinear_trust, &how, residual_count, count);
-    gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* a last step without progress is none of our errors */
+    gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* a last step without progress is not an error here */
     gsl_multilarge_nlinear_init(&start.vector, &fdf, w);
     if (iterations > 0)
         gsl_multilarge_nlinear_driver(iterations, settled, settled, settled, NULL, NULL, &why, w);

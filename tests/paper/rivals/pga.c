@@ -1,4 +1,4 @@
-/* The genetic algorithm; see pga.h.  The best individual always survives, as the paper reports the best of a run. */
+/* Runs the genetic algorithm; see pga.h.  The best individual always survives, as the paper reports the best of a run. */
 #include "pga.h"
 
 #include "../../../evolve/common/stream.h"
@@ -57,7 +57,7 @@ static void population_free(struct population *p)
     free(p->being);
 }
 
-/* All new individuals at once, so that the work can be shared out. */
+/* Evaluates all new individuals at once, so that the work can be shared. */
 static void evaluate(struct pga *g, struct population *p)
 {
     const size_t genes = g->polynomials->count, n = g->plan->population;
@@ -79,7 +79,7 @@ static void evaluate(struct pga *g, struct population *p)
     }
 }
 
-/* Improve the best by exchanges of terms, if it is a new one. */
+/* Improves the best individual by exchanges of terms, if it is new. */
 static void exchange(struct pga *g, struct individual *x)
 {
     const size_t genes = g->polynomials->count, terms = polynomials_terms(g->polynomials, x->chosen, NULL);
@@ -98,7 +98,7 @@ static void exchange(struct pga *g, struct individual *x)
     }
 }
 
-/* The first of the best of the present population. */
+/* Finds the first of the best individuals of the present population. */
 static void find_best(struct pga *g, double before)
 {
     const struct individual *x = g->now.being;
@@ -110,7 +110,7 @@ static void find_best(struct pga *g, double before)
         exchange(g, &g->now.being[g->best]);
 }
 
-/* Half of all terms, or half to all of N. */
+/* Draws half of all terms, or half to all of N. */
 static void create(struct pga *g, struct individual *x)
 {
     const size_t genes = g->polynomials->count, limit = g->plan->terms;
@@ -160,7 +160,7 @@ void pga_free(struct pga *g)
     free(g);
 }
 
-/* Parents: the wheel's sectors are proportional to the fitness. */
+/* Draws a parent: the wheel's sectors are proportional to the fitness. */
 static const struct individual *draw(const struct pga *g, double total)
 {
     double at = gsl_rng_uniform(g->rng) * total;
@@ -178,7 +178,7 @@ static void copy(const struct pga *g, const struct individual *from, struct indi
     to->fresh = false;
 }
 
-/* Exchange one range of genes. */
+/* Exchanges a range of genes. */
 static void cross(struct pga *g, struct individual *a, struct individual *b)
 {
     const size_t genes = g->polynomials->count;

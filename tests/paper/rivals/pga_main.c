@@ -21,7 +21,7 @@ struct pga {
     struct columns table;
     struct sample_set heldout[2]; /* on rank 0 */
     struct objective *objective;
-    FILE *log; /* not owned; NULL: none */
+    FILE *log; /* not owned; or NULL */
 };
 
 static bool choose_tier(struct pga *s, struct diag *d)
@@ -35,7 +35,7 @@ static bool choose_tier(struct pga *s, struct diag *d)
     return s->tier || diag_at(d, s->scene->path, 0, 0, "no tier '%.64s'", name);
 }
 
-/* What cannot be written, or is read, shows before the search. */
+/* Checks before the search that files can be written and are not read. */
 static bool files_suit(const struct pga *s, struct diag *d)
 {
     const struct pga_options *o = s->options;
@@ -63,14 +63,14 @@ static bool load(struct pga *s, struct diag *d)
                                  scene_samples(s->scene, PART_HELDOUT_RANDOM, &s->heldout[1], d));
 }
 
-/* ---- evaluation shared out ---- */
+/* ---- shared evaluation ---- */
 
 struct share {
     const struct team *team;
     const struct polynomials *polynomials;
 };
 
-/* This rank's part of n choices: each size-th. */
+/* Evaluates this rank's part of n choices: each size-th. */
 static void evaluate_share(const struct share *w, const gene_bit *chosen, size_t n, double *error)
 {
     const size_t genes = w->polynomials->count, first = (size_t)w->team->rank, stride = (size_t)w->team->size;
@@ -86,7 +86,7 @@ static void evaluate_share(const struct share *w, const gene_bit *chosen, size_t
     free(found);
 }
 
-/* On rank 0, called by the algorithm; serve() is the other ranks' side. */
+/* Computes errors, on rank 0, called by the algorithm; serve() is the other ranks' side. */
 static void server_errors(void *context, const gene_bit *chosen, size_t n, double *error)
 {
     const struct share *w = context;
@@ -98,7 +98,7 @@ static void server_errors(void *context, const gene_bit *chosen, size_t n, doubl
     team_collect(w->team, error, n);
 }
 
-/* Until rank 0 passes nothing. */
+/* Serves until rank 0 passes nothing. */
 static void serve(const struct share *w, size_t population)
 {
     double *error = new_array(population, sizeof *error);
@@ -123,7 +123,7 @@ static void log_line(const struct pga *s, size_t limit, int k, const struct pga_
                 state->evaluations, state->singular, state->terms, state->error, state->median);
 }
 
-/* Terms given by hand take the place of a search. */
+/* Takes terms given by hand instead of a search. */
 static bool take_terms(const struct pga *s, const struct polynomials *p, int k, struct pga_find *find, struct diag *d)
 {
     gene_bit *chosen = new_array(p->count, sizeof *chosen);
@@ -135,7 +135,7 @@ static bool take_terms(const struct pga *s, const struct polynomials *p, int k, 
     return good;
 }
 
-/* On rank 0: one search. */
+/* Runs a search, on rank 0. */
 static void breed(const struct pga *s, size_t limit, struct share *w, int k, struct pga_find *find)
 {
     const struct pga_options *o = s->options;
@@ -159,7 +159,7 @@ static void breed(const struct pga *s, size_t limit, struct share *w, int k, str
     pga_free(g);
 }
 
-/* On rank 0: the searches for one output. */
+/* Runs the searches for an output, on rank 0. */
 static bool search_all(const struct pga *s, struct share *w, int k, struct pga_find (*find)[2], struct diag *d)
 {
     const struct pga_options *o = s->options;

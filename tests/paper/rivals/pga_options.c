@@ -1,4 +1,4 @@
-/* Command line of footpoint-pga. */
+/* Reads the command line of footpoint-pga. */
 #include "pga_options.h"
 
 #include "../../../evolve/common/data_root.h"
@@ -16,7 +16,7 @@ static bool read_limits(const struct option_table *t, const struct option_row *r
     return o->limits > 0;
 }
 
-/* As genome text has it. */
+/* Reads a name in the syntax of genome text. */
 static bool read_name(const struct option_table *t, const struct option_row *r, const char *text, void *values,
                       struct diag *d)
 {

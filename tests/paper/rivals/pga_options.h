@@ -1,4 +1,4 @@
-/* Command line of footpoint-pga. */
+/* Reads the command line of footpoint-pga. */
 #ifndef FOOTPOINT_PGA_OPTIONS_H
 #define FOOTPOINT_PGA_OPTIONS_H
 
@@ -14,7 +14,7 @@ struct pga_options {
     const char *scene, *root, *tier, *output, *log, *name, *terms; /* not owned; NULL: not given */
     size_t order, generations;
     struct pga_plan plan;     /* without terms and stream */
-    size_t limit[PGA_LIMITS]; /* a search for each: N of equation (40), 0: no restriction */
+    size_t limit[PGA_LIMITS]; /* a search for each: N of equation (40), 0: unrestricted */
     size_t limits;            /* at least 1 */
     enum coefficients coefficients;
     bool quiet;
@@ -22,7 +22,7 @@ struct pga_options {
 
 extern const struct option_table pga_option_table;
 
-/** OPTIONS_WRONG with *d "footpoint-pga: error: ...". */
+/** Reads the command line.  Returns OPTIONS_WRONG with *d "footpoint-pga: error: ...". */
 enum options_outcome pga_options_read(int argc, char **argv, struct pga_options *o, struct diag *d);
 
 #endif

@@ -1,4 +1,4 @@
-/* Terms given by hand; see pga_terms.h. */
+/* Reads terms given by hand; see pga_terms.h. */
 #include "pga_terms.h"
 
 #include <stdlib.h>
@@ -26,7 +26,7 @@ static bool has_factors(const struct monomial *m, const int *symbol, size_t n)
     return m->degree == n;
 }
 
-/* One product, "xc xc yd" or "1". */
+/* Reads a product, "xc xc yd" or "1". */
 static bool read_term(const struct term_reader *r, char *text, gene_bit *chosen)
 {
     int symbol[MONOMIAL_DEGREE];

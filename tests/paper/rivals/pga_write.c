@@ -1,4 +1,4 @@
-/* Genome text of polynomials; see pga_write.h. */
+/* Writes genome text of polynomials; see pga_write.h. */
 #include "pga_write.h"
 
 #include "../../../codegen/base/outfile.h"

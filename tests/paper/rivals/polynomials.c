@@ -1,4 +1,4 @@
-/* Polynomials over samples; see polynomials.h. */
+/* Fits polynomials over samples; see polynomials.h. */
 #include "polynomials.h"
 
 #include "../../../codegen/base/simd.h"
@@ -83,7 +83,7 @@ double polynomials_fit(const struct polynomials *p, const gene_bit *chosen, doub
 
 /* A fitted polynomial and its sum of |error| in lanes. */
 struct fitted {
-    size_t *at; /* owned; NULL: there is none */
+    size_t *at; /* owned; NULL: no polynomial */
     size_t terms;
     double *coefficient; /* owned */
     double lane[WIDE_LANES];
@@ -102,7 +102,7 @@ static void fit(const struct polynomials *p, const gene_bit *chosen, struct fitt
 
 typedef int64_t bits __attribute__((vector_size(WIDE_LANES * sizeof(int64_t))));
 
-/* Add the |error| of a block of samples, which stays in the cache for all polynomials. */
+/* Adds the |error| of a block of samples, which stays in the cache for all polynomials. */
 WIDE static void add_block(const double *block, size_t count, struct fitted *f)
 {
     wide sum[VECTORS], total = *wide_at(f->lane);

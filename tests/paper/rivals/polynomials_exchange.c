@@ -1,13 +1,12 @@
-/* Forward and backward steps by the sweep operator (A. Beaton, 1964) on the products of the monomials, scaled to unit
- * length, and the target.  With the chosen terms swept, entry (j, target) of an outsider is its product with what is
- * left of the target and (j, j) its square; of a chosen term they are its coefficient and minus its entry of the
- * inverse. */
+/* Takes forward and backward steps by the sweep operator (A. Beaton, 1964) on the products of the monomials, scaled to unit
+ * length, and the target.  With the chosen terms swept, entry (j, target) of an outsider is its product with the rest of the
+ * target and (j, j) its square; for a chosen term they are its coefficient and minus its entry of the inverse. */
 #include "polynomials.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* A column's square that must be left of 1 for it to count as independent of the chosen ones. */
+/* The least remaining square of a column, of 1, with which it counts as independent of the chosen columns. */
 static const double independent = 1e-9;
 
 struct sweeps {
@@ -20,7 +19,7 @@ static double at(const struct sweeps *s, size_t i, size_t j)
     return s->a[i * s->n + j];
 }
 
-/* Into the choice with sign 1, out of it with sign -1. */
+/* Sweeps a term into the choice with sign 1, out of it with sign -1. */
 static void sweep(struct sweeps *s, size_t k, double sign)
 {
     const double pivot = at(s, k, k);
@@ -57,14 +56,14 @@ static struct sweeps sweeps_new(const struct polynomials *p, const gene_bit *cho
     return s;
 }
 
-/* What the sum of squares loses with an outsider, or gains without a chosen term. */
+/* Returns the decrease of the sum of squares with an outsider, or its increase without a chosen term. */
 static double worth(const struct sweeps *s, size_t j)
 {
     const double product = at(s, j, s->n - 1);
     return product * product / fabs(at(s, j, j));
 }
 
-/* The best outsider, or the term that is worth the least; s->n - 1 where there is none. */
+/* Returns the best outsider, or the least valuable term; s->n - 1 if there is neither. */
 static size_t find(const struct sweeps *s, const gene_bit *chosen, bool outsider)
 {
     size_t best = s->n - 1;
@@ -77,7 +76,7 @@ static size_t find(const struct sweeps *s, const gene_bit *chosen, bool outsider
 
 bool polynomials_exchange(const struct polynomials *p, gene_bit *chosen, size_t limit)
 {
-    static const double progress = 1e-9; /* of the target's square */
+    static const double progress = 1e-9; /* part of the target's square */
     size_t n = polynomials_terms(p, chosen, NULL);
     bool changed = false;
     struct sweeps s = sweeps_new(p, chosen);

@@ -1,4 +1,4 @@
-/* Coefficients for a norm other than the squares, by weighted least squares, repeated: with weights 1/|r| the squares sum
+/* Computes coefficients for a norm other than the squares, by weighted least squares, repeated.  With weights 1/|r| the squares sum
  * to the mean |r|; for the largest |r|, weights are multiplied by |r| each time (C. Lawson, 1961).  The best of all rounds
  * is kept. */
 #include "polynomials.h"
@@ -16,12 +16,12 @@ static const double floor_of_mean = 1e-3; /* |r| counts as at least this fractio
 struct refit {
     const struct polynomials *p;
     enum scene_norm norm;
-    size_t *at; /* owned, as are the others: the terms, then the target's column */
+    size_t *at; /* owned, like all arrays here: the terms, then the target's column */
     size_t terms;
     double *residual, *weight; /* by row of the blocks */
 };
 
-/* Residuals, and the error in the norm. */
+/* Computes residuals, and the error in the norm. */
 static double measure(struct refit *f, const double *coefficient)
 {
     const size_t blocks = f->p->blocks;
@@ -53,7 +53,7 @@ static void weigh(struct refit *f)
         f->weight[i] *= (double)n / sum;
 }
 
-/* False where the weighted terms are dependent. */
+/* Returns false if the weighted terms are dependent. */
 static bool solve(const struct refit *f, double *coefficient)
 {
     const size_t all = f->terms + 1;

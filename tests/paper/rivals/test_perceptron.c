@@ -1,5 +1,5 @@
-/* Perceptrons: derivatives against finite differences, a function that a network can learn comes back, the genome's
- * values are the network's, and training does not depend on more than its seed. */
+/* Tests perceptrons: derivatives match finite differences, training recovers a function that a network can learn, the genome has the
+ * network's values, and training depends only on its seed. */
 #include "../../../evolve/common/stream.h"
 #include "../../../evolve/eval/lines_run.h"
 #include "perceptron_train.h"
@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-enum { INPUTS = 3, SAMPLES = 700, OTHER = 700 }; /* OTHER: samples that training does not see */
+enum { INPUTS = 3, SAMPLES = 700, OTHER = 700 }; /* OTHER: samples outside of training */
 static const struct perceptron networks[] = {
     {3, {INPUTS, 1, 2}}, {3, {INPUTS, 5, 2}}, {4, {INPUTS, 4, 3, 2}}, {2, {INPUTS, 2}}};
 enum { NETWORKS = sizeof networks / sizeof *networks };
@@ -59,7 +59,7 @@ static void test_derivatives(void **state)
     }
 }
 
-/* Inputs uniform in -2..2, and the outputs of a network, of which training sees the first SAMPLES. */
+/* Returns inputs uniform in -2..2 and the outputs of a network; training sees the first SAMPLES. */
 static struct columns lesson_table(const struct perceptron *p, const double *weight)
 {
     struct columns c = columns_new(SAMPLES + OTHER, INPUTS + 2);
@@ -86,7 +86,7 @@ static void test_training(void **state)
     const struct lesson lesson = {&table, input, {INPUTS, INPUTS + 1}, SAMPLES};
     const double before = perceptron_train(p, &lesson, 0, pupil), after = perceptron_train(p, &lesson, 200, pupil);
     assert_true(before > 0.1 && after < 1e-4);
-    /* What it never saw cannot matter, and it was learnt as well. */
+    /* Samples outside of training do not matter, and are learnt as well. */
     for (size_t i = SAMPLES; i < table.n; i++) {
         double in[INPUTS];
         for (size_t j = 0; j < INPUTS; j++)
@@ -105,7 +105,7 @@ static void test_training(void **state)
     free(again);
 }
 
-/* A program of the network over inputs a, b, c, its lets evaluated in order. */
+/* Tests a program of the network over inputs a, b, c, with lets evaluated in order. */
 static void test_genome(void **state)
 {
     (void)state;

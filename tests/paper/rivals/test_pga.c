@@ -1,5 +1,5 @@
-/* The genetic algorithm on polynomials: a known polynomial comes back, sizes are obeyed, fits and errors are what the
- * samples say, dependent terms do no harm, and nothing depends on how the evaluation is shared out. */
+/* Tests the genetic algorithm on polynomials: it recovers a known polynomial and obeys sizes; fits and errors match the
+ * samples; dependent terms do no harm; and results do not depend on how the evaluation is shared. */
 #include "../../../evolve/common/decimal.h"
 #include "../../../evolve/common/stream.h"
 #include "../../../evolve/tiles/kernel.h"
@@ -70,7 +70,7 @@ static void errors_at_once(void *context, const gene_bit *chosen, size_t n, doub
     polynomials_errors(context, chosen, n, error);
 }
 
-/* From the last to the first, one by one. */
+/* Computes errors from the last choice to the first, one by one. */
 static void errors_apart(void *context, const gene_bit *chosen, size_t n, double *error)
 {
     const struct polynomials *p = context;
@@ -84,7 +84,7 @@ static void draw(gsl_rng *rng, gene_bit *chosen, size_t n)
         chosen[i] = gsl_rng_uniform_int(rng, 4) == 0 ? 1 : 0;
 }
 
-/* Errors against the samples; the residual is orthogonal to every term and has the sum of squares that the fit says. */
+/* Compares errors with the samples; the residual must be orthogonal to every term and have the fit's sum of squares. */
 static void fits_are_least_squares(void **state)
 {
     struct fixture *f = *state;
@@ -115,7 +115,7 @@ static void fits_are_least_squares(void **state)
     }
 }
 
-/* binomial(n + degree, degree) monomials, all different. */
+/* There must be binomial(n + degree, degree) monomials, all different. */
 static void monomials_are_complete(void **state)
 {
     static const size_t expected[MONOMIAL_DEGREE + 1] = {1, 5, 15, 35, 70};
@@ -132,7 +132,7 @@ static void monomials_are_complete(void **state)
     }
 }
 
-/* Random sums of monomials against their trees. */
+/* Compares random sums of monomials with their trees. */
 static void horner_form_is_the_sum(void **state)
 {
     struct fixture *f = *state;
@@ -166,7 +166,7 @@ static void horner_form_is_the_sum(void **state)
     kernel_free(kernel);
 }
 
-/* Sums of products, and fits of any choice of columns; columns that depend on each other are refused. */
+/* Checks sums of products, and fits of any choice of columns; dependent columns must be refused. */
 static void products_match(void **state)
 {
     enum { COLUMNS = 7, ROWS = 1000 };
@@ -213,8 +213,8 @@ static double norm_of(const struct fixture *f, const gene_bit *chosen, const dou
     return largest ? most : sum / SAMPLES;
 }
 
-/* Other norms have other coefficients, and small changes of these do not make it better, but for what weighted squares
- * have still to go. */
+/* Other norms must have other coefficients, and small changes of these must not improve them, beyond the remaining progress of
+ * weighted squares. */
 static void norms_have_their_own_optimum(void **state)
 {
     const struct fixture *f = *state;
@@ -266,7 +266,7 @@ static void known_polynomial_is_recovered(void **state)
     }
 }
 
-/* The best never has more terms than allowed, and never gets worse. */
+/* The best must never have more terms than allowed, and never get worse. */
 static void restricted_size_is_obeyed(void **state)
 {
     struct fixture *f = *state;
@@ -307,7 +307,7 @@ static void exchange_descends(void **state)
     }
 }
 
-/* Two variables that are one: choices with both are refused, and the search goes on among the others. */
+/* Two equal variables: choices with both must be refused, and the search must continue among the others. */
 static void dependent_terms_do_no_harm(void **state)
 {
     struct fixture *f = *state;
