@@ -1,4 +1,4 @@
-# footpoint-calibrate: its cost files are read back; costs are sane.  No time is asserted.
+# Checks footpoint-calibrate: its cost files are read back, and costs are plausible.  Times are not asserted.
 . tests/cli/expect.inc
 calibrate=$BIN/footpoint-calibrate
 nothing='footpoint-calibrate:'

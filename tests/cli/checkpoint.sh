@@ -1,5 +1,5 @@
-# footpoint-evolve interrupted: same bytes after kill -9, signals and time limits, on any number of ranks; hostile
-# checkpoints, full disks and contradictions end in one line and leave what was there.
+# Interrupts footpoint-evolve: results have the same bytes after kill -9, signals and time limits, on any number of ranks.  Hostile
+# checkpoints, full disks and contradictions end in one line and leave files unchanged.
 . tests/cli/expect.inc
 evolve=$BIN/footpoint-evolve
 export OMPI_MCA_btl_base_warn_component_unused=0
@@ -21,7 +21,7 @@ usage 'odd topology' "--topology has no choice 'star'" '--topology star'
 usage 'more migrants than individuals' '--migrate-fraction 1.5 is out of range (0 to 0.5)' '--migrate-fraction 1.5'
 usage 'one file for two things' '--checkpoint and --log are one file: f' '--checkpoint f --log f'
 
-# Without interruption, then in two parts on other numbers of ranks: genomes and log.
+# Runs without interruption, then in two parts on other numbers of ranks: genomes and log.
 "$evolve" $options --generations 12 -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
 cp "$work/whole.csv" "$work/log.csv" && head -1 "$work/log.csv" | grep -q '^generation,island,tier,output,place,best_error,' &&
     [ "$(wc -l < "$work/log.csv")" = $((1 + 12 * 6)) ]; report $((! $?)) 'a line for each generation and island'
@@ -44,7 +44,7 @@ for topology in torus ${FOOTPOINT_LONG:+random none}; do
     same "$work/t1.gen" "$work/t2.gen" "$topology: the same genomes from 1 and 2 ranks"
 done
 
-# Killed, and ended by signals.
+# Kills runs, and ends them by signals.
 options=$paper
 started() { # started PID: its first checkpoint is there
     tries=200
@@ -76,7 +76,7 @@ interrupted SIGTERM TERM 143
 [ -z "$FOOTPOINT_LONG" ] || interrupted SIGUSR1 USR1 0
 interrupted 'time limit' none 0 --time-limit 1
 
-# What must not be resumed; nothing is touched.
+# Checkpoints that must not be resumed; all files stay unchanged.
 rm -f "$work/ck"
 refused() { # refused NAME STATUS STDERR [OPTIONS...]: resumes $work/bad
     name=$1 status=$2 message=$3
@@ -124,7 +124,7 @@ expect 'no checkpoint' 3 '' "$work/bad: error: cannot open: No such file or dire
 expect 'no folder for checkpoints' 3 '' "$work/none/ck: error: cannot write: No such file or directory" \
     "$evolve" $options --checkpoint "$work/none/ck" -o "$work/o.gen"
 
-# A disk that is too small for a checkpoint (MPI itself needs some MB): the last one stays, the genomes are written.
+# A disk too small for a checkpoint (MPI itself needs some MB): the last checkpoint stays, the genomes are written.
 cp "$work/good" "$work/ck"; rm -f "$work/o.gen"
 full() { (ulimit -f 32768; exec "$evolve" $options --islands 40 --generations 2 --checkpoint "$work/ck" -o "$work/o.gen"); }
 full_on_two() { (ulimit -f 32768; exec $mpirun -n 2 "$evolve" $options --islands 40 --generations 2 --checkpoint "$work/ck" -o "$work/o.gen"); }

@@ -1,4 +1,4 @@
-# The fuzzer's corpus: every syntax and every refusal of a genome file ends well, a refusal in one line.
+# Replays the fuzzers' corpus: every syntax of a genome file is read or refused in one line.
 . tests/cli/expect.inc
 for gen in tests/fuzz/corpus/*.gen; do
     timeout 20 "$BIN/footpoint-codegen" --count --effort 0 "$gen" > "$work/stdout" 2> "$work/stderr"
@@ -11,7 +11,7 @@ for gen in tests/fuzz/corpus/*.gen; do
     report "$good" "corpus $(basename "$gen" .gen)"
 done
 
-# The searches' corpus: any numbers and indices end in a status that is right, and batches give the bits of single pairs.
+# The searches' corpus: any numbers and indices return a right status, and batches the bits of single pairs.
 ${CC:-gcc} -std=c11 -D_DEFAULT_SOURCE -O1 -ffp-contract=off tests/fuzz/fuzz_search.c tests/fuzz/replay_main.c \
     "$BIN/libfootpoint.a" -lm -o "$work/replay" > "$work/log" 2>&1 &&
     "$work/replay" tests/fuzz/search/*.bin > "$work/log" 2>&1 && "$work/replay" --random 3000 1 > "$work/log" 2>&1

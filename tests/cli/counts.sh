@@ -1,6 +1,6 @@
-# Operation counts against the best that FORM, Maxima and SymPy reached (tests/expressions/rivals.csv, which
-# tests/expressions/compare.py --record writes; none of them is needed here) and against known bounds.  Short
-# expressions and, in the paper's measure, its own pair; all of them in both when FOOTPOINT_LONG is set.
+# Compares operation counts with the best of FORM, Maxima and SymPy (tests/expressions/rivals.csv, written by
+# tests/expressions/compare.py --record, so that these need not be installed) and with known bounds: for short
+# expressions and, in the paper's measure, its own pair; with FOOTPOINT_LONG for all expressions in both measures.
 . tests/cli/expect.inc
 codegen=$BIN/footpoint-codegen
 
@@ -35,7 +35,7 @@ for model in throughput paper; do
     done
 done > "$work/ours.csv"
 
-# misses.csv: where another tool is better, our own figure is the bound
+# misses.csv: if another tool is better, our own figure is the bound
 grep -v -e '^#' -e '^expression' tests/expressions/rivals.csv | cut -d, -f1,2,6 | cat - "$work/bounds.csv" |
     awk -F, 'FILENAME == MISSES { miss[$1 "," $2] = $3; next }
              FILENAME == OURS { ours[$1 "," $2] = $3 "/" $4 "/" $5 " = " $6; cost[$1 "," $2] = $6; next }
@@ -51,7 +51,7 @@ grep -v -e '^#' -e '^expression' tests/expressions/rivals.csv |
              { cost[$1, $2] = $6 }
              END { print "# of " n " comparisons " won " won, " n - won - lost " equal, " lost " lost" }' "$work/ours.csv" -
 
-# missing CSV FILE...: the files of which the table has no line
+# missing CSV FILE...: prints the files without a line in the table
 missing() {
     table=$1; shift
     for file; do grep -q "^$(basename "$file" .gen)[,/]" "$table" || echo "# $file"; done

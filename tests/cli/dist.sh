@@ -1,4 +1,4 @@
-# `make dist` packs what is committed, to the same bytes wherever it runs; the files for packagers agree with the release.
+# Checks that `make dist` packs the committed files, to the same bytes everywhere, and that packagers' files agree with the release.
 . tests/cli/expect.inc
 unset MAKEFLAGS MAKELEVEL MFLAGS
 version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base/base.h)
@@ -32,7 +32,7 @@ for file in libfootpoint$abi.install libfootpoint$abi.symbols; do
     [ -s runtime/package/debian/$file ]; report $((! $?)) "Debian's package of the library has the interface's number: $file"
 done
 
-# ---- Spack: the recipe, with stand-ins for what it takes of Spack, names targets that there are ----
+# ---- Spack: the recipe, with stand-ins for Spack's modules, names targets that exist ----
 if command -v python3 > /dev/null; then
     mkdir "$work/spack" && cat > "$work/spack/package.py" <<'P'
 class MakefilePackage:

@@ -1,4 +1,4 @@
-# footpoint-evolve: usage, diagnostics, exit statuses; same bytes on any number of ranks; nothing lost on bad input.
+# Checks footpoint-evolve: usage, diagnostics, exit statuses; the same bytes on any number of ranks; no loss on bad input.
 . tests/cli/expect.inc
 evolve=$BIN/footpoint-evolve
 export OMPI_MCA_btl_base_warn_component_unused=0
@@ -30,13 +30,13 @@ scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scen
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
 refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is not a value of frame 'parallelogram'"
 
-# A frame's value that is infinite somewhere is refused; values that never change are taken as they are.
+# A frame's value that is infinite on a sample is refused; constant values are accepted.
 mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/" && echo 'let bad = 1/(xi0 - -0.5)' >> "$work/root/evolve/frames/parallelogram.gen"
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "bad"/'
 expect 'infinite value' 1 '' "$work/s.scene:13: error: 'bad' is not finite on 700 of 700 training samples" \
     "$evolve" --root "$work/root" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
 
-# Where nothing has a finite error, the other tiers are written, and it is told.
+# If a tier has no finite error, the other tiers are written with a message.
 cp evolve/frames/parallelogram.gen "$work/root/evolve/frames/" && cat >> "$work/root/evolve/frames/parallelogram.gen" <<'FUNCTION'
 function blow u v -> xi eta j
     let j = p - 0.01
@@ -62,7 +62,7 @@ expect 'a master face on a plane element' 1 '' '*' "$evolve" --scene "$work/s.sc
 grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface has type CPS8R without known faces; it must be a solid, shell or membrane" \
     "$work/stderr"; report $((! $?)) 'is refused where its surface names it, with what is supported'
 
-# Among beams, masses and springs: master faces of two kinds, of which the scene chooses one.
+# Among beams, masses and springs: master faces of two kinds, between which the scene chooses.
 cp tests/meshes/wedges.inp "$work/m.inp"
 sed -i '/^segment/d' "$work/s.scene"
 refused 'faces of two kinds' "$work/s.scene:9: error: master faces are of several kinds: 2 of tri3, 1 of quad4; choose one with segment = \"...\";"
@@ -119,7 +119,7 @@ mkdir "$work/closed"
 expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No such file or directory" \
     "$evolve" --scene "$work/small.scene" --from-scratch -o "$work/none/o.gen" --generations 100000000
 
-# A run may end before it has begun to breed: what is there is written.
+# A run may end before it begins to breed: existing genomes are written.
 sed 's/training  = 700/training  = 30000/' tests/scenes/small.scene > "$work/large.scene"
 interrupted() { # by SIGTERM, soon after it is listened to (bit 15 of those caught)
     "$evolve" --scene "$work/large.scene" --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
@@ -133,7 +133,7 @@ expect 'interrupted' 143 '*' '*' interrupted
 "$BIN/footpoint-codegen" --effort 0 --allow-poles --count "$work/part.gen" > /dev/null 2>&1 && ! ls "$work" | grep -q tmp; report $((! $?)) 'genomes are there, nothing half-written'
 ! grep -q climbing "$work/part.gen"; report $((! $?)) 'measured in a hurry, without climbing'
 
-# Without frame and tiers they follow from the segments; where a value of the frame is exact, nothing is evolved.
+# Missing frame and tiers follow from the segments; if a value of the frame is exact, nothing is evolved.
 sed 's/taper = 0.2; warp = "10 deg"/taper = 0; warp = "0 deg"/; /^reference/d; /^frame/,$d' tests/scenes/small.scene \
     > "$work/lean.scene"
 lean() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/lean.scene" --quiet "$@"; }
@@ -152,7 +152,7 @@ grep -q '^lean: segments are plane (.*), frame plane: nothing to evolve for exac
     [ "$(grep -c '^note found_\|^note exact_' "$work/l2.gen")" = 6 ]
 report $((! $?)) 'plane segments: two tiers are evolved, one is exact'
 
-# Of other kinds, those of the scene of the kind; limits that few meshes have are told.
+# Other kinds take those of the kind's scene; unusual limits are reported.
 printf '%s\n' 'segment = "quad8"; training = 300; heldout = 200;' \
     'shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.2; warp = "9 deg"; curve = 0.03; shift = 0.02; overhang = 0.1;' 'gap = 3.0; };' \
     > "$work/faces.scene"
@@ -160,7 +160,7 @@ expect 'a scene of few words' 0 '*' "$work/faces.scene:3: warning: 'gap' is 3; 0
     timeout 60 $mpirun -n 2 "$evolve" --scene "$work/faces.scene" --from-scratch --generations 1 --population 20 --quiet -o "$work/faces.gen"
 grep -q '^faces: segments are quad8, frame quad8' "$work/stdout" && [ "$(grep -c '^genome' "$work/faces.gen")" = "$(grep -c 'name =' evolve/scenes/quad8.scene)" ]
 report $((! $?)) 'has the frame and the tiers of its kind'
-# Tiers of one gene are done at once, and others are evolved beside them.
+# Tiers of one gene are chosen at once, and others are evolved beside them.
 grep -q '^faces: nothing to evolve for medium: one gene, chosen among the frame.s values$' "$work/stdout" &&
     grep -q '^faces: .*: nothing to evolve for full$' "$work/stdout" &&
     [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 2 ] &&

@@ -1,4 +1,4 @@
-# Which members of a front to ship: those that footpoint-evolve writes for it, and what which_ship.awk says of made-up times.
+# Checks the members of a front that footpoint-evolve writes for `make front`, and the choice of which_ship.awk for invented times.
 . tests/cli/expect.inc
 evolve=$BIN/footpoint-evolve
 cp tests/scenes/steps.scene "$work/"
@@ -11,7 +11,7 @@ costs=$(sed -n 's/^genome both_both_c//p' "$work/front.gen" | tr '\n' ' ')
 echo "$costs" | awk '{ bad = NF < 1 || NF > 3; for (i = 1; i <= NF; i++) bad = bad || $i > 1.06 * 400 || (i > 1 && $i <= $(i - 1)); exit bad }'
 report $((! $?)) "three members at most, within the budget, by cost: $costs"
 grep -q '^range .*C ' "$work/front.gen"; report $((! $?)) 'with the region that they are proved in'
-# Two frames that begin alike: the rest of a line of lets, of which the first are there already, gets a line of its own.
+# Two frames that begin alike: if the first lets of a line exist already, the others get a line of their own.
 expect 'a front of two frames' 0 '*' '*' "$evolve" --scene tests/scenes/small.scene --from-scratch --generations 1 --population 20 \
     --quiet -o "$work/a.gen" --front "$work/two.gen"
 expect 'which is read again' 0 '*' '*' "$evolve" --scene tests/scenes/small.scene --from-scratch --generations 0 --quiet \

@@ -1,4 +1,4 @@
-# What a program prints on standard output arrives, or it ends with exit status 3 and one line.
+# Checks that output on a full device ends a program with exit status 3 and one line.
 . tests/cli/expect.inc
 for program in codegen calibrate evolve bench; do
     no_room_for_help "footpoint-$program"
@@ -9,6 +9,6 @@ expect 'counts to a full device' 3 '' "$full" to_full "$BIN/footpoint-codegen" -
 { printf 'footpoint-genome 1\ninput x\n'; seq -f 'genome g%g
 r = * x x
 end' 1000; } > "$work/many.gen"
-# more than a buffer holds: the device refuses the first part before the end
+# more than a buffer: the device refuses the first part before the end
 "$BIN/footpoint-codegen" --count --effort 0 "$work/many.gen" > /dev/full 2> "$work/log"
 [ $? = 3 ] && [ "$(wc -l < "$work/log")" = 1 ]; report $((! $?)) 'many counts to a full device'

@@ -1,5 +1,5 @@
-# The hard cases, some of each family: the search never errs without a status, in double or in float, footpoint_robust finds the closest point or
-# says why not, and no certificate is wrong.  long/hard_cases.sh does so at length.
+# Judges some hard cases of each family: the search never errs without a status, in double or in float, footpoint_robust finds the
+# closest point or returns a status, and no certificate is wrong.  long/hard_cases.sh does so at length.
 . tests/cli/expect.inc
 . tests/hard/build.inc
 expect 'the hard cases judge by what the check vouches for' 0 "$(sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/certain/check.h)" '' \

@@ -1,10 +1,10 @@
-# Infix expressions, version 3 of genome text: a frame and its prefix twin give the same header, and formulas that codegen
-# prints read back.  Precedence and refusals are in tests/codegen/test_infix.c.
+# Checks infix expressions, version 3 of genome text: a frame and its prefix twin make the same header, and codegen reads back the
+# formulas that it prints.  Precedence and refusals are in tests/codegen/test_infix.c.
 . tests/cli/expect.inc
 BIN=$(realpath "$BIN")
 codegen() { "$BIN/footpoint-codegen" --effort 0 --quiet --allow-poles "$@"; }
 
-# ---- the parallelogram frame, as it is and as version 2 has it ----
+# ---- the parallelogram frame, as it is and in version 2 ----
 mkdir "$work/infix" "$work/prefix" "$work/other"
 {
     cat evolve/frames/parallelogram.gen
@@ -90,7 +90,7 @@ expect 'a frame and its prefix twin give the same header but for the hash of the
 >  * sha256' '' same prefix
 [ "$(same other | grep -c 'genome_sha256')" = 2 ]; report $((! $?)) 'the hash of a genome tells other parentheses'
 
-# ---- what codegen prints as formulas reads back as infix ----
+# ---- formulas that codegen prints are read back as infix ----
 cat > "$work/once.gen" <<'GENOME'
 footpoint-genome 3
 input x y z

@@ -1,5 +1,5 @@
-# footpoint-evolve: what it reads it does not write over, what it cannot use it refuses, and samples do not depend on how the
-# mesh lies.
+# Checks inputs of footpoint-evolve: it never overwrites files that it reads, refuses unusable input, and draws samples that do not
+# depend on the mesh's orientation.
 . tests/cli/expect.inc
 evolve=$BIN/footpoint-evolve
 scene() { sed "$1" "$2" > "$work/s.scene"; }
@@ -46,7 +46,7 @@ for axis in z x; do
     expect "half of 121 pairs of a curved face are held out, along $axis" 0 60 '' grep -c '^heldout,' "$work/dome.csv"
 done
 
-# ---- what is read stays ----
+# ---- inputs stay unchanged ----
 sed -n '/^\*ELEMENT/,$p' "$work/dome.inp" > "$work/rest.inp"
 sed '/^\*ELEMENT/,$d' "$work/dome.inp" > "$work/nodes.inp"
 cp "$work/nodes.inp" "$work/before.inp"
@@ -65,7 +65,7 @@ done
 scene 's|^seed.*|seed = 4294967299L; // 4294967299 /* "|' tests/scenes/small.scene
 run --samples "$work/large.csv"; report $((! $?)) 'a large seed, and one in a comment'
 
-# ---- what programs cannot use ----
+# ---- input that programs cannot use ----
 scene 's/functions = \["+", "-", "\*", "min", "max"\]/functions = ["+", "*", "sqrt"]/' tests/scenes/steps.scene
 refused 'an operator of one value' "$work/s.scene:16: error: tier 'clamped': 'sqrt' is unary; programs take binary operators"
 cat > "$work/s.scene" <<'SCENE'
@@ -118,7 +118,7 @@ strip() { # strip TYPE: two elements wide, six long, one element round the bend,
         print "*SURFACE, NAME=M\nE, SPOS\n*SURFACE, NAME=S\nE, SPOS\n*NSET, NSET=N, ELSET=E\n*CONTACT PAIR"
     }'
 }
-# Held-out samples: how many, and whether all slave nodes are 1/8 above the face, and none of its nodes.
+# Prints the number of held-out samples, and whether all slave nodes are 1/8 above the face and are not its nodes.
 gaps() {
     awk -F, '/^heldout,/ { n++; z = $4; for (i = 2; i < NF - 4; i += 3) if ($(i + 2) != z || $(NF - 2) == z) bad++ } END { print n, bad + 0 }' "$1"
 }
@@ -136,7 +136,7 @@ for row in S4 S8 S9 S3 S6; do
     report $((! $?)) "self contact of $row: across the gap only"
 done
 
-# A block one element thick, in contact with itself: its back is no slave of its front.
+# A block one element thick, in contact with itself: nodes of its back are not slave nodes of its front.
 {
     awk 'BEGIN {
         print "*NODE"

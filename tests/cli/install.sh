@@ -1,5 +1,5 @@
-# What `make install` puts in a scratch folder works from there and after it was moved: library, Fortran module,
-# programs, pages; and `make uninstall` takes away that and nothing else.  Projects with CMake and C++, and folders of other names, are in tests/long/projects.sh.
+# Checks that files of `make install` work in a scratch folder and after it was moved: library, Fortran module,
+# programs, pages; and that `make uninstall` removes only these.  Projects with CMake and C++, and folders of other names, are in tests/long/projects.sh.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-Wall -Wextra -Wpedantic -Werror'
@@ -62,7 +62,7 @@ if command -v pkg-config > /dev/null; then
     logged 'C, static' $CC -std=c11 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags footpoint) \
         "$installed/lib/libfootpoint.a" -lm
     expect 'which answers' 0 "$answer" '' "$work/use"
-    # A program with a search of its own, out of an archive: only who asks for ours gets it.
+    # A program with a search of its own, from an archive: ours is used only on request.
     cat > "$work/search.c" <<'C'
 #include <footpoint.h>
 #include <stdio.h>
@@ -93,7 +93,7 @@ else
     report 1 'skipped: no pkg-config'
 fi
 
-# What is linked with a static library whose batches have threads asks for OpenMP.
+# Programs linked with a static library whose batches have threads require OpenMP.
 for threads in 0 1; do
     make -n install-runtime OPENMP=$threads PREFIX=/opt/footpoint | grep -o 's|@THREADS@|[^|]*|' | sort -u
 done > "$work/log"
@@ -185,7 +185,7 @@ else
     report 1 'skipped: no mandoc'
 fi
 
-# ---- gone again ----
+# ---- uninstalled ----
 mkdir -p "$work/stage/opt" && mv "$work/moved" "$work/stage/opt/footpoint"
 own='include/footpoint/footpoint_mine.h share/footpoint/evolve/scenes/mine.scene lib/cmake/footpoint/mine.cmake'
 for file in $own; do : > "$work/stage/opt/footpoint/$file"; done

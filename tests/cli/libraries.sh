@@ -1,5 +1,5 @@
-# What judges searches of other libraries (make rivals) knows right from wrong, refused, crashed and endless; and ours
-# are right where they promise to be.
+# Checks the judge of other libraries' searches (make rivals): it separates right, wrong, refused, crashed and endless answers.  Our
+# own answers must be right if they promise it.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 mkdir -p "$work/objects"

@@ -1,4 +1,5 @@
-# What `make` refuses, what it builds, what it installs out of a tree with files of one's own, and what it takes to build the library.
+# Checks `make`: values that it refuses, targets that it builds, files that it installs from a tree with users' files, and the
+# library with only a C compiler.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 unset MAKEFLAGS MAKELEVEL MFLAGS
@@ -39,7 +40,7 @@ done
 expect 'headers of genomes that did not change are not emitted anew' 0 'generated/footpoint_tri3_derivatives.h is as it was
 generated/footpoint_quad9_derivatives.h is as it was' '' env GENERATIONS=4 sh evolve/regenerate.sh --derivatives tri3 quad9
 
-# The table at the end of `make regenerate`: scene, function, origin, operations, promise, mean error, proof, what changed.
+# The table at the end of `make regenerate`: scene, function, origin, operations, promise, mean error, proof, change.
 mkdir "$work/shipped" && sed 's/^ \*   genome_sha256:  .*/ *   genome_sha256:  0/' generated/footpoint_quad4.h > "$work/shipped/footpoint_quad4.h"
 cp generated/footpoint_tri3.h "$work/shipped/"
 awk -f evolve/what_ships.awk -v before="$work/shipped" generated/footpoint_quad4.h generated/footpoint_quad9.h generated/footpoint_tri3.h > "$work/table"
@@ -51,7 +52,7 @@ grep -q '^quad4 *full *bred .* over Q *was .* add, mean ' "$work/table" && grep 
     grep -q '^tri3 *exact *derived *[0-9]* mul 1 div [0-9]* add *1e-12 .* over Q *none$' "$work/table"
 report $((! $?)) 'with what changed'
 
-# ---- what is built ----
+# ---- targets ----
 mkdir "$work/new" && cp -a Makefile evolve generated codegen runtime tests "$work/new"
 new() { make -C "$work/new" --no-print-directory "$@"; }
 for target in all install install-runtime; do
@@ -78,7 +79,7 @@ export MAKEFLAGS=-j1
 expect 'unless the caller says otherwise' 0 '' '' jobs_of
 unset MAKEFLAGS
 
-# ---- a tree with files of one's own ----
+# ---- a tree with users' files ----
 tree=$work/tree root=$PWD
 mkdir "$tree" && cp -a Makefile evolve generated "$tree"
 for shared in build codegen runtime tests; do ln -s "$root/$shared" "$tree/$shared"; done
@@ -108,12 +109,12 @@ else
     report 1 'skipped: no git'
 fi
 
-# ---- the library, with a C compiler alone ----
+# ---- the library, with only a C compiler ----
 rm "$tree/build" && mkdir "$tree/build" "$work/bare"
 for tool in ar make sed awk cat chmod cp id install ln mkdir mv nproc printf realpath rm rmdir touch; do
     ln -s "$(env which $tool)" "$work/bare/$tool"
 done
-# The compiler finds its own parts.  What has been compiled before is not compiled once more.
+# The compiler finds its own parts.  Compiled files are not compiled again.
 objects=
 [ -n "$FOOTPOINT_LONG" ] || [ "$BIN" != build ] || objects=$root/
 cat > "$work/bare/cc" << END

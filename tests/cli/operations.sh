@@ -1,4 +1,4 @@
-# --count counts the operations of the emitted text: an awk script that knows nothing but the text counts the same.
+# Checks that --count counts the operations of the emitted text: an awk script that reads only the text counts the same.
 . tests/cli/expect.inc
 codegen=$BIN/footpoint-codegen
 

@@ -1,5 +1,5 @@
-# Where programs write: links are followed, devices and pipes stay what they are, permissions stay, nothing is left beside,
-# and no program writes over what it reads.
+# Checks output files: links are followed, devices, pipes and permissions stay unchanged, no files are left beside,
+# and no program overwrites its input.
 . tests/cli/expect.inc
 codegen=$BIN/footpoint-codegen evolve=$BIN/footpoint-evolve
 cat > "$work/a.gen" <<'G'
@@ -34,7 +34,7 @@ holds 'and where there was none, made' "$work/far/new.h"
 ln -s loop.h "$work/loop.h"
 expect 'a link to itself' 3 '' "$work/loop.h: error: cannot write: Too many levels of symbolic links" code -o "$work/loop.h"
 
-# ---- what is no regular file ----
+# ---- files that are not regular ----
 mkfifo "$work/pipe"
 timeout 20 cat "$work/pipe" > "$work/through" &
 expect 'into a pipe' 0 '' '' code -o "$work/pipe"
@@ -51,7 +51,7 @@ if mknod "$work/null" c 1 3 2> /dev/null && : 2> /dev/null > "$work/null"; then
 else
     report 1 'skipped: no devices can be made here'
 fi
-# Links of our own, so that a program that goes wrong does no harm to the machine's.
+# Own links, so that a faulty program cannot harm the machine's.
 ln -s /proc/self/fd/1 "$work/standard-output"
 expect 'to standard output' 0 "$(cat "$work/a.h")" '' code -o "$work/standard-output"
 echo before > "$work/appended"
@@ -67,7 +67,7 @@ chmod 604 "$work/mode.h"
 code -o "$work/mode.h"
 [ "$(stat -c %a "$work/mode.h")" = 604 ]; report $((! $?)) 'a file written again keeps its own'
 
-# ---- what is read ----
+# ---- input files ----
 refused() { # refused PROGRAM ONE OTHER COMMAND...: they are one file
     program=$1 one=$2 other=$3
     shift 3

@@ -1,5 +1,6 @@
-# A scene of one's own, given by a path: genomes, header and page stand beside it, or in a folder; the tree stays as it is.  The last
-# word of a run is which functions to use, beside those that ship; fresh samples confirm it, and no band of |gap| is worse.
+# Checks a user's scene, given by a path: genomes, header and page are written beside it, or into a folder, and the tree stays
+# unchanged.  The verdict of a run names the functions to use beside the shipped ones.  Fresh samples must confirm it, and no band of
+# |gap| may be worse.
 . tests/cli/expect.inc
 export OMPI_MCA_btl_base_warn_component_unused=0
 state() { find evolve generated tests/generated -type f -newer "$work/begun" | sort; }
@@ -52,7 +53,7 @@ grep -q '>footpoint_mine_\.\.\.<' "$work/mine.svg" && grep -q '>footpoint_quad4_
 report $((! $?)) 'the page has both, and the shapes of the faces'
 [ "$(grep -c '<rect [^>]*fill="hsl' "$work/mine.svg")" = 72 ]; report $((! $?)) 'a cell for each function and band'
 
-# Errors on samples of another seed, by what measures and writes: the training column of the table.
+# Prints errors on samples of another seed, from a run that only measures and writes: the training column of the table.
 for from in "$work/mine.gen" evolve/genomes/quad4.gen; do
     bred --scene "$work/fresh.scene" --generations 0 --start "$from" -o "$work/again.gen" > "$work/table" 2> /dev/null
     awk '$4 == "->" { print $1, $5 }' "$work/table" > "$work/errors.$(basename "$from")"

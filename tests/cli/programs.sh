@@ -1,5 +1,5 @@
-# Tiers of programs: same bytes on any number of ranks, from a checkpoint and from their own genomes; the front as a
-# table; the header; what is no function of the frame.
+# Checks tiers of programs: the same bytes on any number of ranks, from a checkpoint and from their own genomes; the front as a
+# table; the header; names that are not functions of the frame.
 . tests/cli/expect.inc
 evolve=$BIN/footpoint-evolve
 export OMPI_MCA_btl_base_warn_component_unused=0
@@ -34,14 +34,14 @@ same "$work/one.gen" "$work/parts.gen" 'resumed: the same genomes'
 "$evolve" --scene "$work/steps.scene" --seed 3 --quiet --start "$work/one.gen" --generations 0 -o "$work/again.gen" > /dev/null
 same "$work/one.gen" "$work/again.gen" 'no generations: the same file again'
 
-# The front: errors fall with rising cost; hand-written methods are on it; the champion is one of them.
+# The front: errors fall with rising cost, hand-written methods are on it, and the champion is a member.
 awk -F, 'NR > 1 && $1 == "both" { if (n++ && !($3 > cost && $9 <= error)) bad = 1; cost = $3; error = $9 }
     NR > 1 && NF != 18 { bad = 1 } END { exit bad || n < 30 }' "$work/one.csv"; report $((! $?)) 'the front as a table'
 best=$(awk '/^genome both/ { own = 1 } own && /^note training_both/ { print $NF; exit }' "$work/one.gen")
 awk -F, -v own="$best" '$1 == "both" && $3 <= 400 { n++; found += $9 == own } END { exit !(n > 10 && found == 1) }' "$work/one.csv"
 report $((! $?)) 'the champion is one within the budget'
 
-# What is written is lets, and a call of the function that it ends in; what they cost is as counted.
+# Written programs are lets and a call of their last function, with the counted cost.
 "$BIN/footpoint-codegen" --effort 0 --allow-poles --count "$work/one.gen" > "$work/a" 2> /dev/null
 [ "$(grep '^function' "$work/one.gen")" = 'function place u v -> xi eta' ] && [ -s "$work/a" ]
 report $((! $?)) 'no function is needed but the last'

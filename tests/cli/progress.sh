@@ -1,4 +1,4 @@
-# make tells what it makes in a line for each file, on stderr; V=1 shows commands, -s nothing.
+# Checks that make prints a line for each file on stderr; V=1 prints commands, -s nothing.
 . tests/cli/expect.inc
 object=$work/o/codegen/base/text.o
 built() { rm -f "$object"; MAKEFLAGS='' MFLAGS='' MAKELEVEL='' make --no-print-directory "$@" CC="${CC:-gcc}" OBJ="$work/o" "$object"; }

@@ -1,4 +1,4 @@
-# The adapters of runtime/replace/ compile with the signatures of the codes that they are for, and give known answers.
+# Checks that the adapters of runtime/replace/ compile with the signatures of their codes, and return known answers.
 . tests/cli/expect.inc
 CXX=${CXX:-g++} FC=${FC:-gfortran}
 LIBRARY=$BIN/libfootpoint.a

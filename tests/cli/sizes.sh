@@ -1,10 +1,10 @@
-# Segments of any size: the functions of patches answer as for |AB| = 1, status included, whatever the unit of length.
+# Checks segments of any size: functions of patches answer as for |AB| = 1, status included, in any unit of length.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CODEGEN=${BIN:-build}/footpoint-codegen
 strict='-std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off'
 [ -n "$FOOTPOINT_LONG" ] && strict="$strict -O1" || strict="$strict -O0"
 
-# Divides by what goes as the square and as the cube of lengths and is 0 where |AD| = |AB|/2, behind limits of xi and eta.
+# A genome that divides by powers 2 and 3 of lengths, which are 0 if |AD| = |AB|/2, within limits of xi and eta.
 {
     echo 'footpoint-genome 1'
     echo 'input xA yA zA xB yB zB xC yC zC xD yD zD xnA ynA znA xnB ynB znB xnC ynC znC xnD ynD znD xS yS zS'

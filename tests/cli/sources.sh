@@ -1,4 +1,4 @@
-# The long test of CalculiX takes the package sources of the machine, in either form, and asks for source packages, too.
+# Checks that the long test of CalculiX reads the machine's package sources, in either form, and adds source packages.
 . tests/cli/expect.inc
 . tests/calculix/sources.inc
 mkdir -p "$work/etc/sources.list.d"

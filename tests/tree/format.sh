@@ -1,4 +1,4 @@
-# Every source that is typed is formatted as .clang-format says, by clang-format 14: other versions differ in their opinions.
+# Checks that every typed source is formatted by .clang-format with clang-format 14; other versions format differently.
 . tests/cli/expect.inc
 for format in clang-format-14 clang-format; do
     ! "$format" --version 2> /dev/null | grep -q 'version 14\.' || break

@@ -1,5 +1,5 @@
-# Arrows run one way: evolve -> genome text <- codegen -> generated <- runtime, and so they do between the rooms of each.
-# Below is what a room may include; every #include is read.  "x/*" stands for all rooms of x.
+# Checks that includes run one way: evolve -> genome text <- codegen -> generated <- runtime, and between the rooms of each.
+# The table lists the rooms that a room may include; every #include is read.  "x/*" stands for all rooms of x.
 . tests/cli/expect.inc
 
 rooms() {
@@ -88,7 +88,7 @@ includes() {
 folder_of='function folder_of(file) { sub(/\/[^\/]*$/, "", file); return file }'
 check() { [ -z "$2" ]; good=$?; [ $good = 0 ] || echo "$2" | sed 's/^/# /'; report $((! good)) "$1"; }
 
-# Only files that are there count: what the Makefile makes is included by name alone.
+# Only existing files count: files that the Makefile makes are included only by name.
 judge() {
     find "$@" -type f > "$work/files"
     includes "$@" | awk 'NR == FNR { there[$0]; next } $2 ~ /^</ || $2 in there' "$work/files" - > "$work/includes"
@@ -104,7 +104,7 @@ judge() {
     circles=$(circles_of "$work/includes")
 }
 
-# circles_of FILE: what is left when units are taken away that use none, or that none uses, of what is left.  FILE has
+# circles_of FILE: repeatedly removes units that use no other unit, or that no other uses, and prints the rest.  FILE has
 # lines "user used"; a unit is x.c with x.h.
 circles_of() {
     awk '
@@ -176,7 +176,7 @@ check "MPI stops at evolve's main program, mpi/ and run/" \
 check 'file names are unique' \
     "$(git ls-files 2> /dev/null | grep -E '\.(c|h|cpp|sh|awk)$' | sed 's|.*/||' | sort | uniq -d)"
 
-# What the test finds, planted.
+# Planted errors must be found.
 mkdir -p "$work/codegen/graph" "$work/codegen/passes"
 echo '#include "../passes/b.h"' > "$work/codegen/graph/a.h"
 echo '#include "../graph/a.h"' > "$work/codegen/passes/b.h"

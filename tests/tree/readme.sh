@@ -1,5 +1,5 @@
-# The READMEs keep their word.  Programs compile, run and print what is shown; the genome compiles; commands, options,
-# files, functions and links that are named exist; figures are those of the headers and genomes that they are about.
+# Checks the READMEs.  Programs compile, run and print the output shown; the genome compiles; commands, options,
+# files, functions and links exist; figures agree with headers and genomes.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 documents='README.md codegen/README.md evolve/README.md generated/README.md runtime/README.md tests/README.md'
@@ -12,7 +12,7 @@ check() { # check NAME WRONG: what is wrong, a line each
 }
 # blocks FILE LANGUAGE: the fenced blocks of a language
 blocks() { awk -v fence="^\`\`\`$2\$" '$0 ~ fence { on = 1; next } /^```$/ { on = 0 } on' "$1"; }
-# quoted FILES: what stands in backticks outside of blocks, one a line
+# quoted FILES: the text in backticks outside of blocks, a line each
 quoted() { cat "$@" | awk '/^```/ { on = !on; next } !on' | tr '\n' ' ' | grep -o '`[^`]*`' | tr -d '`'; }
 
 lines=$(wc -l < README.md)
@@ -48,7 +48,7 @@ while read -r program options; do
     report $((! $?)) "footpoint-codegen $options"
 done < "$work/lines"
 
-# ---- what is named exists ---------------------------------------------------------------------------------------------
+# ---- names ---------------------------------------------------------------------------------------------------------
 
 awk -F ':.*## ' '/^[a-z -]+:.*## / { gsub(" ", "\n", $1); print $1 }' Makefile | sort > "$work/targets"
 for document in $documents; do
@@ -68,7 +68,7 @@ for program in evolve codegen bench pga perceptron calibrate; do
     "$BIN/footpoint-$program" --help > "$work/help.$program" 2> "$work/log" || echo "# no $program"
     cat "$work/help.$program" >> "$work/help"
 done
-# Options behind a program are that program's; those named by themselves are some program's, or mpirun's.
+# Options after a program must be its own; options by themselves may be any program's, or mpirun's.
 sed -e ':a' -e '/\\$/N; s/\\\n//; ta' "$work/commands" |
     sed -n 's/.*footpoint-\(evolve\|codegen\|bench\|pga\|perceptron\|calibrate\) \(.*\)/\1 \2/p' |
     while read -r program options; do
@@ -84,7 +84,7 @@ grep -v '^mpirun\|^srun' "$work/commands" | grep -o '^--[a-z-]*' | sort -u | whi
 done > "$work/wrong"
 check 'options by themselves' "$(cat "$work/wrong")"
 
-# Rooms and recipes name folders by themselves; these are files that users type.
+# Files that users type; rooms and recipes name folders by themselves.
 quoted $documents | tr ' ' '\n' | sed 's/[,;:]$//' |
     grep -E '^(tests/(cli|tree|long|timed|example|expressions|scenes|meshes|paper|hard)|evolve/(scenes|frames|genomes)|generated)/[A-Za-z0-9_./-]+$' |
     grep -vE '(NAME|mine)' | sort -u | while read -r path; do
@@ -116,7 +116,7 @@ check 'functions' "$(cat "$work/wrong")"
 
 check 'what make figures fills' "$(sh tests/report/figures.sh --check)"
 
-# operations HEADER FUNCTION: mul div add, as the banner says
+# operations HEADER FUNCTION: mul div add, from the banner
 operations() { told "generated/footpoint_$1.h" "$2" operations | awk '{ print $1, $3, $5 }'; }
 # heldout SCENE GENOME PART_OUTPUT: mean, 99 % and worst of samples, worst of climbing, too
 heldout() {
@@ -159,7 +159,7 @@ for kind in gregory bezier; do
     done
 done
 
-# What was bred and what derived by hand: trees of more than one gene, and programs with a seed.
+# Functions that were bred: trees of more than one gene, and programs with a seed; the others were derived by hand.
 searches=$(ls generated/*.h | grep -v _derivatives)
 functions=$(cat $searches | grep -c '^ \*   operations:') exact=$(cat $searches | grep -cE '^ \*   exact(_xi)?:')
 bred=$(awk '/^genome/ { good = 0 } /^note training_(xi|eta)/ && $4 > 1 || /^note found_both seed/ { if (!good++) n++ } END { print n }' evolve/genomes/*.gen)
