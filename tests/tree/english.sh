@@ -5,8 +5,10 @@
 rewritten='evolve codegen runtime tests/hard tests/paper'
 old='evolve/evolve_main.c evolve/samples evolve/eval/errors.* evolve/eval/frame.h evolve/write/archive_csv.c
     evolve/run/run_options.c evolve/region/sampled_region.* evolve/region/shape_requires.* evolve/surface/sample.*
-    codegen/print/header codegen/print/templates/along codegen/print/templates/curved_closest
-    codegen/print/templates/promise codegen/codegen_*.[ch]'
+    codegen/print/header/header_along.c codegen/print/header/header_arrays.* codegen/print/header/header_closest.c
+    codegen/print/header/header_helpers.* codegen/print/header/header_lines.* codegen/print/header/header_p*.c
+    codegen/print/header/header_promise.h codegen/print/header/header_segment.* codegen/print/templates/along
+    codegen/print/templates/curved_closest codegen/print/templates/promise codegen/codegen_*.[ch]'
 others='evolve codegen runtime tests'
 pages='README.md */README.md'
 git ls-files --error-unmatch Makefile > "$work/log" 2>&1 || { echo 'ok 1 - comments and READMEs # SKIP no clone'; exit 0; }

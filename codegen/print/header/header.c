@@ -1,6 +1,6 @@
-/* Prints a generated header.  It is self-contained: no include but <math.h> and <stddef.h>, C99 to C++17 and CUDA,
- * every name prefixed.  A genome NAME of scalars becomes NAME:    outputs through pointers; returns a status if a
- * denominator may be 0; NAME_n:  the same for arrays; for those of a segment see header_segment.c. */
+/* Prints a generated header.  It is self-contained: it includes only <math.h> and <stddef.h>, compiles as C99 to C++17 and CUDA,
+ * and prefixes every name.  A genome NAME of scalars becomes NAME, with outputs through pointers and a status if a
+ * denominator may be 0, and NAME_n, the same for arrays; for genomes of a segment see header_segment.c. */
 #include "header.h"
 
 #include "../../base/text.h"
@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* PREFIX_H; PREFIX_PLACE_H of functions at a place of a face that are named as those of a search are. */
+/* Prints the include guard PREFIX_H; PREFIX_PLACE_H for functions at a place of a face with the names of a search. */
 static void print_guard(const struct unit *u, FILE *out)
 {
     char *guard = new_capitals(u->options.prefix);
@@ -25,7 +25,7 @@ static void print_guard(const struct unit *u, FILE *out)
     free(guard);
 }
 
-/* "double in_x, double in_y, double *out_r", a few a line; of an array function pointers. */
+/* Prints "double in_x, double in_y, double *out_r", several a line; for an array function pointers. */
 static void print_parameters(const struct unit *u, const struct function *f, bool array, FILE *out)
 {
     const char *real = u->options.precision == PRECISION_FLOAT ? "float" : "double";
@@ -76,7 +76,7 @@ static void print_loop(const struct unit *u, const struct function *f, FILE *out
     fputs(");\n}\n", out);
 }
 
-/* What the functions of scalars do, said once for all genomes. */
+/* Prints the contract of functions of scalars, once for all genomes. */
 static void print_contract(const struct unit *u, FILE *out)
 {
     bool poles = false;
@@ -92,7 +92,7 @@ static void print_contract(const struct unit *u, FILE *out)
             : "");
 }
 
-/* Helpers, each if it is called. */
+/* Prints each helper that is called. */
 static void print_helpers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;

@@ -1,4 +1,4 @@
-/* The C header of a unit: banner, shared helpers and the functions of each genome, in double or float. */
+/* Prints the C header of a unit: banner, shared helpers and the functions of each genome, in double or float. */
 #ifndef FOOTPOINT_HEADER_H
 #define FOOTPOINT_HEADER_H
 

@@ -1,5 +1,5 @@
-/* Float code of segments; see header_float.h.  Products of a dozen and more lengths leave the range of float where
- * edges are 100 long, so that coordinates are first made relative to node A and to the size of the segment. */
+/* Prints float code of segments; see header_float.h.  Products of a dozen and more lengths leave the range of float if
+ * edges are 100 long, so coordinates are first made relative to node A and to the size of the segment. */
 #include "header_float.h"
 
 #include "../../base/text.h"
@@ -15,7 +15,7 @@ void single_print_helpers(const struct unit *u, FILE *out)
                         out);
 }
 
-/* The scale, from the corners. */
+/* Prints the scale, from the corners. */
 static void print_scale(const struct segment_kind *k, FILE *out)
 {
     fprintf(out, "    const float *const corner[%zu] = {", k->corners);

@@ -1,14 +1,13 @@
-/* What the search over a segment in float has beyond that in double: coordinates moved and scaled before anything is
- * multiplied. */
+/* Prints the additional code of searches over a segment in float: coordinates are moved and scaled before they are multiplied. */
 #ifndef FOOTPOINT_HEADER_FLOAT_H
 #define FOOTPOINT_HEADER_FLOAT_H
 
 #include "../../compile/compiled_file.h"
 
-/** The scale of a segment. */
+/** Prints the scale of a segment. */
 void single_print_helpers(const struct unit *u, FILE *out);
 
-/** Coordinates as single_inputs() has them, before the statements of a function: those of node A as yA. */
+/** Prints the coordinates of single_inputs(), before the statements of a function: those of node A as yA. */
 void single_print_inputs(const struct unit *u, const struct function *f, FILE *out);
 
 #endif

@@ -1,9 +1,9 @@
-/* The gap out of the search's own values; see header_gap.h.
+/* Prints the gap from the search's own values; see header_gap.h.
  *
  * With r = c0 + xi c1 + eta c2 + xi eta c3 and d = xS - c0 the tangents are u = c1 + eta c3 and v = c2 + xi c3, and as
  * n = u x v is at right angles to both,
- *     (xS - r) . n = (d + xi eta c3) . n,
- * so that the gap takes c1, c2, c3, d and no more; of a flat triangle c3 = 0.  Every search has most of them, each times
+ *     (xS - r) . n = (d + xi eta c3) . n.
+ * So the gap needs only c1, c2, c3 and d; on a flat triangle c3 = 0.  Every search has most of them, each times
  * a number of its own, and the squares of c1, c2, c3.  They are found by exact values at two points. */
 #include "header_gap.h"
 
@@ -13,7 +13,7 @@
 
 #include <stdlib.h>
 
-/* A text with the words of a precision; takes it over. */
+/* Returns a text with the words of a precision; takes ownership of it. */
 static char *worded(const struct unit *u, char *text)
 {
     struct memory *m = memory_open();
@@ -22,7 +22,7 @@ static char *worded(const struct unit *u, char *text)
     return memory_close(m);
 }
 
-/* The vectors and what they are made of. */
+/* Returns the statements of the vectors and of their operands. */
 static char *statements_text(const struct unit *u, const struct function *f, const struct vectors_found *v,
                              struct printer **r)
 {

@@ -1,12 +1,12 @@
-/* Sizes of segments that functions are for; see header_sizes.h.
+/* Determines the sizes of segments that functions accept; see header_sizes.h.
  *
- * Statuses rest on bits, as -ffast-math takes comparisons with NaN and infinity away, and on four things that must be
- * within a range: the size of the segment, the denominators, the square of the normal, and what is returned.  A value
- * of degree n in lengths goes as size^n: the range of sizes is such that the steepest one takes half of the exponents
- * of the type, the range of the others such that products of them stay within it.  Overflow makes infinity or NaN,
- * which shows in what is returned, unless it is divided by; underflow matters only in what is divided by.  Where
- * something is out of range, the search is done once more in a unit of length in which the segment is about 1 long: a
- * power of 2, so that nothing is rounded.  What is out of range then is so at any size. */
+ * Statuses rest on bits, because -ffast-math removes comparisons with NaN and infinity, and on four numbers that must be
+ * within a range: the size of the segment, the denominators, the square of the normal, and the result.  A value
+ * of degree n in lengths grows as size^n.  The range of sizes is chosen so that the steepest value takes half of the exponents
+ * of the type, and the range of the others so that their products stay within it.  Overflow makes infinity or NaN,
+ * which shows in the result, unless it is a divisor; underflow matters only in divisors.  If a number is
+ * out of range, the search is repeated in a unit of length in which the segment is about 1 long: a
+ * power of 2, so that nothing is rounded.  Numbers that are out of range then are so at any size. */
 #include "header_sizes.h"
 
 #include "../../base/text.h"
@@ -16,11 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Exponents of 2 that the size may take, half of those that there are; degree of the gap's own products, in double
- * twice as high, as compilers under -ffast-math divide by products of two denominators. */
+/* Exponents of 2 that the size may take, half of all; degree of the gap's own products, in double
+ * twice as high, because compilers under -ffast-math divide by products of two denominators. */
 enum { EXPONENTS = 512, EXPONENTS_FLOAT = 64, LEAST_DEGREE = 8, LEAST_DEGREE_FLOAT = 4, LEAST_REACH = 3 };
 
-/* Degree of a function's steepest value; coordinates that are relative to the segment have none. */
+/* Finds the degree of a function's steepest value; coordinates relative to the segment have degree 0. */
 static bool steepest(const struct function *f, const struct segment_kind *k, int *degree)
 {
     *degree = 0;
@@ -40,7 +40,7 @@ char *sizes_least_name(const struct unit *u)
     return name;
 }
 
-/* The square of 2^-reach. */
+/* Prints the square of 2^-reach. */
 void sizes_print_least(const struct unit *u, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT;

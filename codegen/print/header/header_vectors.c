@@ -1,4 +1,4 @@
-/* Vectors of a straight segment; see header_vectors.h. */
+/* Finds vectors of a straight segment; see header_vectors.h. */
 #include "header_vectors.h"
 
 #include "../../base/random.h"
@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LARGEST = 3, KNOTS = 5 }; /* factors are powers of 2 from -LARGEST to LARGEST; vectors of nodes, and S */
+enum { LARGEST = 3, KNOTS = 5 }; /* factors are powers of 2 from -LARGEST to LARGEST; KNOTS: vectors of nodes, and S */
 
-/* A vector of a kind: `over` times its coordinates are sums of differences of those of pairs of A, B, ..., S, of one, or of two,
- * or of two such sums. */
+/* A vector of a kind: `over` times its coordinates are sums of differences of coordinates of pairs of A, B, ..., S: a pair, two pairs,
+ * or two such sums. */
 static const struct vector {
     int over, pairs, pair[4][2];
 } bilinear[VECTORS] = {{4, 2, {{1, 0}, {2, 3}}},
@@ -29,7 +29,7 @@ bool vectors_shared(const struct unit *u, const struct function *f)
     return u->file->order == CORNERS_ANY && lines_straight(u) && !f->scaled;
 }
 
-/* A coordinate of a vector at a point. */
+/* Computes a coordinate of a vector at a point. */
 static void coordinate_value(const struct vectors_found *w, size_t vector, size_t i, size_t point, fmpq_t sum)
 {
     const struct vector *v = &w->vector[vector];
@@ -45,7 +45,7 @@ static void coordinate_value(const struct vectors_found *w, size_t vector, size_
     fmpq_clear(term);
 }
 
-/* The power of 2, with a sign, that an operation is times the targets, one a point; 0 if it is none. */
+/* Returns the power of 2, with a sign, by which an operation exceeds the targets, one a point; 0 if there is no such power. */
 static double factor_of(const struct vectors_found *w, size_t op, const fmpq *target)
 {
     double factor = 0.0;
@@ -69,7 +69,7 @@ static double factor_of(const struct vectors_found *w, size_t op, const fmpq *ta
     return factor;
 }
 
-/* The first operation that is a multiple of the targets. */
+/* Returns the first operation that is a multiple of the targets. */
 static struct coordinate search_operation(const struct vectors_found *w, const struct program *p, const fmpq *target)
 {
     struct coordinate c = {-1, 0.0};
@@ -79,14 +79,14 @@ static struct coordinate search_operation(const struct vectors_found *w, const s
     return c;
 }
 
-/* A coordinate that is a sum of differences of those of A, B, ..., S: its coefficients, and how many units of rounding of c1, c2,
- * c3 and d it may be off by. */
+/* A coordinate that is a sum of differences of coordinates of A, B, ..., S: its coefficients, and the bounds on its error in units of
+ * rounding of c1, c2, c3 and d. */
 struct linear {
     bool is;
     double of[KNOTS], error[VECTORS];
 };
 
-/* x as a sum of multiples of c1, c2, c3 and d, by absolute values. */
+/* Expresses x as a sum of multiples of c1, c2, c3 and d, by absolute values. */
 static void linear_parts(const struct vectors_found *w, const struct linear *x, double part[VECTORS])
 {
     static const int square[VECTORS][KNOTS] = {
@@ -100,7 +100,7 @@ static void linear_parts(const struct vectors_found *w, const struct linear *x, 
     }
 }
 
-/* a + sign b, which is linear if it is a difference of coordinates, and rounded. */
+/* Returns a + sign b, which is linear if it is a difference of coordinates, and rounded. */
 static struct linear linear_sum(const struct vectors_found *w, const struct linear *a, const struct linear *b, int sign)
 {
     struct linear x = {.is = a->is && b->is};
@@ -114,7 +114,7 @@ static struct linear linear_sum(const struct vectors_found *w, const struct line
     return x;
 }
 
-/* a times a power of 2. */
+/* Returns a times a power of 2. */
 static struct linear linear_multiple(const struct linear *a, const fmpq *factor)
 {
     struct linear x = *a;
@@ -128,7 +128,7 @@ static struct linear linear_multiple(const struct linear *a, const fmpq *factor)
     return x;
 }
 
-/* Operation `op` as a sum of coordinates number i; `x`: those before it. */
+/* Returns operation `op` as a sum of coordinates number i; `x`: the operations before it. */
 static struct linear linear_operation(const struct vectors_found *w, const struct program *p, size_t op, size_t i,
                                       const struct linear *x)
 {
@@ -160,7 +160,7 @@ static struct linear linear_operation(const struct vectors_found *w, const struc
     }
 }
 
-/* All operations as sums of coordinates number i; the caller frees them. */
+/* Returns all operations as sums of coordinates number i; the caller frees them. */
 static struct linear *linear_all(const struct vectors_found *w, const struct program *p, size_t i)
 {
     struct linear *x = new_array(p->ops, sizeof *x);
@@ -171,7 +171,7 @@ static struct linear *linear_all(const struct vectors_found *w, const struct pro
 
 enum { ROUNDING_OF_TEXT = 3 }; /* of the texts of vectors above */
 
-/* Of the coordinates number i: forgets those whose rounding errors are not those of sums of differences. */
+/* Forgets coordinates number i whose rounding errors do not follow from sums of differences. */
 static void bound_rounding(struct vectors_found *w, const struct program *p, size_t i)
 {
     struct linear *x = linear_all(w, p, i);
@@ -189,8 +189,8 @@ static void bound_rounding(struct vectors_found *w, const struct program *p, siz
 
 static const size_t products[PRODUCTS][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}, {0, 3}, {1, 3}, {2, 3}};
 
-/* A sum of products of two coordinates of the same number: bounds on it and on its error, in units of rounding, by that number, by
- * which vectors' coordinates. */
+/* A sum of products of two coordinates of the same number: bounds on it and on its error, in units of rounding, indexed by that number
+ * and by the vectors of the coordinates. */
 struct quadratic {
     bool is;
     double value[3][VECTORS][VECTORS], error[3][VECTORS][VECTORS];
@@ -231,7 +231,7 @@ static struct quadratic quadratic_sum(const struct quadratic *a, const struct qu
     return q;
 }
 
-/* Operation `op`; x: by coordinate, all operations as sums. */
+/* Returns operation `op` as such a sum; x: all operations as sums, indexed by coordinate. */
 static struct quadratic quadratic_operation(const struct vectors_found *w, const struct program *p, size_t op,
                                             struct linear *const x[3], const struct quadratic *q)
 {
@@ -247,8 +247,8 @@ static struct quadratic quadratic_operation(const struct vectors_found *w, const
     return none;
 }
 
-/* How much of the coordinates of vector `of` is in what bounds the errors of those of another: c1 and c2, which are sums of their
- * own edges most of all, have little of each other, or one long edge would spoil the bounds across it. */
+/* Returns the share of the coordinates of vector `of` in the bound on the errors of another.  c1 and c2 are sums mostly of
+ * their own edges and have a small share of each other; otherwise one long edge would spoil the bounds across it. */
 static double share(const struct vectors_found *w, size_t vector, size_t of)
 {
     if (of == vector)
@@ -260,7 +260,7 @@ static double share(const struct vectors_found *w, size_t vector, size_t of)
     return of == VECTORS - 2 ? 1.0 : of == VECTORS - 1 ? 0.0 : VECTORS_FOREIGN;
 }
 
-/* Units of rounding of product k that cover its errors; infinite: none do. */
+/* Returns the units of rounding of product k that cover its errors; infinite if no number does. */
 static double product_units(const struct vectors_found *w, const struct quadratic *q, size_t k)
 {
     double units = q->is ? 0.0 : INFINITY;
@@ -276,7 +276,7 @@ static double product_units(const struct vectors_found *w, const struct quadrati
     return units;
 }
 
-/* A product, times the square of `factor`[0], at the points. */
+/* Computes a product, times the square of `factor`[0], at the points. */
 static void product_values(const struct vectors_found *w, size_t k, fmpq *target)
 {
     fmpq_t a, b, scale;
@@ -297,7 +297,7 @@ static void product_values(const struct vectors_found *w, size_t k, fmpq *target
     fmpq_clear(a);
 }
 
-/* a difference of coordinates number i, as a sum of them. */
+/* Returns a difference of coordinates number i, as a sum of them. */
 static struct linear linear_pair(const struct vectors_found *w, const int pair[2])
 {
     struct linear plus = {.is = true}, minus = {.is = true};
@@ -306,7 +306,7 @@ static struct linear linear_pair(const struct vectors_found *w, const int pair[2
     return linear_sum(w, &plus, &minus, -1);
 }
 
-/* `over` times a coordinate of a vector, as print_text() has it. */
+/* Returns `over` times a coordinate of a vector, as print_text() prints it. */
 static struct linear linear_text(const struct vectors_found *w, const struct vector *v)
 {
     struct linear sum[2] = {{.is = true}, {.is = true}};
@@ -320,7 +320,7 @@ static struct linear linear_text(const struct vectors_found *w, const struct vec
     return v->pairs > 2 ? linear_sum(w, &sum[0], &sum[1], 1) : sum[0];
 }
 
-/* Coordinate i of a vector as it is printed, but for its factor; x: all operations as sums of coordinates number i. */
+/* Returns coordinate i of a printed vector, without its factor; x: all operations as sums of coordinates number i. */
 static struct linear linear_printed(const struct vectors_found *w, size_t v, size_t i, const struct linear *x)
 {
     const struct coordinate *c = &w->at[v][i];
@@ -334,7 +334,7 @@ static struct linear linear_printed(const struct vectors_found *w, size_t v, siz
     return printed;
 }
 
-/* Product k of the vectors as they are printed. */
+/* Returns product k of the printed vectors. */
 static struct quadratic printed_product(const struct vectors_found *w, size_t k, struct linear *const x[3])
 {
     struct quadratic sum = {.is = true};
@@ -347,7 +347,7 @@ static struct quadratic printed_product(const struct vectors_found *w, size_t k,
     return sum;
 }
 
-/* Products that the function has, as sums of products of coordinates, whose rounding errors are known. */
+/* Finds products that the function has as sums of products of coordinates with known rounding errors. */
 static void search_products(struct vectors_found *w, const struct program *p)
 {
     struct linear *x[3];
@@ -356,7 +356,7 @@ static void search_products(struct vectors_found *w, const struct program *p)
         x[i] = linear_all(w, p, i);
     for (size_t op = 0; op < p->ops; op++)
         q[op] = quadratic_operation(w, p, op, x, q);
-    w->product_rounding = 2.0 * w->rounding + 3.0; /* as footpoint_detail_quad4_touch() has it */
+    w->product_rounding = 2.0 * w->rounding + 3.0; /* as in footpoint_detail_quad4_touch() */
     for (size_t k = 0; k < PRODUCTS; k++) {
         fmpq *target = _fmpq_vec_init(POINTS);
         product_values(w, k, target);
@@ -412,7 +412,7 @@ static void search_vectors(struct vectors_found *w, const struct program *p)
     w->rounding = ROUNDING_OF_TEXT;
     for (size_t i = 0; i < 3; i++)
         bound_rounding(w, p, i);
-    for (size_t v = 0; v < VECTORS; v += VECTORS - 1) { /* c1 and d say how all are taken */
+    for (size_t v = 0; v < VECTORS; v += VECTORS - 1) { /* c1 and d determine the factors of all */
         const struct coordinate *c = w->at[v];
         const double factor = c[0].op >= 0 ? c[0].factor : c[1].op >= 0 ? c[1].factor : c[2].factor;
         w->factor[v > 0] = factor != 0.0 ? factor : w->vector[v].over;
@@ -434,8 +434,8 @@ static void find_values(struct vectors_found *w, const struct program *p)
     }
 }
 
-/* Operations of a function whose coordinates are relative to the segment have none of these values; and proofs in float take
- * all vectors four times, as their texts are. */
+/* Forgets operations: functions with coordinates relative to the segment do not have these values, and proofs in float use all
+ * vectors four times as long, as in their texts. */
 static void forget_operations(struct vectors_found *w, const struct program *p)
 {
     for (size_t point = 0; point < POINTS; point++)
@@ -443,7 +443,7 @@ static void forget_operations(struct vectors_found *w, const struct program *p)
             w->known[point][op] = false;
 }
 
-/* Marks what the marked operations need. */
+/* Marks the operands of marked operations. */
 static void mark_needed(struct vectors_found *w, const struct program *p)
 {
     for (size_t op = p->ops; op-- > 0;) {
@@ -491,7 +491,7 @@ void vectors_clear(struct vectors_found *w)
     free(w->needed);
 }
 
-/* "(xB[0] - xA[0] + (xC[0] - xD[0]))": `over` times a coordinate of a vector. */
+/* Prints "(xB[0] - xA[0] + (xC[0] - xD[0]))": `over` times a coordinate of a vector. */
 static void print_text(const struct vectors_found *w, size_t v, size_t i, FILE *out)
 {
     const struct vector *vector = &w->vector[v];
@@ -502,7 +502,7 @@ static void print_text(const struct vectors_found *w, size_t v, size_t i, FILE *
     fputs(vector->pairs > 2 ? "))" : ")", out);
 }
 
-/* "const double a[3] = {-t3, 0.5 * t4, t5};": a vector times the factor that it is taken with. */
+/* Prints "const double a[3] = {-t3, 0.5 * t4, t5};": a vector times its factor. */
 static void print_vector(const struct vectors_found *w, size_t v, struct printer *r, char name, FILE *out)
 {
     fprintf(out, "    const REAL %c[3] = {", name);
