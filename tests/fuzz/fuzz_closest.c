@@ -1,7 +1,7 @@
-/* Fuzzing of the search functions: 120 bytes are fifteen numbers of any kind, fewer are coordinates on a coarse grid.
- * Statuses are known ones, what is written is finite and what is not stays, and no point of a grid over the segment is
- * nearer than the closest one.  Built with clang -fsanitize=fuzzer by tests/long/fuzz_closest.sh; with -DREPLAY a
- * program that reads the files it is given. */
+/* Fuzzes the search functions: 120 bytes are fifteen numbers of any kind, fewer are coordinates on a coarse grid.
+ * Statuses must be known, written outputs finite and others unchanged, and no point of a grid over the segment may be
+ * nearer than the closest point.  Built with clang -fsanitize=fuzzer by tests/long/fuzz_closest.sh; with -DREPLAY a
+ * program that reads the given files. */
 #include "../../runtime/footpoint.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 

@@ -1,5 +1,5 @@
-/* Fuzzing of everything that reads a genome file: what is read prints, all of it and what is needed, to text that reads
- * and prints the same; what is small also goes through compiler and proof.  Built with clang -fsanitize=fuzzer by
+/* Fuzzes all readers of a genome file: a file that is read must print, whole and without unused lines, as text that is read
+ * and prints the same; small files also pass the compiler and the proof.  Built with clang -fsanitize=fuzzer by
  * tests/long/fuzz.sh. */
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/prove/prove.h"

@@ -1,5 +1,5 @@
-/* Fuzzing of the reader of contact meshes: any bytes end in a sound mesh or in a diagnostic of one line.  Built with clang
- * -fsanitize=fuzzer by tests/long/fuzz_mesh.sh.  Files that it includes are beside it: itself, and a few more. */
+/* Fuzzes the reader of contact meshes: any bytes must give a sound mesh or a diagnostic of one line.  Built with clang
+ * -fsanitize=fuzzer by tests/long/fuzz_mesh.sh.  Included files are beside it: itself, and a few more. */
 #define _GNU_SOURCE
 #include "../../evolve/input/mesh.h"
 

@@ -1,5 +1,5 @@
-/* Fuzzing of the runtime library's searches: a small mesh of any numbers, whatever indices.  Every function ends with a
- * status it names, writes nothing unless that is FOOTPOINT_OK, and then finite numbers; a batch gives the bits of the
+/* Fuzzes the runtime library's searches on a small mesh of any numbers and indices.  Every function must return a status of its
+ * contract, write nothing unless that permits it, and then finite numbers; a batch must have the bits of the
  * generated functions.  Built with clang -fsanitize=fuzzer, or with replay_main.c. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint_batch.h"
@@ -33,7 +33,7 @@ static void require(int good, const char *what)
     abort();
 }
 
-/* The next bytes; zeros behind the end. */
+/* Takes the next bytes; zeros after the end. */
 static void take(struct input *in, void *to, size_t size)
 {
     memset(to, 0, size);
@@ -48,7 +48,7 @@ static unsigned take_byte(struct input *in)
     return byte;
 }
 
-/* A coordinate: any bits of a double, or a small number of two bytes or one, which meet each other. */
+/* Takes a coordinate: any bits of a double, or a small number of two bytes or one, so that some coincide. */
 static double take_number(struct input *in, unsigned form, double scale)
 {
     int64_t bits;
@@ -73,11 +73,11 @@ static void take_mesh(struct input *in, struct mesh *m)
     const double scale = exponent < 200 ? 1.0 : exponent < 228 ? 1e-20 : 1e25;
     m->nodes = 5 + take_byte(in) % (MOST_NODES - 4);
     m->pairs = take_byte(in) % (MOST_PAIRS + 1);
-    const unsigned invalid = take_byte(in); /* now and then an index out of range, from 128 on */
+    const unsigned invalid = take_byte(in); /* from 128 on, some indices are out of range */
     for (size_t i = 0; i < 3 * m->nodes; i++)
         m->xyz[i / 3][i % 3] = take_number(in, form, scale);
     for (size_t i = 0; i < 5 * m->pairs; i++) {
-        /* What the input does not say, a multiplication does. */
+        /* A multiplication replaces missing input. */
         const unsigned byte = in->at < in->size ? take_byte(in) : (unsigned)(i * 2654435761U >> 16 & 255);
         int32_t index = (int32_t)(byte % (unsigned)m->nodes);
         if (invalid >= 128 && byte == invalid)
@@ -192,7 +192,7 @@ static void check_choice(const struct mesh *m)
     for (size_t i = 0; i < m->pairs; i++)
         for (int k = 0; k < 4; k++)
             if (m->seg[i][k] >= (int32_t)m->nodes)
-                return; /* the caller's promise */
+                return; /* the caller must prevent this */
     const int candidates = (int)(m->pairs < 9 ? m->pairs : 9), master = candidates ? m->seg[0][0] : 0;
     status = footpoint_select_segment(m->xyz[0], master, candidates, m->seg[0], m->xyz[4], &chosen);
     require(status == FOOTPOINT_OK ? chosen >= 0 && chosen < candidates : chosen == -7, "footpoint_select_segment");

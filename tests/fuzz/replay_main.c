@@ -19,7 +19,7 @@ static uint64_t draw(uint64_t *state)
     return z ^ z >> 31;
 }
 
-/* Bytes that repeat and are extreme more often than chance has it. */
+/* Makes bytes that repeat and are extreme more often than by chance. */
 static size_t random_input(uint64_t seed, uint8_t data[MOST])
 {
     uint64_t state = seed * 2;

@@ -1,7 +1,6 @@
-/* Answers of footpoint's searches and their rivals to the queries on standard input: answer_queries METHOD; and of other
- * libraries, built as tests/libraries/rivals.sh builds them: answer_queries LIBRARY.so METHOD.  Without METHOD, lists all of
- * them, and whether they ask for the foot point or the closest point.  A status that does not vouch for the answer becomes
- * "none". */
+/* Answers the queries on standard input by footpoint's searches and their rivals: answer_queries METHOD; and by other
+ * libraries, built as in tests/libraries/rivals.sh: answer_queries LIBRARY.so METHOD.  Without METHOD, lists all methods and
+ * whether they search the foot point or the closest point.  A status without a promise becomes "none". */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
@@ -25,7 +24,7 @@ enum { TRI3, QUAD4, TRI6, QUAD8, QUAD9 };
 static const enum footpoint_face face_of[] = {FOOTPOINT_TRI3, FOOTPOINT_QUAD4, FOOTPOINT_TRI6, FOOTPOINT_QUAD8,
                                               FOOTPOINT_QUAD9};
 
-/* 1: loc and distance are vouched for.  0: they are not.  -1: no such kind. */
+/* Returns 1 if the status promises loc and distance, 0 if not, -1 if there is no such kind. */
 typedef int answer(const struct query_text *q, double loc[2], double *distance);
 
 #define X(i) (q->x + 3 * (i))
@@ -121,7 +120,7 @@ static int newton_fair(const struct query_text *q, double loc[2], double *distan
                              : -1;
 }
 
-/* What contact codes often take for the closest point. */
+/* Clamps Newton's answer, which contact codes often take for the closest point. */
 static int newton_clamped(const struct query_text *q, double loc[2], double *distance)
 {
     const int found = newton(q, loc, distance);

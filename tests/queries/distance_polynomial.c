@@ -1,5 +1,5 @@
-/* See distance_polynomial.h.  Every face is a polynomial of degree 2 in each parameter, given by its values at 0, 1/2 and 1;
- * so the squared distance is one of degree 4. */
+/* Computes the distance polynomial; see distance_polynomial.h.  Every face is a polynomial of degree 2 in each parameter, given by its
+ * values at 0, 1/2 and 1, so the squared distance has degree 4. */
 #include "distance_polynomial.h"
 
 const char *const query_kind_name[QUERY_KINDS] = {"tri3", "quad4", "tri6", "quad8", "quad9"};
@@ -59,7 +59,7 @@ void polynomial_weights(enum query_kind kind, int i, int j, int weight[QUERY_NOD
     }
 }
 
-/* Values at 0, 1/2, 1, a stride apart, become coefficients of powers. */
+/* Converts values at 0, 1/2, 1, a stride apart, to coefficients of powers. */
 static void interpolate(arb_t *g, int stride)
 {
     arb_t half, sum;
@@ -83,7 +83,7 @@ static void add_square(struct polynomial *f, arb_t r[9])
             arb_addmul(f->m[POWERS * (a / 3 + b / 3) + a % 3 + b % 3], r[a], r[b], PRECISION);
 }
 
-/* b_i = sum over j <= i of C(i, j) / C(4, j) m_j, a stride apart. */
+/* Computes b_i = sum over j <= i of C(i, j) / C(4, j) m_j, a stride apart. */
 static void to_bernstein(arb_t *c, int stride)
 {
     static const int choose[POWERS][POWERS] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
@@ -168,7 +168,7 @@ void polynomial_of_edge(struct polynomial *f, enum query_kind kind, const double
         arb_clear(r[i]);
 }
 
-/* Horner's rule for p and its first and second derivative; p: coefficients. */
+/* Evaluates p and its first and second derivative by Horner's rule; p: coefficients. */
 static void horner(arb_t *p, int n, const arb_t x, arb_t d[3])
 {
     for (int k = 0; k < 3; k++)

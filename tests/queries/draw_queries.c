@@ -1,5 +1,5 @@
-/* Faces are drawn about [-1,1]^2, or the triangle (0,0), (2,0), (0,2), and bent; then a slave node over, beside or on them.
- * Only sums, products and square roots of what splitmix64 draws, so that every machine draws the same. */
+/* Draws faces about [-1,1]^2, or the triangle (0,0), (2,0), (0,2), and bends them; then a slave node over, beside or on them.
+ * Only sums, products and square roots of splitmix64's numbers are used, so that every machine draws the same. */
 #include "draw_queries.h"
 
 #include <math.h>
@@ -27,7 +27,7 @@ static int below(uint64_t *state, int n)
     return (int)(next(state) >> 33) % n;
 }
 
-/* 10^-k, with k whole in least..most, times 1 to 10. */
+/* Returns 10^-k, with k whole in least..most, times 1 to 10. */
 static double power_of_ten(uint64_t *state, int least, int most)
 {
     double p = between(state, 1, 10);
@@ -67,7 +67,7 @@ static void shake(enum query_kind kind, uint64_t *state, double in_plane, double
         x[i] += i % 3 < 2 ? between(state, -in_plane, in_plane) : between(state, -out, out);
 }
 
-/* Moves a corner towards the one before it until only `left` of their distance is there. */
+/* Moves a corner towards the previous corner until only `left` of their distance remains. */
 static void pull(enum query_kind kind, int corner, double left, double *x)
 {
     for (int k = 0; k < 3; k++)
@@ -93,7 +93,7 @@ static void repeat_half(enum query_kind kind, double *x)
     }
 }
 
-/* Whole multiples of 2^-10. */
+/* Rounds to whole multiples of 2^-10. */
 static void to_grid(int n, double *x)
 {
     for (int i = 0; i < n; i++)
@@ -130,7 +130,7 @@ static void draw_face(enum query_kind kind, int family, uint64_t *state, double 
 
 /* ---- slave nodes ---- */
 
-/* Point, tangents and second derivatives at s, t. */
+/* Computes point, tangents and second derivatives at s, t. */
 static void surface(enum query_kind kind, const double *x, double s, double t, double r[6][3])
 {
     const double a[3][3] = {
@@ -163,7 +163,7 @@ static void unit_normal(double r[6][3], double n[3])
         n[k] = size > 0 ? n[k] / size : k == 2;
 }
 
-/* The lesser radius of curvature, with its sign; 0 if the face is plane there. */
+/* Returns the lesser radius of curvature, with its sign; 0 if the face is plane there. */
 static double radius(double r[6][3], const double n[3])
 {
     const double e = dot(r[1], r[1]), f = dot(r[1], r[2]), g = dot(r[2], r[2]);
@@ -244,7 +244,7 @@ static void transform(enum query_kind kind, int family, uint64_t *state, double 
         x[i] = x[i] * by[i % 3] + to[i % 3];
 }
 
-/* To 32 bits, where what the family is about survives that: half the file. */
+/* Rounds to 32 bits if the family's property survives: this halves the file. */
 static void shorten(int n, double *x)
 {
     for (int i = 0; i < n; i++) {

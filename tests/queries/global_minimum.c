@@ -1,9 +1,9 @@
-/* Branch and bound over the inside of the face, over each edge and over the corners.  A global minimum inside has no slope
- * and no direction in which the squared distance f is concave, and so along an edge.  A box of parameters is dropped if
- *   - the Bernstein coefficients of f on it are all greater than a value that f takes on the face,
- *   - a slope has one sign on it, or a second derivative or their determinant is negative on it,
- * and is done if f is strictly convex on it and a little beyond, so that at most one point there has no slope, and Krawczyk's operator encloses
- * such a point (R. Krawczyk, Computing 4, 1969).  All other boxes are halved.  Everything is computed in balls of arb, which
+/* Branches and bounds over the inside of the face, over each edge and over the corners.  At a global minimum inside, no slope is
+ * left, and in no direction is the squared distance f concave; likewise along an edge.  A box of parameters is dropped if
+ *   - the Bernstein coefficients of f on it are all greater than a value of f on the face,
+ *   - a slope has one sign on it, or a second derivative or their determinant is negative on it.
+ * It is done if f is strictly convex on it and a little beyond, so that at most one point there has no slope, and Krawczyk's operator
+ * encloses such a point (R. Krawczyk, Computing 4, 1969).  All other boxes are halved.  Everything is computed in balls of arb, which
  * contain all rounding. */
 #include "global_minimum.h"
 
@@ -20,7 +20,7 @@ struct search {
     struct polynomial f;
     int triangle;            /* s + t <= 1 */
     int region;              /* of candidates */
-    arb_t least;             /* f is no greater somewhere on the face */
+    arb_t least;             /* upper bound on the least f of the face */
     arb_t start[2], step[2]; /* s, t of the face = start + step u, if there is one parameter u */
     struct minima *found;
 };
@@ -52,7 +52,7 @@ static void box_init(struct box *box)
         arb_init(box->b[i]);
 }
 
-/* Halves `left` along a parameter by de Casteljau's rule; the other half goes to `right`. */
+/* Halves `left` along a parameter by de Casteljau's rule; `right` gets the other half. */
 static void halve(struct box *left, struct box *right, int along, int lines)
 {
     const int stride = along == 0 ? POWERS : 1, across = along == 0 ? 1 : POWERS;
@@ -76,7 +76,7 @@ static void halve(struct box *left, struct box *right, int along, int lines)
     }
 }
 
-/* The ball that contains n numbers of which the first is in `range` already. */
+/* Widens a ball to contain n numbers, of which `range` contains the first. */
 static void widen(arb_t range, const arb_t x, int first)
 {
     if (first)
@@ -85,7 +85,7 @@ static void widen(arb_t range, const arb_t x, int first)
         arb_union(range, range, x, COARSE);
 }
 
-/* Encloses the derivative of order (p, q) over the box, but for a positive factor. */
+/* Encloses the derivative of order (p, q) over the box, up to a positive factor. */
 static void slope_range(const struct box *box, int parameters, int p, int q, arb_t range)
 {
     const int last = parameters == 2 ? DEGREE - q : 0;
@@ -131,7 +131,7 @@ static void box_ball(const struct box *box, int parameters, arb_t z[2])
 
 /* ---- a stationary point ---- */
 
-/* step = -H^-1 gradient, with H of the jet; 0 if H may be singular. */
+/* Computes step = -H^-1 gradient, with H of the jet; returns 0 if H may be singular. */
 static int newton_step(int parameters, arb_t jet[JET], arb_t gradient[2], arb_t step[2])
 {
     arb_t det, a;
@@ -171,7 +171,7 @@ static void jet_clear(arb_t jet[JET])
         arb_clear(jet[k]);
 }
 
-/* Newton's method from the middle of z; 0 unless it comes to a standstill near the square. */
+/* Iterates Newton's method from the middle of z; returns 0 unless it stops near the square. */
 static int converge(const struct polynomial *f, arb_t z[2])
 {
     arb_t jet[JET], step[2];
@@ -205,8 +205,8 @@ static int converge(const struct polynomial *f, arb_t z[2])
     return stands;
 }
 
-/* Proves that there is one stationary point near z, and encloses it: K = z - H(z)^-1 g(z) + (1 - H(z)^-1 H(X)) (X - z) lies
- * inside X = z +- 2^-140.  Written as z - H(z)^-1 (g(z) + (H(X) - H(z)) (X - z)). */
+/* Proves that exactly one stationary point is near z, and encloses it: K = z - H(z)^-1 g(z) + (1 - H(z)^-1 H(X)) (X - z) lies
+ * inside X = z +- 2^-140.  Computed as z - H(z)^-1 (g(z) + (H(X) - H(z)) (X - z)). */
 static int enclose(const struct polynomial *f, arb_t z[2])
 {
     arb_t jet[JET], wide[JET], box[2], off[2], right[2], step[2];
@@ -259,7 +259,7 @@ static int is_near(const struct minimum *a, const struct minimum *b)
     return near;
 }
 
-/* Keeps a candidate, the last in the list, unless it is there: of two in one place that of the corner or edge stays. */
+/* Keeps a candidate, the last in the list, unless it is a duplicate: of two in one place the corner's or edge's stays. */
 static int keep_candidate(struct search *s)
 {
     struct minimum *const c = &s->found->at[s->found->n];
@@ -274,7 +274,7 @@ static int keep_candidate(struct search *s)
     return ++s->found->n < MINIMA;
 }
 
-/* 1 if a point of two parameters, or of one, lies on the closed face or may. */
+/* Returns 1 if a point of two parameters, or of one, lies on the closed face or may. */
 static int may_hold(const struct search *s, arb_t z[2])
 {
     arb_t sum;
@@ -304,8 +304,8 @@ static int is_convex(const struct polynomial *f, arb_t z[2])
     return convex;
 }
 
-/* 1: f is strictly convex on the box and a little beyond, and its only stationary point there is found, or lies beside the
- * face.  A point on the border of a box is in both.  -1: no room. */
+/* Settles a box.  Returns 1 if f is strictly convex on the box and a little beyond, and its only stationary point there is found, or
+ * lies beside the face.  A point on the border of a box is in both.  Returns -1 if there is no room. */
 static int settle(struct search *s, const struct box *box)
 {
     struct minimum *const c = &s->found->at[s->found->n];
@@ -393,7 +393,7 @@ static enum fate judge_box(struct search *s, const struct box *box, int *along)
     return fate;
 }
 
-/* 1 if every box is dropped or done. */
+/* Returns 1 if every box is dropped or done. */
 static int search_boxes(struct search *s)
 {
     static struct box stack[DEPTH];
@@ -427,7 +427,7 @@ static void corner_of(int triangle, int corner, int at[2])
     at[1] = of[triangle][corner][1];
 }
 
-/* f at some points of the face. */
+/* Evaluates f at some points of the face. */
 static void look_around(struct search *s)
 {
     arb_t z[2], jet[JET];
@@ -491,7 +491,7 @@ static int search_edge(struct search *s, enum query_kind kind, const double *x, 
     return search_boxes(s);
 }
 
-/* Leaves the candidates that may be least. */
+/* Keeps only the candidates that may be least. */
 static void keep_least(struct minima *found)
 {
     int kept = 0, best = 0;

@@ -1,4 +1,4 @@
-/* All global minima of the distance of a point from a closed face, each proved: see global_minimum.c. */
+/* Finds all global minima of the distance of a point from a closed face, with proof: see global_minimum.c. */
 #ifndef FOOTPOINT_GLOBAL_MINIMUM_H
 #define FOOTPOINT_GLOBAL_MINIMUM_H
 
@@ -20,8 +20,8 @@ struct minima {
 void minima_init(struct minima *found);
 void minima_clear(struct minima *found);
 
-/** Finds all global minima, of which points within 1e-40 count as one, and squares that overlap as equal.
- *  x: as of polynomial_of_face.  Returns 0 if there are more than MINIMA candidates or too many boxes: nothing is proved. */
+/** Finds all global minima.  Points within 1e-40 count as a single point, and squares that overlap as equal.
+ *  x: as in polynomial_of_face.  Returns 0 if there are more than MINIMA candidates or too many boxes: nothing is proved. */
 int minima_find(enum query_kind kind, const double *x, struct minima *found);
 
 #endif

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define RIGHT 1e-10  /* of q->length: distances that are the same */
+#define RIGHT 1e-10  /* part of q->length: distances within this are equal */
 #define PLACED 1e-6  /* of xi and eta, from a closest point */
-#define BORDER 1e-12 /* xi and eta beyond the face, which rounding may bring about */
+#define BORDER 1e-12 /* xi and eta may lie beyond the face by rounding */
 
 struct score {
     long asked, right, placed, refused;
@@ -36,7 +36,7 @@ static int is_placed(const struct query_text *q, const double loc[2])
     return 0;
 }
 
-/* A point that is said to lie on the face: none there is nearer than the distance. */
+/* Returns 1 if a point that should lie on the face is right: no point there is nearer than the distance. */
 static int is_right_point(const struct query_text *q, const double p[3])
 {
     const double *const xs = q->x + 3 * q->nodes;
@@ -44,7 +44,7 @@ static int is_right_point(const struct query_text *q, const double p[3])
     return fabs(distance - (double)q->distance) <= RIGHT * q->length;
 }
 
-/* 0 if the line is no answer. */
+/* Judges a line; returns 0 if it is not an answer. */
 static int judge_line(const struct query_text *q, const char *line, struct score *s)
 {
     double loc[2], distance, p[3];

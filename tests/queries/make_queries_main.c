@@ -7,7 +7,7 @@
 
 enum { DIGITS = 34, TRIES = 200 };
 
-/* xi or eta of s or t. */
+/* Computes xi or eta from s or t. */
 static void local_of(enum query_kind kind, arb_t local, const arb_t z)
 {
     arb_set(local, z);
@@ -28,7 +28,7 @@ static void print_number(const arb_t x)
     flint_free(text);
 }
 
-/* 1 if all are known to 1e-32: local coordinates, the distance of itself, or of `length` if that contains 0. */
+/* Returns 1 if all are known to 1e-32: local coordinates, and the distance relative to itself, or to `length` if it may be 0. */
 static int is_sharp(const struct minima *found, arb_t distance, double length)
 {
     int sharp = 1;
@@ -68,7 +68,7 @@ static double length_of(enum query_kind kind, const double *x)
     return length;
 }
 
-/* Draws until the closest points of a query are proved and sharp; returns how often that failed. */
+/* Draws until the closest points of a query are proved and sharp; returns the number of failures. */
 static int write_query(enum query_kind kind, int family, uint64_t state, struct minima *found)
 {
     arb_t distance;

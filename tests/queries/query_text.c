@@ -1,4 +1,4 @@
-/* See query_text.h.  Shape functions as products of those along lines, as text books have them. */
+/* Reads queries; see query_text.h.  Shape functions are products of those along lines, as in text books. */
 #include "query_text.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ static quad magnitude(quad x)
     return x < 0 ? -x : x;
 }
 
-/* A decimal number of up to 40 digits: whole digits in two parts, then powers of ten. */
+/* Reads a decimal number of up to 40 digits: whole digits in two parts, then powers of ten. */
 static int read_quad(FILE *file, quad *x)
 {
     char text[80], *at = text;
@@ -66,7 +66,7 @@ int query_read(FILE *file, struct query_text *q)
 
 /* ---- shape functions ---- */
 
-/* Value, first and second derivative of what is 1 at one of -1, 0, 1 and 0 at the others. */
+/* Computes value, first and second derivative of the parabola that is 1 at one of -1, 0, 1 and 0 at the others. */
 static void line_quadratic(int node, quad x, quad d[3])
 {
     const quad all[3][3] = {
@@ -81,7 +81,7 @@ static void line_linear(int node, quad x, quad d[3])
     d[2] = 0;
 }
 
-/* value, xi, eta, xixi, xieta, etaeta of a product. */
+/* Computes value, xi, eta, xixi, xieta, etaeta of a product. */
 static void product(const quad a[3], const quad b[3], quad n[6])
 {
     const quad all[6] = {a[0] * b[0], a[1] * b[0], a[0] * b[1], a[2] * b[0], a[1] * b[1], a[0] * b[2]};
@@ -151,7 +151,7 @@ static quad dot(const quad a[3], const quad b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* By Newton's method from the double's root. */
+/* Returns a root by Newton's method from the double's root. */
 static quad root_of(quad x)
 {
     int exponent;

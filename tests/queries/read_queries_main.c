@@ -1,4 +1,4 @@
-/* Reads the queries from standard input, with nothing of footpoint's: counts them, and those with several closest points. */
+/* Reads the queries from standard input, without footpoint's code: counts them, and those with several closest points. */
 #include <stdio.h>
 #include <string.h>
 

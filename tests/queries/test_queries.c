@@ -1,5 +1,6 @@
-/* On the public set of queries, what the library's searches say with a status that vouches for it is right: the distance of
- * footpoint_face_robust for every query, the closest point of tri3 and quad4, the foot point of footpoint_face_locate. */
+/* Tests the library's searches on the public set of queries: with a status that promises it, the distance of
+ * footpoint_face_robust is right for every query, and so are the closest point of tri3 and quad4 and the foot point of
+ * footpoint_face_locate. */
 #define _POSIX_C_SOURCE 200809L
 #include "../../runtime/footpoint.h"
 #include "../../runtime/footpoint_face.h"
@@ -62,7 +63,7 @@ static int judge_robust(const struct query_text *q)
     return is_far_off(q, loc, distance) || (unique && q->minima > 1) ? -1 : 1;
 }
 
-/* Where the closest point is unique xi and eta are as near as is promised: 1e-12 of quad4, rounding aside. */
+/* If the closest point is unique, xi and eta must be within the promise: 1e-12 for quad4, besides rounding. */
 static int judge_closest(const struct query_text *q)
 {
     double loc[2], distance;
