@@ -1,4 +1,4 @@
-/* Certain answers about curved faces; see curved_face.h. */
+/* Finds certain closest points of curved faces; see curved_face.h. */
 #include "curved_face.h"
 
 #include <math.h>
@@ -61,7 +61,7 @@ void curved_face_point(const struct curved_face *f, double xi, double eta, doubl
 
 enum { MOST = 5 };
 
-/* The coefficients of `n` in a row, `stride` apart, of the two halves. */
+/* Computes the coefficients of the two halves of `n` in a row, `stride` apart. */
 static void halve_row(const real *c, int n, int stride, real *low, real *high)
 {
     real w[MOST];
@@ -84,7 +84,7 @@ static void halve(const real *c, int n, bool in_a, real *low, real *high)
             halve_row(c + n * i, n, 1, low + n * i, high + n * i);
 }
 
-/* Extent in xi is what counts: near the corner C of a triangle there is little of it. */
+/* Returns true if a box is wider in xi: near the corner C of a triangle its extent is small. */
 static bool is_wide(const struct curved_face *f, const struct box *x)
 {
     return x->wide * (f->triangle ? 1 - x->b : 1) > x->high;
@@ -149,15 +149,15 @@ static void search_nearest(struct nearest *n, const struct box *x, const real c[
     }
 }
 
-/* Value, derivative and second derivative of B_i of degree 2. */
+/* Computes value, derivative and second derivative of B_i of degree 2. */
 static void basis(real t, real b[3][3])
 {
     const real value[3][3] = {{(1 - t) * (1 - t), 2 * t * (1 - t), t * t}, {2 * t - 2, 2 - 4 * t, 2 * t}, {2, -4, 2}};
     memcpy(b, value, sizeof value);
 }
 
-/* Boxes end where the square of the distance says no more: Newton's steps for its gradient, in the coordinates that are not
- * at an end of theirs. */
+/* Polishes the nearest point by Newton's steps for the gradient of the squared distance, in the coordinates that are not at an end of
+ * their range; boxes end at the rounding of that square. */
 static void polish(struct nearest *n)
 {
     const bool free_a = n->a > 0 && n->a < 1 && (n->b < 1 || !n->face->triangle), free_b = n->b > 0 && n->b < 1;
@@ -178,14 +178,14 @@ static void polish(struct nearest *n)
         }
         const real determinant = h[0] * h[2] - h[1] * h[1];
         const real a = (h[2] * g[0] - h[1] * g[1]) / determinant, b = (h[0] * g[1] - h[1] * g[0]) / determinant;
-        if (!(fabsl(a) + fabsl(b) < 1e-6L)) /* no minimum of its own */
+        if (!(fabsl(a) + fabsl(b) < 1e-6L)) /* not a minimum itself */
             return;
         n->a = fminl(1, fmaxl(0, n->a - a));
         n->b = fminl(1, fmaxl(0, n->b - b));
     }
 }
 
-/* Of the distance of the point itself: the search's own has lost the digits of what is near. */
+/* Returns the squared distance of the point itself; the search's own has lost digits. */
 static real square_at(const struct nearest *n)
 {
     real p[3][3], q[3][3], square = 0;

@@ -1,5 +1,5 @@
-/* Closest points of faces of six, eight and nine nodes, certain.  A face is of degree 2 in each of two coordinates a and b in
- * [0,1], and the square of the distance of degree 4; over a box a polynomial lies between the least and the largest of its
+/* Finds closest points of faces of six, eight and nine nodes, with certainty.  A face is of degree 2 in each of two coordinates a and b
+ * in [0,1], and the squared distance of degree 4.  Over a box a polynomial lies between the least and the largest of its
  * Bernstein coefficients.  Boxes are halved until they are points. */
 #ifndef FOOTPOINT_CURVED_FACE_H
 #define FOOTPOINT_CURVED_FACE_H
@@ -12,13 +12,13 @@ struct curved_face {
     bool triangle; /* xi = a (1 - b), eta = b; else xi = 2 a - 1, eta = 2 b - 1 */
 };
 
-/** Of 6, 8 or 9 nodes x and the point xs. */
+/** Computes the face of 6, 8 or 9 nodes x and the point xs. */
 void curved_face_of(struct curved_face *f, int nodes, double (*x)[3], const double xs[3]);
 
-/** The distance of the closest point, at loc = {xi, eta}. */
+/** Returns the distance of the closest point, at loc = {xi, eta}. */
 double curved_face_closest(const struct curved_face *f, double loc[2]);
 
-/** r - xs at (xi,eta), wherever. */
+/** Computes r - xs at any (xi,eta). */
 void curved_face_point(const struct curved_face *f, double xi, double eta, double r[3]);
 
 #endif

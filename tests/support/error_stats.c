@@ -1,4 +1,4 @@
-/* Mean, 99 % and maximum of errors; see error_stats.h. */
+/* Computes mean, 99 % and maximum of errors; see error_stats.h. */
 #include "error_stats.h"
 
 #include <gsl/gsl_statistics_double.h>

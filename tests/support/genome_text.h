@@ -1,4 +1,4 @@
-/* Genomes and programs from text that tests write themselves: a mistake in it fails the test. */
+/* Reads genomes and programs from text in tests; a mistake in it fails the test. */
 #ifndef FOOTPOINT_GENOME_TEXT_H
 #define FOOTPOINT_GENOME_TEXT_H
 
@@ -22,7 +22,7 @@ static inline struct genome_file *parse(const char *text)
     return f;
 }
 
-/* The statements of genome k. */
+/* Reads the statements of genome k. */
 static inline struct program *read_program(const struct genome_file *f, size_t k, const char *text)
 {
     struct diag d = {0};

@@ -1,4 +1,4 @@
-/* For each kind of segment: what stands for its vectors in a call of an emitted function. */
+/* The arguments of each kind of segment in a call of an emitted function. */
 #ifndef FOOTPOINT_KIND_ARGUMENTS_H
 #define FOOTPOINT_KIND_ARGUMENTS_H
 
@@ -11,7 +11,7 @@
 #define NODES_OF_gregory(x, s) (x)[0], (x)[1], (x)[2], (x)[3], (x)[4], (x)[5], (x)[6], (x)[7], s
 #define NODES_OF_bezier NODES_OF_gregory
 
-/** How many they are, with the slave node. */
+/** Their number, with the slave node. */
 enum {
     VECTORS_OF_quad4 = 5,
     VECTORS_OF_tri3 = 4,

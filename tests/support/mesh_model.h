@@ -1,5 +1,4 @@
-/* What the tests of the mesh reader share: a folder for models that are written, and what holds of whatever was read.
- */
+/* Helpers of the tests of the mesh reader: a folder for written models, and properties of every mesh that is read. */
 #ifndef FOOTPOINT_MESH_MODEL_H
 #define FOOTPOINT_MESH_MODEL_H
 
@@ -47,7 +46,7 @@ static inline struct mesh *read_written(const char *text)
     return read_model(in_folder("model.inp"));
 }
 
-/* Whatever was read: indices in range, slaves ascending and each once, faces of a known size, coordinates finite. */
+/* Checks a mesh: indices in range, slaves ascending and unique, faces of a known size, coordinates finite. */
 static inline void check_sound(const struct mesh *m)
 {
     assert_true(m->pairs > 0);

@@ -1,5 +1,5 @@
-/* Ordinary segments with known foot points; see ordinary_quad.h.  Position and normal are written out here from the
- * definition of the bilinear segment, apart from the code under test. */
+/* Draws ordinary segments with known foot points; see ordinary_quad.h.  Position and normal are computed here from the
+ * definition of the bilinear segment, without the code under test. */
 #include "ordinary_quad.h"
 
 #include "../../evolve/common/stream.h"
@@ -20,7 +20,7 @@ static double symmetric(gsl_rng *stream, double most)
     return gsl_ran_flat(stream, -most, most);
 }
 
-/* Columns a, b, a x b of a random orthonormal frame. */
+/* Draws columns a, b, a x b of a random orthonormal frame. */
 static void draw_rotation(gsl_rng *stream, double frame[3][3])
 {
     double a[3], b[3], along, length;
@@ -67,7 +67,7 @@ struct quad quad_move(const struct quad *q, uint64_t index, double scale, double
     return moved;
 }
 
-/* xs = r(xi,eta) + gap n(xi,eta) */
+/* Computes xs = r(xi,eta) + gap n(xi,eta). */
 static void place_slave(struct quad *q)
 {
     double r[3] = {0}, t[3] = {0}, u[3] = {0}, n[3], length = 0;

@@ -1,5 +1,4 @@
-/* Ordinary segments with a foot point that is known by construction, and what may be done to them: for property tests.
- */
+/* Ordinary segments with a foot point that is known by construction, and transformations of them, for property tests. */
 #ifndef FOOTPOINT_ORDINARY_QUAD_H
 #define FOOTPOINT_ORDINARY_QUAD_H
 
@@ -14,24 +13,24 @@ struct quad {
 /** The limits of quad_draw. */
 struct quad_limits {
     double corner; /* corners move by up to this fraction of the shorter edge, in the plane */
-    double warp;   /* and by this one out of it */
+    double warp;   /* and by this fraction out of it */
     double gap;    /* |gap| over the shorter edge */
     double reach;  /* |xi|, |eta| up to this */
 };
 
-/** What most meshes hold: corners moved 15 %, warp 3 %, gap 10 %. */
+/** The limits of most meshes: corners moved 15 %, warp 3 %, gap 10 %. */
 extern const struct quad_limits quad_ordinary;
 
-/** Segment number `index`: aspect ratio 1 to 3, turned and moved at random, edges of length 0.1 to 30. */
+/** Draws segment number `index`: aspect ratio 1 to 3, turned and moved at random, edges of length 0.1 to 30. */
 struct quad quad_draw(const struct quad_limits *limits, uint64_t index);
 
-/** The same segment turned by a random rotation (of number `index`), scaled, then shifted by a multiple of its size. */
+/** Turns a segment by a random rotation (of number `index`), scales it, then shifts it by a multiple of its size. */
 struct quad quad_move(const struct quad *q, uint64_t index, double scale, double shift);
 
-/** The same segment with B first: (xi,eta) becomes (eta,-xi). */
+/** Returns the same segment with B first: (xi,eta) becomes (eta,-xi). */
 struct quad quad_turn_corners(const struct quad *q);
 
-/** The same segment seen from behind, B and D exchanged: (xi,eta) becomes (eta,xi), the gap changes sign. */
+/** Returns the same segment seen from behind, B and D exchanged: (xi,eta) becomes (eta,xi), the gap changes sign. */
 struct quad quad_mirror_corners(const struct quad *q);
 
 #endif

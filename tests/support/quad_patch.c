@@ -1,4 +1,4 @@
-/* See quad_patch.h; equations (45)-(50), and for the twins those of runtime/geometry/gregory.c. */
+/* Computes patches; see quad_patch.h; equations (45)-(50), and for the twins those in runtime/geometry/gregory.c. */
 #include "quad_patch.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 typedef quadruple point[3];
 
 struct net {
-    point p[4][4], twin[2][2]; /* twin[i - 1][j - 1]: P_ij as the edges along eta want it */
+    point p[4][4], twin[2][2]; /* twin[i - 1][j - 1]: P_ij of the edges along eta */
 };
 
 static void combine(quadruple a, const point x, quadruple b, const point y, point sum)
@@ -22,7 +22,7 @@ static void cross(const point a, const point b, point c)
         c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/* A corner, and from it a third of an edge in the plane normal to n. */
+/* Computes the handle of a corner: a third of an edge in the plane normal to n. */
 static void handle(const point from, const point to, const point n, point p)
 {
     point d;
@@ -32,7 +32,7 @@ static void handle(const point from, const point to, const point n, point p)
         p[k] = from[k] + (d[k] - along * n[k]) / 3;
 }
 
-/* The two inner points beside an edge p0 ... p3, from the row beside it at its ends, q0 and q3, and the normals there. */
+/* Computes the two inner points beside an edge p0 ... p3, from the ends of the row beside it, q0 and q3, and the normals there. */
 static void smooth(const point p0, const point p1, const point p2, const point p3, const point q0, const point q3,
                    const point n0, const point n3, point q1, point q2)
 {
@@ -85,7 +85,7 @@ static void make_net(bool twins, const quadruple *coordinate, struct net *net)
     }
 }
 
-/* Bernstein's polynomials of third degree and their derivatives. */
+/* Computes Bernstein's polynomials of third degree and their derivatives. */
 static void bernstein(quadruple t, quadruple b[4], quadruple d[4])
 {
     const quadruple u = 1 - t, tt = t * t, tu = t * u, uu = u * u;
@@ -95,14 +95,14 @@ static void bernstein(quadruple t, quadruple b[4], quadruple d[4])
     memcpy(d, derivative, sizeof derivative);
 }
 
-/* Adds to v. */
+/* Adds factor x to v. */
 static void add(quadruple factor, const point x, point v)
 {
     for (int k = 0; k < 3; k++)
         v[k] += factor * x[k];
 }
 
-/* (47)-(50): an inner point, near an edge its own alone, and what changes with it: adds that to the tangents. */
+/* Blends by (47)-(50) an inner point, which near an edge is only that edge's own, and adds its change to the tangents. */
 static void blend(const struct net *net, int i, int j, quadruple s, quadruple t, quadruple weight, point p,
                   struct patch_foot *at)
 {
@@ -115,7 +115,7 @@ static void blend(const struct net *net, int i, int j, quadruple s, quadruple t,
     add(j == 2 ? slope * u : -slope * u, away, at->r_eta);
 }
 
-/* The point and its tangents: xi and eta are from -1 to 1, Bernstein's arguments from 0 to 1. */
+/* Computes the point and its tangents: xi and eta are from -1 to 1, Bernstein's arguments from 0 to 1. */
 static void evaluate(bool twins, const struct net *net, quadruple xi, quadruple eta, struct patch_foot *at)
 {
     const quadruple s = (1 + xi) / 2, t = (1 + eta) / 2;
@@ -155,7 +155,7 @@ void patch_point(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi,
     exact_normal(at->r_xi, at->r_eta, at->normal);
 }
 
-/* The slopes of half the square of the distance. */
+/* Computes the slopes of half the squared distance. */
 static void stationary(const quadruple *slave, const struct patch_foot *at, quadruple f[2])
 {
     point d;
@@ -164,8 +164,8 @@ static void stationary(const quadruple *slave, const struct patch_foot *at, quad
     f[1] = -exact_dot(at->r_eta, d);
 }
 
-/* Steps until one is as short as `shortest`, each with the inverse of the Hessian that `foot` has, or by differences of the
- * slopes if `newton`. */
+/* Steps until a step is at most `shortest`, with the inverse of the Hessian in `foot`, or, if `newton`, by differences of the
+ * slopes. */
 static bool descend(bool twins, const quadruple *x, bool newton, double shortest, struct patch_foot *foot)
 {
     enum { STEPS = 40 };

@@ -1,4 +1,4 @@
-/* See quad_precision.h. */
+/* Computes foot points in quadruple precision; see quad_precision.h. */
 #include "quad_precision.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1},
 /* Powers of xi and eta of the monomials; six nodes have the first six, and eight all but the last. */
 static const int power_all[MOST_NODES][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}, {2, 2}};
 
-/* 1, x and x^2, or their derivatives. */
+/* Computes 1, x and x^2, or their derivatives. */
 static void powers(quadruple x, int derivative, quadruple y[3])
 {
     y[0] = derivative == 0;
@@ -17,7 +17,7 @@ static void powers(quadruple x, int derivative, quadruple y[3])
     y[2] = derivative == 0 ? x * x : derivative == 1 ? 2 * x : 2;
 }
 
-/* The monomials, or their derivatives. */
+/* Computes the monomials, or their derivatives. */
 static void monomials(quadruple xi, quadruple eta, int by_xi, int by_eta, quadruple value[MOST_NODES])
 {
     quadruple u[3], v[3];
@@ -32,7 +32,7 @@ static double magnitude(quadruple x)
     return fabs((double)x);
 }
 
-/* Solves for all right sides at once, by Gauss and Jordan; a is left the identity. */
+/* Solves for all right sides at once, by Gauss and Jordan; a becomes the identity. */
 static void solve(int n, quadruple a[MOST_NODES][MOST_NODES], quadruple b[MOST_NODES][MOST_NODES])
 {
     for (int k = 0; k < n; k++) {
@@ -76,7 +76,7 @@ struct exact_face exact_face_of(int nodes)
     return f;
 }
 
-/* A face as a polynomial: of each monomial the factor. */
+/* A face as a polynomial: the factor of each monomial. */
 struct polynomial {
     int terms;
     quadruple factor[MOST_NODES][3];
@@ -107,7 +107,7 @@ quadruple exact_dot(const quadruple a[3], const quadruple b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Newton's iteration, from a root that is right to 50 binary digits. */
+/* Returns a root by Newton's iteration, from a root that is right to 50 binary digits. */
 static quadruple root_of(quadruple x)
 {
     quadruple root = sqrt((double)x);
@@ -148,7 +148,7 @@ double exact_condition(quadruple h11, quadruple h12, quadruple h22)
     return large / fabs((double)(h11 * h22 - h12 * h12) / large);
 }
 
-/* Of a point of the face: the way to the slave node, the tangents, and the slopes of half the square of the distance. */
+/* A point of the face: the vector to the slave node, the tangents, and the slopes of half the squared distance. */
 struct place {
     quadruple d[3], a[3], b[3], slope[2];
 };
@@ -166,7 +166,7 @@ static struct place place_at(const struct polynomial *p, const quadruple *slave,
     return at;
 }
 
-/* A step to where the slopes are 0, by the inverse of the Hessian in `foot`; its length. */
+/* Steps towards slopes of 0 by the inverse of the Hessian in `foot`; returns the step's length. */
 static double step_down(struct exact_foot *foot, const quadruple slope[2])
 {
     const quadruple u = foot->inverse[0] * slope[0] + foot->inverse[1] * slope[1];

@@ -1,4 +1,4 @@
-/* See rounding_subject.h. */
+/* Samples rounding errors; see rounding_subject.h. */
 #include "rounding_subject.h"
 
 #include "../../codegen/program/evaluate.h"
@@ -24,7 +24,7 @@ static long double nearest(const fmpq_t x)
     return value;
 }
 
-/* Values by operation, the constants' filled in. */
+/* Returns values, indexed by operation, with the constants filled in. */
 static struct beside *beside_new(const struct program *p)
 {
     struct beside *v = new_array(p->ops, sizeof *v);
@@ -98,7 +98,7 @@ double error_of(double x, const arb_t exact)
     return isfinite(x) ? far : INFINITY;
 }
 
-/* Some coordinates of a point anew, each kept with a chance of `keep`; a quarter of the new ones are ends of their
+/* Draws some coordinates of a point again, each kept with a chance of `keep`; a quarter of the new numbers are ends of their
  * ranges. */
 static void move(const struct subject *s, double keep, uint64_t *seed, double *at)
 {
@@ -113,7 +113,7 @@ static void move(const struct subject *s, double keep, uint64_t *seed, double *a
     }
 }
 
-/* All operations of a program, at points side by side. */
+/* Evaluates all operations of a program, at points side by side. */
 static void values(const struct program *p, const struct beside *input, struct beside *v)
 {
 #define EACH(value)                                                                                                    \
@@ -126,7 +126,7 @@ static void values(const struct program *p, const struct beside *input, struct b
         double *restrict x = v[i].at;
         switch (op->kind) {
         case OP_CONSTANT:
-            break; /* by beside_new */
+            break; /* filled in by beside_new */
         case OP_INPUT:
             EACH(input[op->input].at[l]);
         case OP_NEG:
@@ -144,7 +144,7 @@ static void values(const struct program *p, const struct beside *input, struct b
 #undef EACH
 }
 
-/* Of the points, those at which all outputs are > 0, a bit each. */
+/* Returns the points at which all outputs are > 0, a bit each. */
 static unsigned positive(const struct program *p, const struct beside *input, struct beside *v)
 {
     unsigned all = (1U << SIDE_BY_SIDE) - 1;
@@ -155,7 +155,7 @@ static unsigned positive(const struct program *p, const struct beside *input, st
     return all;
 }
 
-/* Of the candidates, those in the region as far as rounded values tell. */
+/* Returns the candidates that lie in the region, as far as rounded values show. */
 static unsigned in_region_about(struct subject *s)
 {
     const struct known *x = s->region->known;
@@ -179,7 +179,7 @@ static bool in_region(struct subject *s)
     return region_holds(s->region, s->box);
 }
 
-/* Values in long double, whose errors are a two-thousandth: near enough to tell which points are worth an exact look. */
+/* Computes values in long double, whose errors are a two-thousandth: accurate enough to select points for exact evaluation. */
 static void near_values(struct subject *s)
 {
     long double *const v = s->near;
@@ -188,7 +188,7 @@ static void near_values(struct subject *s)
         const long double a = op->a >= 0 ? v[op->a] : 0, b = op->b >= 0 ? v[op->b] : 0;
         switch (op->kind) {
         case OP_CONSTANT:
-            break; /* by subject_new */
+            break; /* filled in by subject_new */
         case OP_INPUT:
             v[i] = s->input[op->input];
             break;
@@ -222,7 +222,7 @@ static void near_values(struct subject *s)
     }
 }
 
-/* The outputs at the point, of products contracted where there is a seed. */
+/* Computes the outputs at the point; with a seed, products are contracted at random. */
 static void compute(struct subject *s, uint64_t *seed)
 {
     const size_t n = s->program->inputs;
@@ -238,8 +238,8 @@ static void compute(struct subject *s, uint64_t *seed)
         s->value[s->program->output[i]] = s->single[s->program->output[i]];
 }
 
-/* Errors of the outputs at the point, of products contracted or not whichever is worse, about; the worst so far, exactly.
- * False: it is not in the region, or has no exact value, a quotient by 0. */
+/* Estimates the errors of the outputs at the point, with products contracted or not, whichever is worse; computes the worst so far exactly.
+ * Returns false if the point is not in the region, or has no exact value, a quotient by 0. */
 static bool look(struct subject *s, uint64_t *seed, double *about, double *worst)
 {
     bool exact = false;
@@ -265,8 +265,8 @@ static bool look(struct subject *s, uint64_t *seed, double *about, double *worst
     return true;
 }
 
-/* The next of the points that the region is walked through by.  Where few points of the box belong to it one leads to the
- * next: from one to all coordinates are drawn anew, until that leaves the region no more.  False: no more tries are left. */
+/* Moves to the next point of a walk through the region.  If few points of the box belong to it, each point leads to the
+ * next: from one to all coordinates are drawn again, until the point stays in the region.  Returns false if no tries are left. */
 static bool walk(struct subject *s, double *from, uint64_t *seed, long *tries)
 {
     static const double keep[] = {0, 0.5, 0.8, 0.95};
@@ -282,7 +282,7 @@ static bool walk(struct subject *s, double *from, uint64_t *seed, long *tries)
     return true;
 }
 
-/* One coordinate changed, by from all of its range to its last digits. */
+/* Changes a coordinate, by anything from all of its range to its last digits. */
 static void step(const struct subject *s, uint64_t *seed, double *at)
 {
     const struct known *x = s->region->known;
@@ -292,7 +292,7 @@ static void step(const struct subject *s, uint64_t *seed, double *at)
     at[k] = fmin(fmax(at[k] + far, range.lo), range.hi);
 }
 
-/* Uphill from a point of the region, by what makes the error of one output larger. */
+/* Climbs from a point of the region as long as the error of an output grows. */
 static void climb(struct subject *s, size_t output, double *from, uint64_t *seed, double *about, double *worst)
 {
     const size_t size = s->region->known->variables * sizeof *from;

@@ -1,4 +1,4 @@
-/* Scenes for tests: shipped ones, and texts that are written aside and read. */
+/* Scenes for tests: shipped scenes, and texts that are written to a file and read. */
 #ifndef FOOTPOINT_SCENE_TEXT_H
 #define FOOTPOINT_SCENE_TEXT_H
 

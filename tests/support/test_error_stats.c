@@ -1,4 +1,4 @@
-/* Error statistics on short lists. */
+/* Tests error statistics on short lists. */
 #include "error_stats.h"
 
 #include <math.h>

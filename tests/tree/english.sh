@@ -2,7 +2,7 @@
 # prose, as h3, p4est, FFTW and libCEED have few of them.  They are a symptom: rewrite the sentence, do not swap the word.
 # READMEs and rewritten rooms, but for the files of `old`, must keep the limits; the rates of other rooms are printed.
 . tests/cli/expect.inc
-rewritten='evolve codegen runtime tests/fuzz tests/hard tests/paper tests/queries'
+rewritten='evolve codegen runtime tests/fuzz tests/hard tests/paper tests/queries tests/support'
 old='evolve/evolve_main.c evolve/samples evolve/eval/errors.* evolve/eval/frame.h evolve/write/archive_csv.c
     evolve/run/run_options.c evolve/region/sampled_region.* evolve/region/shape_requires.* evolve/surface/sample.*
     codegen/print/header/header_along.c codegen/print/header/header_arrays.* codegen/print/header/header_closest.c
