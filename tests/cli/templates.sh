@@ -38,7 +38,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         [ "$kind" = quad4 ] || files="$files gap"
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in
-        quad4) files="$files bounds quad4_proof quad4_step:quad4_vector_step quad4_steps quad4_repair answer_proved quad4_from from" ;;
+        quad4) files="$files bounds quad4_proof quad4_step:quad4_vector_step quad4_steps quad4_repair answer_proved quad4_box quad4_from from" ;;
         tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
@@ -97,7 +97,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract contract_closest contract_closest_promise contract_patch contract_promise contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in contract contract_closest contract_closest_promise contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

@@ -40,7 +40,7 @@ void along_print(const struct unit *u, FILE *out)
     const char *const curved[] = {powers_of(k),        "curved_along", "curved_parts",
                                   "curved_along_full", "along_again",  NULL},
                       *const straight[] = {method, "along_again", NULL};
-    lines_print_templates(u, NULL, "ALONG", closed ? straight : curved, out);
-    lines_print_templates(u, NULL, NULL, (const char *const[]){"along_calls", NULL}, out);
+    lines_print_templates(u, "ALONG", closed ? straight : curved, out);
+    lines_print_templates(u, NULL, (const char *const[]){"along_calls", NULL}, out);
     free(method);
 }

@@ -16,7 +16,7 @@ static bool prepares(const struct unit *u)
 
 void arrays_print_helpers(const struct unit *u, FILE *out)
 {
-    lines_print_templates(u, NULL, "ARRAYS", (const char *const[]){"arrays", "over", NULL}, out);
+    lines_print_kind(u, promise_answers(u), "ARRAYS", (const char *const[]){"arrays", "over", NULL}, out);
 }
 
 void arrays_print(const struct unit *u, const struct function *f, FILE *out)

@@ -40,7 +40,7 @@ static void print_proved(const struct unit *u, FILE *out)
         templates_print("FOOTPOINT_DETAIL_CURVE", (const char *const[]){"curve", NULL}, precision, NULL, out);
         templates_print("FOOTPOINT_DETAIL_LIMITS", (const char *const[]){"curved_limits", NULL}, precision, NULL, out);
     }
-    lines_print_templates(u, NULL, "NEAREST", is_curved ? curved : bilinear, out);
+    lines_print_templates(u, "NEAREST", is_curved ? curved : bilinear, out);
 }
 
 /* Where it is not. */
@@ -61,7 +61,7 @@ static void print_nearest(const struct unit *u, FILE *out)
                                  NULL};
     templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
                     (const char *const[]){straight ? "edge" : "curve", NULL}, u->options.precision, NULL, out);
-    lines_print_templates(u, NULL, "NEAREST", names, out);
+    lines_print_templates(u, "NEAREST", names, out);
     free(own);
 }
 
@@ -77,14 +77,14 @@ void closest_print_helpers(const struct unit *u, FILE *out)
     templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"side", "corner", "lesser", "closest", NULL},
                     u->options.precision, NULL, out);
     if (u->file->segment->bilinear)
-        lines_print_templates(u, NULL, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
+        lines_print_templates(u, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
     (is_proved(u) ? print_proved : print_nearest)(u, out);
 }
 
 void closest_print_contract(const struct unit *u, FILE *out)
 {
     const char *name = is_proved(u) ? "contract_closest_promise" : "contract_closest";
-    lines_print_templates(u, NULL, NULL, (const char *const[]){name, NULL}, out);
+    lines_print_templates(u, NULL, (const char *const[]){name, NULL}, out);
 }
 
 void closest_print(const struct unit *u, const struct function *f, FILE *out)

@@ -23,7 +23,7 @@ static void print_kind(const struct unit *u, FILE *out)
         templates_print("FOOTPOINT_DETAIL_WEIGHTED", (const char *const[]){"weighted", NULL}, precision, NULL, out);
     if (lines_straight(u))
         templates_print("FOOTPOINT_DETAIL_HEIGHT", (const char *const[]){"height", NULL}, precision, NULL, out);
-    lines_print_templates(u, NULL, "SEARCH", (const char *const[]){k->name, k->bilinear ? NULL : "gap", NULL}, out);
+    lines_print_templates(u, "SEARCH", (const char *const[]){k->name, k->bilinear ? NULL : "gap", NULL}, out);
 }
 
 /* Proofs, and answers where the quick way does not tell. */
@@ -44,16 +44,19 @@ static void print_answers(const struct unit *u, FILE *out)
     if (patch)
         templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_net", NULL}, precision, NULL, out);
     lines_print_templates(
-        u, NULL, "ANSWER",
+        u, "ANSWER",
         curved     ? (const char *const[]){terms, "curved_proof", "curved_repair", "answer_proved", NULL}
         : patch    ? (const char *const[]){terms, "patch_proof", "patch_repair", NULL}
         : bilinear ? (const char *const[]){"quad4_proof", step, "quad4_steps", "quad4_repair", "answer_proved", NULL}
         : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}
                                     : (const char *const[]){"answer", NULL},
         out);
+    if (promise == PROMISE_BOX)
+        lines_print_kind(u, promise_answers(u), "ANSWER", (const char *const[]){"quad4_box", "answer_proved", NULL},
+                         out);
     if (promise_follows(u))
-        lines_print_templates(u, NULL, "FROM",
-                              (const char *const[]){curved ? "curved_from" : "quad4_from", "from", NULL}, out);
+        lines_print_templates(u, "FROM", (const char *const[]){curved ? "curved_from" : "quad4_from", "from", NULL},
+                              out);
     free(terms);
 }
 

@@ -118,6 +118,15 @@ void words_add(struct words *w, const char *word, char *text)
     w->n--;
 }
 
+void words_set(struct words *w, const char *word, char *text)
+{
+    for (size_t i = 0; i < w->n; i++)
+        if (strcmp(w->word[i].word, word) == 0) {
+            free((char *)(uintptr_t)w->word[i].text);
+            w->word[i].text = text;
+        }
+}
+
 void words_clear(struct words *w)
 {
     for (size_t i = 0; i < w->n; i++)
@@ -155,14 +164,19 @@ struct words lines_words(const struct unit *u, const struct function *f, const s
     return w;
 }
 
-void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,
-                           FILE *out)
+void lines_print_kind(const struct unit *u, const char *kind, const char *guard, const char *const *names, FILE *out)
 {
-    char *whole = guard ? new_format("FOOTPOINT_%s_%s", u->file->segment->name, guard) : NULL;
-    struct words w = lines_words(u, f, f);
+    char *whole = guard ? new_format("FOOTPOINT_%s_%s", kind, guard) : NULL;
+    struct words w = lines_words(u, NULL, NULL);
+    words_set(&w, "KIND", new_format("%s", kind));
     templates_print(whole, names, u->options.precision, w.word, out);
     words_clear(&w);
     free(whole);
+}
+
+void lines_print_templates(const struct unit *u, const char *guard, const char *const *names, FILE *out)
+{
+    lines_print_kind(u, u->file->segment->name, guard, names, out);
 }
 
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f)

@@ -27,6 +27,7 @@ struct words {
     size_t n, room;
 };
 void words_add(struct words *w, const char *word, char *text); /* takes the text */
+void words_set(struct words *w, const char *word, char *text); /* in place of the one before; takes the text */
 void words_clear(struct words *w);
 
 /** Returns words about the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES for contracts;
@@ -37,11 +38,13 @@ void words_clear(struct words *w);
  *  SCALED_NODES, how many vectors another unit of length changes, and SCALABLE, whether it changes any, in the search that NAME begins with. */
 struct words lines_words(const struct unit *u, const struct function *f, const struct function *search);
 
-/** Prints templates with these words.
+/** Prints templates that belong to no function, with these words.
  *  @param[in] guard  of an include guard FOOTPOINT_<KIND>_<guard>; NULL: there is none
  *  @param[in] names  templates, ended by NULL */
-void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,
-                           FILE *out);
+void lines_print_templates(const struct unit *u, const char *guard, const char *const *names, FILE *out);
+
+/** The same with another KIND than the segment's. */
+void lines_print_kind(const struct unit *u, const char *kind, const char *guard, const char *const *names, FILE *out);
 
 /** How many vectors another unit of length changes: none of a search that depends on it. */
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f);

@@ -17,11 +17,12 @@
 static const struct {
     const char *name;
     double promise[2];
-} promises[] = {{"fast", {1e-1, 1e-1}},     {"coarse", {1e-1, 1e-1}},    {"facet", {1e-1, 1e-1}},
-                {"gauss2", {1e-2, 1e-2}},   {"medium", {1e-2, 1e-2}},    {"normals", {1e-2, 1e-2}},
-                {"balanced", {1e-3, 1e-3}}, {"smooth", {1e-3, 1e-3}},    {"fine", {1e-5, 1e-5}},
-                {"weighted", {1e-5, 1e-5}}, {"corrected", {1e-5, 1e-5}}, {"precise", {1e-7, 1e-7}},
-                {"exact", {1e-12, 1e-10}},  {"accurate", {1e-10, 1e-10}}};
+} promises[] = {
+    {"fast", {1e-1, 1e-1}},     {"coarse", {1e-1, 1e-1}},   {"facet", {1e-1, 1e-1}},     {"gauss", {1e-1, 1e-1}},
+    {"taper", {1e-1, 1e-1}},    {"newton", {1e-2, 1e-2}},   {"gauss2", {1e-2, 1e-2}},    {"medium", {1e-2, 1e-2}},
+    {"normals", {1e-2, 1e-2}},  {"balanced", {1e-3, 1e-3}}, {"smooth", {1e-3, 1e-3}},    {"fine", {1e-5, 1e-5}},
+    {"program1", {1e-3, 1e-3}}, {"program2", {1e-7, 1e-7}}, {"weighted", {1e-5, 1e-5}},  {"corrected", {1e-5, 1e-5}},
+    {"precise", {1e-7, 1e-7}},  {"exact", {1e-12, 1e-10}},  {"accurate", {1e-10, 1e-10}}};
 static const double finest[] = {[PRECISION_DOUBLE] = 1e-12, [PRECISION_FLOAT] = 1e-5};
 
 static bool single(const struct unit *u)
@@ -39,7 +40,14 @@ enum promise_kind promise_kind_of(const struct unit *u)
         return PROMISE_PATCH;
     if (!lines_straight(u))
         return PROMISE_CURVED;
-    return !any ? PROMISE_NONE : k->bilinear ? PROMISE_BILINEAR : PROMISE_LINEAR;
+    if (k->bilinear)
+        return any ? PROMISE_BILINEAR : single(u) ? PROMISE_NONE : PROMISE_BOX;
+    return any ? PROMISE_LINEAR : PROMISE_NONE;
+}
+
+const char *promise_answers(const struct unit *u)
+{
+    return promise_kind_of(u) == PROMISE_BOX ? "quad4_box" : u->file->segment->name;
 }
 
 bool promise_follows(const struct unit *u)
@@ -211,7 +219,8 @@ struct words promise_words(const struct unit *u, const struct function *f)
     struct words w = lines_words(u, f, promise_start(u, f));
     words_add(&w, "PROMISE", promise_text(u, f));
     words_add(&w, "START", new_format("%s", promise_start(u, f)->name));
-    words_add(&w, "EXACT", new_format("footpoint_detail_%s", u->file->segment->name));
+    words_set(&w, "KIND", new_format("%s", promise_answers(u)));
+    words_add(&w, "EXACT", new_format("footpoint_detail_%s", promise_answers(u)));
     words_add(&w, "STEPS", new_format("%d", promise_steps(u, f)));
     return w;
 }

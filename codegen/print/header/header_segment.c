@@ -77,13 +77,15 @@ static void print_sure(const struct unit *u, const struct function *f, const cha
 
 void search_print_contract(const struct unit *u, FILE *out)
 {
-    lines_print_templates(u, NULL, NULL, (const char *const[]){"contract", NULL}, out);
+    lines_print_templates(u, NULL, (const char *const[]){"contract", NULL}, out);
     if (promise_kind_of(u) == PROMISE_PATCH)
-        lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_patch", NULL}, out);
+        lines_print_templates(u, NULL, (const char *const[]){"contract_patch", NULL}, out);
+    else if (promise_kind_of(u) == PROMISE_BOX)
+        lines_print_templates(u, NULL, (const char *const[]){"contract_box", NULL}, out);
     else if (promise_kind_of(u) != PROMISE_NONE)
-        lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_promise", NULL}, out);
+        lines_print_templates(u, NULL, (const char *const[]){"contract_promise", NULL}, out);
     if (promise_follows(u))
-        lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_from", NULL}, out);
+        lines_print_templates(u, NULL, (const char *const[]){"contract_from", NULL}, out);
     if (closest_exists(u))
         closest_print_contract(u, out);
 }
@@ -107,7 +109,7 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
     const struct block blocks[] = {{"PROMISE", promise == PROMISE_BILINEAR, NULL},
                                    {"CURVED", promise == PROMISE_CURVED, NULL},
                                    {"PATCH", promise == PROMISE_PATCH, NULL},
-                                   {"EXACT_PROMISE", promise == PROMISE_LINEAR, NULL},
+                                   {"EXACT_PROMISE", promise == PROMISE_LINEAR || promise == PROMISE_BOX, NULL},
                                    {"SHARED_GAP", shares, NULL},
                                    {"OWN_GAP", !steps && !shares, NULL},
                                    {NULL, 0, NULL}};
