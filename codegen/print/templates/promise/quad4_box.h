@@ -100,12 +100,14 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_edges(const REAL *const *x, REAL p
 }
 
 /* Steps from `at` to a minimum in the segment; if they lead to one outside of it, or `anyway`, to one on an edge,
- * FOOTPOINT_OUTSIDE.  y: as of footpoint_detail_quad4_repair. */
+ * FOOTPOINT_OUTSIDE.  y: as of footpoint_detail_quad4_repair, which goes on to 1e-5 as its steps stop at a hundredth of a
+ * promise. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_steps(REAL y[VECTORS][3], REAL promise, int anyway,
                                                     REAL at[2])
 {
     const REAL *const x[VECTORS] = {y[0], y[1], y[2], y[3], y[4]};
-    const int status = footpoint_detail_quad4_repair(y, promise, &at[0], &at[1]);
+    const REAL fine = promise < 1e-5 ? promise : 1e-5;
+    const int status = footpoint_detail_quad4_repair(y, fine, &at[0], &at[1]);
     if (status == FOOTPOINT_OK && !(footpoint_detail_quad4_box_beyond(at[0], at[1]) >> REAL_TOP))
         return FOOTPOINT_OK;
     if ((anyway || status == FOOTPOINT_OK) && footpoint_detail_quad4_box_edges(x, promise, at))
