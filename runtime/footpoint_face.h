@@ -69,13 +69,12 @@ int footpoint_track(enum footpoint_face face, const double *x, double loc[2], do
 size_t footpoint_track_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                              const int *slave, double *loc, double *gap, int *status);
 
-/** Finds the closest point of the face, its edges and corners included, as NAME_closest of generated/.  It is proved, except on
- *  tri3, where it is exact to rounding.
+/** Finds the closest point of the face, its edges and corners included, as NAME_closest of generated/.  It is proved.
  *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face, see "Signs" in footpoint.h
  *  @param[out] region    the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; on a
  *                        triangle 1 to 3 and 4 to 6
- *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN (farther away than the longest edge); except on tri3, with all
- *          written: FOOTPOINT_NOT_UNIQUE (another point is as near) and FOOTPOINT_UNPROVED (the nearest point found) */
+ *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN (farther away than the longest edge); with all written
+ *          FOOTPOINT_NOT_UNIQUE (another point is as near; never on tri3) and FOOTPOINT_UNPROVED (the nearest point found) */
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
 /** Finds the closest point of any face for any slave node, with certainty: on tri3 in closed form, on quad4 by

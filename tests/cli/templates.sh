@@ -34,6 +34,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         done
         closest="inward ${nearest}_nearest fan closest_again closest_arrays closest_surface closest_of"
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
+        [ "$kind" != tri3 ] || closest="inward tri3_nearest tri3_found ${closest#* * } tri3_sure proved_closest_arrays"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
@@ -62,7 +63,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby:quad4_vector_nearby proved_closest_calls quad4_closest_from"
             ;;
         curved*) calls="$calls from_calls curved_nearby proved_closest_calls" ;;
-        *) calls="$calls closest_calls" ;;
+        tri3) calls="$calls tri3_nearby:closest_calls proved_closest_calls:contract_closest" ;; # in float those without proof
         esac
         if [ $kind = face ]; then # functions at a place of it
             files='answer place_detail place_calls place_joined' calls=
@@ -97,7 +98,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract contract_closest contract_closest_promise contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

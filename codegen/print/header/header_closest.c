@@ -18,7 +18,7 @@ bool closest_exists(const struct unit *u)
     return u->file->order == CORNERS_ANY && !*u->file->segment->normals;
 }
 
-/* What is nearest, where that is proved: of bilinear segments and of curved faces. */
+/* What is nearest, where that is proved. */
 static void print_proved(const struct unit *u, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT;
@@ -34,42 +34,46 @@ static void print_proved(const struct unit *u, FILE *out)
     static const char *const curved[] = {
         "inward",       "fan",          "closest_surface", "curved_anchor",         "curved_sole",
         "curved_close", "curved_split", "curved_seek",     "proved_closest_arrays", NULL};
-    const bool is_curved = promise_kind_of(u) == PROMISE_CURVED;
+    static const char *const linear[] = {
+        "inward", "fan", "closest_surface", "tri3_nearest", "tri3_sure", "proved_closest_arrays", NULL};
+    const enum precision precision = u->options.precision;
+    const bool is_curved = promise_kind_of(u) == PROMISE_CURVED, is_linear = promise_kind_of(u) == PROMISE_LINEAR;
+    if (is_linear)
+        templates_print("FOOTPOINT_DETAIL_EDGE", (const char *const[]){"edge", NULL}, precision, NULL, out);
     if (is_curved) {
-        const enum precision precision = u->options.precision;
         templates_print("FOOTPOINT_DETAIL_CURVE", (const char *const[]){"curve", NULL}, precision, NULL, out);
         templates_print("FOOTPOINT_DETAIL_LIMITS", (const char *const[]){"curved_limits", NULL}, precision, NULL, out);
     }
-    lines_print_templates(u, "NEAREST", is_curved ? curved : bilinear, out);
+    lines_print_templates(u, "NEAREST", is_curved ? curved : is_linear ? linear : bilinear, out);
 }
 
-/* Where it is not. */
+/* Where it is not: of triangles and curved faces in float. */
 static void print_nearest(const struct unit *u, FILE *out)
 {
+    static const char *const flat[] = {"tri3_nearest", "tri3_found", NULL};
+    static const char *const triangle[] = {"curved_triangle_nearest", NULL}, *const quad[] = {"curved_quad_nearest",
+                                                                                              NULL};
+    static const char *const shared[] = {"fan", "closest_again", "closest_arrays", "closest_surface", "closest_of",
+                                         NULL};
     const struct segment_kind *k = u->file->segment;
     const bool straight = lines_straight(u);
-    char *own = new_format("%s_nearest", k->name);
-    const char *const names[] = {"inward",
-                                 straight      ? own
-                                 : k->triangle ? "curved_triangle_nearest"
-                                               : "curved_quad_nearest",
-                                 "fan",
-                                 "closest_again",
-                                 "closest_arrays",
-                                 "closest_surface",
-                                 "closest_of",
-                                 NULL};
+    const char *const *const own = straight ? flat : k->triangle ? triangle : quad;
+    const char *names[12] = {"inward"};
+    size_t n = 1;
+    for (size_t i = 0; own[i]; i++)
+        names[n++] = own[i];
+    for (size_t i = 0; shared[i]; i++)
+        names[n++] = shared[i];
     templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
                     (const char *const[]){straight ? "edge" : "curve", NULL}, u->options.precision, NULL, out);
     lines_print_templates(u, "NEAREST", names, out);
-    free(own);
 }
 
 /* Whether answers are proved. */
 static bool is_proved(const struct unit *u)
 {
     const enum promise_kind kind = promise_kind_of(u);
-    return kind == PROMISE_BILINEAR || kind == PROMISE_CURVED;
+    return kind == PROMISE_BILINEAR || kind == PROMISE_CURVED || kind == PROMISE_LINEAR;
 }
 
 void closest_print_helpers(const struct unit *u, FILE *out)
@@ -83,13 +87,16 @@ void closest_print_helpers(const struct unit *u, FILE *out)
 
 void closest_print_contract(const struct unit *u, FILE *out)
 {
-    const char *name = is_proved(u) ? "contract_closest_promise" : "contract_closest";
+    const char *name = promise_kind_of(u) == PROMISE_LINEAR ? "contract_closest_linear"
+                       : is_proved(u)                       ? "contract_closest_promise"
+                                                            : "contract_closest";
     lines_print_templates(u, NULL, (const char *const[]){name, NULL}, out);
 }
 
 void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
     static const char *const curved[] = {"curved_nearby", "proved_closest_calls", NULL};
+    static const char *const linear[] = {"tri3_nearby", "proved_closest_calls", NULL};
     static const char *const other[] = {"closest_calls", NULL};
     const enum promise_kind kind = promise_kind_of(u);
     struct words w = promise_words(u, f);
@@ -100,6 +107,7 @@ void closest_print(const struct unit *u, const struct function *f, FILE *out)
     templates_print(NULL,
                     kind == PROMISE_BILINEAR ? bilinear
                     : kind == PROMISE_CURVED ? curved
+                    : kind == PROMISE_LINEAR ? linear
                                              : other,
                     u->options.precision, w.word, out);
     words_clear(&w);

@@ -1,13 +1,14 @@
 /* The closest point of the closed triangle. */
 
-/* Finds the foot point, if it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point
- * (xi,eta) of the search is computed again, from areas, because the rounding errors of the search's Gram determinant grow with the
- * square of the aspect ratio.  The distance of a point inside is measured to the plane, for any errors of xi and eta. */
-FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
-                                                 REAL xi, REAL eta, REAL at[3], int *region)
+/* Finds the foot point, if it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point is
+ * computed from areas, because the rounding errors of a search's Gram determinant grow with the square of the aspect ratio.  The
+ * distance of a point inside is measured to the plane, for any errors of xi and eta.  how: 1 if the nearest edge is BC, 1 if it is
+ * CA, else 0; the place of its nearest point, from 0 to 1; 1 if the foot point is inside. */
+FOOTPOINT_PART int footpoint_detail_tri3_find(const REAL *const *x, REAL least, REAL at[3],
+                                              REAL how[4], int *region)
 {
     REAL e[3][3], p[3][3], ee[3], t[3], dd[3], d[3], n[3], f[3], nn, size, longest, other;
-    REAL second, third, edge, along, u, v, ahead, room, within, best;
+    REAL second, third, edge, along, u, v, xi, eta, ahead, room, within, best;
     int last, k;
     dd[0] = footpoint_detail_edge(x[0], x[1], x[3], e[0], p[0], &ee[0], &t[0]);
     dd[1] = footpoint_detail_edge(x[1], x[2], x[3], e[1], p[1], &ee[1], &t[1]);
@@ -44,7 +45,11 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS
     last = third > 0.5;
     k = (second > 0.5) * (1 - last) + 2 * last;
     *region = (within < 0.5) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(ahead),
+    how[0] = second * (1.0 - third);
+    how[1] = third;
+    how[2] = along;
+    how[3] = within;
+    return footpoint_detail_closest_status(footpoint_detail_infinite(ahead),
                                            p[0][0] + p[0][1] + p[0][2], nn, size, least, best, edge,
                                            longest);
 }

@@ -1,0 +1,12 @@
+/* The closest point of the closed triangle where nothing is proved. */
+
+/* As footpoint_detail_KIND_nearest of other kinds, which take the search's answer. */
+FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
+                                                 REAL xi, REAL eta, REAL at[3], int *region)
+{
+    REAL how[4];
+    (void)flaw;
+    (void)xi;
+    (void)eta;
+    return footpoint_detail_tri3_find(x, least, at, how, region);
+}
