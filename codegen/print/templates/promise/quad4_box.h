@@ -128,22 +128,29 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_keep(REAL y[VECTORS][3], REAL prom
     return proved ? FOOTPOINT_OK : FOOTPOINT_UNPROVED;
 }
 
-/* An answer from (*xi,*eta), or else from the middle. */
+/* An answer from (*xi,*eta), or else from the middle, or from that of a quarter. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_repair(REAL y[VECTORS][3], REAL promise, REAL *xi,
                                                      REAL *eta)
 {
-    REAL at[2], other[2] = {0.0, 0.0}, *found = at;
-    int status;
-    at[0] = *xi;
-    at[1] = *eta;
-    status = footpoint_detail_quad4_box_steps(y, promise, 0, at);
-    if (status == FOOTPOINT_UNPROVED) {
-        status = footpoint_detail_quad4_box_steps(y, promise, 1, other);
-        found = status == FOOTPOINT_UNPROVED ? at : other;
+    REAL at[2], first[2] = {0.0, 0.0};
+    int k, i, status = FOOTPOINT_UNPROVED;
+    at[0] = footpoint_detail_quad4_box_kept(*xi);
+    at[1] = footpoint_detail_quad4_box_kept(*eta);
+    for (k = 0; k < 6 && status == FOOTPOINT_UNPROVED; k++) {
+        if (k > 0) {
+            at[0] = k == 1 ? 0.0 : k % 2 ? 0.5 : -0.5;
+            at[1] = k == 1 ? 0.0 : k > 3 ? 0.5 : -0.5;
+        }
+        status = footpoint_detail_quad4_box_steps(y, promise, k == 1, at);
+        for (i = 0; i < 2 && k == 0; i++)
+            first[i] = at[i];
     }
-    if (status == FOOTPOINT_UNPROVED)
-        status = footpoint_detail_quad4_box_keep(y, promise, at);
-    *xi = found[0];
-    *eta = found[1];
+    if (status == FOOTPOINT_UNPROVED) {
+        status = footpoint_detail_quad4_box_keep(y, promise, first);
+        at[0] = first[0];
+        at[1] = first[1];
+    }
+    *xi = at[0];
+    *eta = at[1];
     return status;
 }
