@@ -1,6 +1,8 @@
 /* Values of genome files; see region_values.h. */
 #include "region_values.h"
 
+#include "../../codegen/base/simd.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,6 +64,43 @@ bool output_is_quotient(const struct genome_file *f, const struct genome_expr *o
     const bool is = out->length > 1 && has_quotient(f, out, quotient);
     free(quotient);
     return is;
+}
+
+#define LANES for (size_t j = 0; j < WIDE_LANES; j++)
+
+WIDE void extend_range(const double *value, size_t n, double *lo, double *hi)
+{
+    double least[WIDE_LANES], most[WIDE_LANES];
+    size_t i = 0;
+    LANES least[j] = *lo, most[j] = *hi;
+    for (; i + WIDE_LANES <= n; i += WIDE_LANES)
+        LANES
+        {
+            const double x = value[i + j];
+            least[j] = x < least[j] ? x : least[j];
+            most[j] = x > most[j] ? x : most[j];
+        }
+    LANES *lo = least[j] < *lo ? least[j] : *lo, *hi = most[j] > *hi ? most[j] : *hi;
+    for (; i < n; i++) {
+        *lo = value[i] < *lo ? value[i] : *lo;
+        *hi = value[i] > *hi ? value[i] : *hi;
+    }
+}
+
+WIDE double farthest(const double *value, const double *mark, double factor, size_t n, double far)
+{
+    double most[WIDE_LANES] = {0};
+    size_t i = 0;
+    for (; i + WIDE_LANES <= n; i += WIDE_LANES)
+        LANES
+        {
+            const double d = fabs(value[i + j] - factor * mark[i + j]);
+            most[j] = d > most[j] ? d : most[j];
+        }
+    LANES far = most[j] > far ? most[j] : far;
+    for (; i < n; i++)
+        far = fmax(far, fabs(value[i] - factor * mark[i]));
+    return far;
 }
 
 void add_range(struct genome_file *f, size_t input, double lo, double hi)

@@ -13,6 +13,12 @@ bool *named_quotients(const struct genome_file *f, const bool *used);
 /** Returns true if an output is made of quotients and is not itself a let or an input. */
 bool output_is_quotient(const struct genome_file *f, const struct genome_expr *out);
 
+/** Extends *lo..*hi to n values; ignores NaN. */
+void extend_range(const double *value, size_t n, double *lo, double *hi);
+
+/** Returns the largest of |value - factor mark| and `far`. */
+double farthest(const double *value, const double *mark, double factor, size_t n, double far);
+
 /** Adds the range of an input, widened to two decimals. */
 void add_range(struct genome_file *f, size_t input, double lo, double hi);
 

@@ -58,18 +58,10 @@ struct region_survey {
     bool begun; /* samples have been taken */
 };
 
-static void take_in_column(struct extremes *e, size_t j, const double *x, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        e->lo[j] = x[i] < e->lo[j] ? x[i] : e->lo[j];
-        e->hi[j] = x[i] > e->hi[j] ? x[i] : e->hi[j];
-    }
-}
-
 static void take_in(struct extremes *e, const struct columns *table)
 {
     for (size_t j = 0; j < table->count; j++)
-        take_in_column(e, j, columns_at(table, j), table->n);
+        extend_range(columns_at(table, j), table->n, &e->lo[j], &e->hi[j]);
 }
 
 static void take_in_expressions(struct extremes *e, size_t j, const struct genome_file *f, const struct genome_expr *x,
@@ -78,7 +70,7 @@ static void take_in_expressions(struct extremes *e, size_t j, const struct genom
     double *value = new_array(table->n, sizeof *value);
     for (size_t k = 0; k < n; k++) {
         table_values(table, f->constant, x[k].gene, x[k].length, value);
-        take_in_column(e, j + k, value, table->n);
+        extend_range(value, table->n, &e->lo[j + k], &e->hi[j + k]);
     }
     free(value);
 }

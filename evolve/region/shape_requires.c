@@ -110,20 +110,12 @@ static double find_factor(const double *x, const double *mark, size_t n)
 
 static void take_in(struct shape_survey *s, struct value *v, const double *x, const struct columns *block, bool first)
 {
-    for (size_t i = 0; i < block->n; i++) {
-        v->lo = x[i] < v->lo ? x[i] : v->lo;
-        v->hi = x[i] > v->hi ? x[i] : v->hi;
-    }
+    extend_range(x, block->n, &v->lo, &v->hi);
     for (size_t k = 0; k < s->marks; k++) {
         const double *mark = columns_at(block, s->mark[k]);
         if (first)
             v->factor[k] = find_factor(x, mark, block->n);
-        double far = v->far[k];
-        for (size_t i = 0; i < block->n; i++) {
-            const double d = fabs(x[i] - v->factor[k] * mark[i]);
-            far = d > far ? d : far;
-        }
-        v->far[k] = far;
+        v->far[k] = farthest(x, mark, v->factor[k], block->n, v->far[k]);
     }
 }
 

@@ -40,7 +40,9 @@ bool smooth_draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double gap, e
     footpoint_gregory_position(&patch, xi, eta, r);
     for (int k = 0; k < 3; k++)
         s->xs[k] = r[k] + height * n[k];
-    if (!foot_patch_closest(&patch, s->xs, &closest) || !closest.minimum ||
+    const bool known =
+        foot_patch_closest_near(&patch, s->xs, (double[]){-1, -1}, (double[]){1, 1}, (double[]){xi, eta}, &closest);
+    if ((!known && !foot_patch_closest(&patch, s->xs, &closest)) || !closest.minimum ||
         fabs(closest.xi - xi) + fabs(closest.eta - eta) > 1e-6)
         return false;
     s->xi = closest.xi;

@@ -63,7 +63,7 @@ bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part p
             struct sample s = facets.s[i];
             stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);
             draw_normals(stream, l->tangent, &s);
-            if (foot_patch(l->kind, &s, lo, hi))
+            if (foot_patch(l->kind, &s, lo, hi, (double[]){s.xi, s.eta}))
                 sample_set_add(set, &s);
         }
     if (count)

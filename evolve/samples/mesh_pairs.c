@@ -99,7 +99,7 @@ static void search(const struct scene *scene, const struct mesh *mesh, const str
              i++) {
             pair.slave = slave[i].node;
             memcpy(pair.s.xs, mesh->xyz[pair.slave], sizeof pair.s.xs);
-            if (neighbours_has(around, pair.slave) || !surface->foot(surface, &pair.s, lo, hi) ||
+            if (neighbours_has(around, pair.slave) || !surface->foot(surface, &pair.s, lo, hi, NULL) ||
                 !(fabs(pair.s.gap) < distance))
                 continue;
             APPEND(found->pair, found->n, found->room) = pair;

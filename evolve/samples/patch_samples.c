@@ -36,7 +36,7 @@ static bool draw_facet(const struct sampler *p, struct sample *s)
         return false;
     draw_normals(p->stream, p->scene->lattice.tilt, s);
     scene_box(p->scene, lo, hi);
-    return foot_patch(kind_of(p->scene), s, lo, hi);
+    return foot_patch(kind_of(p->scene), s, lo, hi, (double[]){s->xi, s->eta});
 }
 
 static bool draw_body(const struct sampler *p, struct sample *s)

@@ -38,7 +38,7 @@ bool place_slave(gsl_rng *stream, const struct scene *scene, double least, doubl
         return false;
     for (int k = 0; k < 3; k++)
         s->xs[k] = r[k] + h * n[k];
-    return f->foot(f, s, wide[0], wide[1]) && fabs(s->xi - at[0]) + fabs(s->eta - at[1]) < 1e-6;
+    return f->foot(f, s, wide[0], wide[1], at) && fabs(s->xi - at[0]) + fabs(s->eta - at[1]) < 1e-6;
 }
 
 /* Rotation from a random unit quaternion. */

@@ -26,7 +26,7 @@ bool sample_round(const struct scene *scene, struct sample *s)
     for (size_t k = 0; k < segment_vectors(scene->segment); k++)
         round_vector(s->x[k]);
     round_vector(s->xs);
-    if (!f->foot(f, s, lo, hi))
+    if (!f->foot(f, s, lo, hi, (double[]){s->xi, s->eta}))
         return false;
     sample_order(s, scene->order);
     return true;

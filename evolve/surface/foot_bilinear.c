@@ -9,7 +9,14 @@
  * coordinate whose vector is least parallel to c3 is eliminated; then only a saddle at an apex may escape, never a
  * minimum.  Roots come from the companion matrix (gsl_poly_complex_solve) and are polished by Newton's iteration on
  * (7), (8) in long double.  Coordinates are relative to the centre and divided by the size of the segment before
- * anything else. */
+ * anything else.
+ *
+ * A search from a point near the minimum needs no roots: with a = r_xi, b = r_eta and v = xs - r at a minimum, a step (s, t) changes half the squared
+ * distance by |s (a + t c3) + t b|^2 / 2 - s t v.c3, which is positive for every s, as the discriminant in s shows, if
+ *
+ *     Q(t) = |a + t c3|^2 |b|^2 - (a.b + t b.c3 - v.c3)^2 > 0.
+ *
+ * Q is convex in t.  Where it is positive on the box, or the same with xi and eta exchanged, no point of the box is nearer. */
 #include "foot_bilinear.h"
 
 #include "../common/vec3.h"
@@ -21,6 +28,7 @@
 #include <math.h>
 
 #define BOUND 1e-12 /* rounding of a coordinate at the bound of a box */
+#define WIDER 1e-6  /* how far a search extends beyond its box */
 
 /* The scalar products on which (7) and (8) depend. */
 struct products {
@@ -76,15 +84,22 @@ static struct products multiply(const struct local *l, bool swap)
                              .d3 = long_dot(l->d, l->c3)};
 }
 
-/* Computes a Newton step on (7), (8) at (xi, eta). Returns false if the Jacobian is singular. */
-static bool newton_step(const struct local *l, long double xi, long double eta, long double step[2], bool *minimum)
+/* Computes r_xi, r_eta and xs - r. */
+static void derive(const struct local *l, long double xi, long double eta, long double t1[3], long double t2[3],
+                   long double v[3])
 {
-    long double t1[3], t2[3], v[3];
     for (int k = 0; k < 3; k++) {
         t1[k] = l->c1[k] + l->c3[k] * eta;
         t2[k] = l->c2[k] + l->c3[k] * xi;
         v[k] = l->d[k] - l->c1[k] * xi - t2[k] * eta;
     }
+}
+
+/* Computes a Newton step on (7), (8) at (xi, eta). Returns false if the Jacobian is singular. */
+static bool newton_step(const struct local *l, long double xi, long double eta, long double step[2], bool *minimum)
+{
+    long double t1[3], t2[3], v[3];
+    derive(l, xi, eta, t1, t2, v);
     const long double f1 = long_dot(t1, v), f2 = long_dot(t2, v);
     const long double h11 = long_dot(t1, t1), h22 = long_dot(t2, t2), h12 = long_dot(t1, t2) - long_dot(v, l->c3);
     const long double det = h11 * h22 - h12 * h12;
@@ -184,14 +199,19 @@ static int insert(struct stationary found[5], int n, const struct stationary *s)
     return n + 1;
 }
 
-static int all_stationary(const struct local *l, struct stationary found[5])
+static bool is_degenerate(const struct local *l)
 {
     const long double k1 = square_of_cross(l->c1, l->c3), k2 = square_of_cross(l->c2, l->c3);
-    const bool swap = k2 > k1;
+    return fmaxl(square_of_cross(l->c1, l->c2), fmaxl(k1, k2)) < 1e-28L;
+}
+
+static int all_stationary(const struct local *l, struct stationary found[5])
+{
+    const bool swap = square_of_cross(l->c2, l->c3) > square_of_cross(l->c1, l->c3);
     const struct products q = multiply(l, swap);
     double root[10];
     int n = 0;
-    if (fmaxl(square_of_cross(l->c1, l->c2), fmaxl(k1, k2)) < 1e-28L)
+    if (is_degenerate(l))
         return -1;
     const int roots = quintic_roots(&q, root);
     for (int i = 0; i < roots; i++) {
@@ -222,23 +242,18 @@ int foot_bilinear_stationary(const double x[4][3], const double xs[3], struct st
     return localise(x, xs, &l) ? all_stationary(&l, found) : -1;
 }
 
-/* Computes (xs - r).n; returns false if the surface has no normal. */
-static bool gap_at(const double x[4][3], const double xs[3], long double xi, long double eta, double *gap)
+/* Fills xi, eta and the gap (xs - r).n; returns false if the surface has no normal. */
+static bool label(const struct local *l, long double xi, long double eta, struct sample *s)
 {
-    struct local l;
     long double v[3], t1[3], t2[3], n[3];
-    if (!localise(x, xs, &l))
-        return false;
-    for (int k = 0; k < 3; k++) {
-        t1[k] = l.c1[k] + l.c3[k] * eta;
-        t2[k] = l.c2[k] + l.c3[k] * xi;
-        v[k] = l.d[k] - l.c1[k] * xi - t2[k] * eta;
-    }
+    derive(l, xi, eta, t1, t2, v);
     long_cross(t1, t2, n);
     const long double length = sqrtl(long_dot(n, n));
     if (!(length > 0))
         return false;
-    *gap = (double)(l.size * long_dot(v, n) / length);
+    s->xi = (double)xi;
+    s->eta = (double)eta;
+    s->gap = (double)(l->size * long_dot(v, n) / length);
     return true;
 }
 
@@ -287,7 +302,7 @@ static bool empty_box(const double c[3][3], const double d[3], const double xi[2
 /* Excludes stationary points in the box, quickly and with certainty. Most pairs of a search end here. */
 static bool excluded(const double x[4][3], const double xs[3], const double lo[2], const double hi[2])
 {
-    const double xi[2] = {lo[0] - 1e-6, hi[0] + 1e-6}, eta[2] = {lo[1] - 1e-6, hi[1] + 1e-6};
+    const double xi[2] = {lo[0] - WIDER, hi[0] + WIDER}, eta[2] = {lo[1] - WIDER, hi[1] + WIDER};
     double c[3][3], d[3];
     for (int k = 0; k < 3; k++) {
         const double ab = x[1][k] - x[0][k], dc = x[2][k] - x[3][k], ad = x[3][k] - x[0][k], bc = x[2][k] - x[1][k];
@@ -296,28 +311,59 @@ static bool excluded(const double x[4][3], const double xs[3], const double lo[2
         c[2][k] = (dc - ab) / 4;
         d[k] = ((xs[k] - x[0][k]) + (xs[k] - x[1][k]) + (xs[k] - x[2][k]) + (xs[k] - x[3][k])) / 4;
     }
-    return empty_box((const double(*)[3])c, d, xi, eta, 3);
+    return empty_box((const double(*)[3])c, d, xi, eta, 6);
 }
 
-bool foot_bilinear(struct sample *s, const double lo[2], const double hi[2])
+/* Returns true if Q(t) exceeds a margin for rounding for all t in low..high. */
+static bool is_positive(const long double a[3], const long double b[3], const long double m[3], const long double v[3],
+                        long double low, long double high)
+{
+    const long double aa = long_dot(a, a), bb = long_dot(b, b), am = long_dot(a, m), mm = long_dot(m, m);
+    const long double ab = long_dot(a, b), bm = long_dot(b, m), vm = long_dot(v, m), far = fmaxl(-low, high);
+    const long double q0 = aa * bb - (ab - vm) * (ab - vm), q1 = bb * am - (ab - vm) * bm, q2 = bb * mm - bm * bm;
+    const long double largest = fabsl(ab) + fabsl(vm) + far * fabsl(bm);
+    const long double margin = 1e-14L * (bb * (aa + far * (2 * fabsl(am) + far * mm)) + largest * largest);
+    const long double lowest = q2 > 0 ? fminl(fmaxl(-q1 / q2, low), high) : low;
+    return q0 + lowest * (2 * q1 + lowest * q2) > margin && q0 + low * (2 * q1 + low * q2) > margin &&
+           q0 + high * (2 * q1 + high * q2) > margin;
+}
+
+/* Finds a minimum from a point near it, if it lies inside and no other point of the box is nearer. */
+static bool find_nearest(const struct local *l, const double lo[2], const double hi[2], const double near[2],
+                         struct sample *s)
+{
+    long double xi = near[0], eta = near[1], a[3], b[3], v[3];
+    bool minimum;
+    if (!polish(l, &xi, &eta, &minimum) || !minimum || !inside((double)xi, lo[0], hi[0]) ||
+        !inside((double)eta, lo[1], hi[1]))
+        return false;
+    derive(l, xi, eta, a, b, v);
+    return (is_positive(a, b, l->c3, v, lo[1] - WIDER - eta, hi[1] + WIDER - eta) ||
+            is_positive(b, a, l->c3, v, lo[0] - WIDER - xi, hi[0] + WIDER - xi)) &&
+           label(l, xi, eta, s);
+}
+
+bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                           const double near[2])
 {
     const double(*x)[3] = (const double(*)[3])s->x;
+    struct local l;
     struct stationary found[5];
-    const int n = excluded(x, s->xs, lo, hi) ? 0 : foot_bilinear_stationary(x, s->xs, found);
+    (void)f;
+    if ((!near && excluded(x, s->xs, lo, hi)) || !localise(x, s->xs, &l) || is_degenerate(&l))
+        return false;
+    if (near && find_nearest(&l, lo, hi, near, s))
+        return true;
+    const int n = all_stationary(&l, found);
     for (int k = 0; k < n; k++) {
-        const struct stationary *f = &found[k];
-        if (f->minimum && inside(f->xi, lo[0], hi[0]) && inside(f->eta, lo[1], hi[1]) &&
-            gap_at(x, s->xs, f->xi, f->eta, &s->gap)) {
-            s->xi = f->xi;
-            s->eta = f->eta;
+        const struct stationary *p = &found[k];
+        if (p->minimum && inside(p->xi, lo[0], hi[0]) && inside(p->eta, lo[1], hi[1]) && label(&l, p->xi, p->eta, s))
             return true;
-        }
     }
     return false;
 }
 
-bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+bool foot_bilinear(struct sample *s, const double lo[2], const double hi[2])
 {
-    (void)f;
-    return foot_bilinear(s, lo, hi);
+    return surface_foot_bilinear(NULL, s, lo, hi, NULL);
 }

@@ -106,6 +106,20 @@ bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3
     return true;
 }
 
+bool foot_patch_closest_near(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
+                             const double hi[2], const double near[2], struct stationary *closest)
+{
+    const struct patch_box box = box_of(lo, hi);
+    struct patch_local l;
+    long double u = (1 + (long double)near[0]) / 2, v = (1 + (long double)near[1]) / 2;
+    bool minimum;
+    if (!patch_localise(patch, xs, &l) || !patch_polish(&l, &u, &v, &minimum) || !minimum ||
+        !patch_boxes_none_nearer(&l, &box, (double)u, (double)v))
+        return false;
+    *closest = patch_point_at(&l, u, v, minimum);
+    return true;
+}
+
 static bool inside(double v, double lo, double hi)
 {
     return v > lo + BOUND && v <= hi + BOUND;
@@ -126,13 +140,14 @@ static bool gap_at(const struct footpoint_gregory *patch, const double xs[3], do
     return length > 0;
 }
 
-bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2])
+bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2], const double near[2])
 {
     struct footpoint_gregory patch;
     struct stationary found[PATCH_STATIONARY_MAX];
     if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK)
         return false;
-    const int n = foot_patch_stationary(&patch, s->xs, lo, hi, found);
+    const bool known = near && foot_patch_closest_near(&patch, s->xs, lo, hi, near, found);
+    const int n = known ? 1 : foot_patch_stationary(&patch, s->xs, lo, hi, found);
     for (int k = 0; k < n; k++)
         if (found[k].minimum && inside(found[k].xi, lo[0], hi[0]) && inside(found[k].eta, lo[1], hi[1]) &&
             gap_at(&patch, s->xs, found[k].xi, found[k].eta, &s->gap)) {
@@ -156,7 +171,8 @@ void surface_point_patch(const struct surface *f, double (*x)[3], double xi, dou
     }
 }
 
-bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                        const double near[2])
 {
-    return foot_patch(f->patch, s, lo, hi);
+    return foot_patch(f->patch, s, lo, hi, near);
 }

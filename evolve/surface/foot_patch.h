@@ -16,8 +16,14 @@ int foot_patch_stationary(const struct footpoint_gregory *patch, const double xs
  *  point. Returns false if no point is certain. */
 bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest);
 
+/** Returns true if the closest point of the box lo <= xi,eta <= hi is proved to be the minimum to which Newton's iteration
+ *  converges from `near`: much quicker. */
+bool foot_patch_closest_near(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
+                             const double hi[2], const double near[2], struct stationary *closest);
+
 /** Finds the foot point as scenes define it: the local minimum nearest to xs with lo < xi,eta <= hi. Fills xi, eta and
- *  gap of *s from its corners, normals and slave node. Returns false if it does not exist or is not certain. */
-bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2]);
+ *  gap of *s from its corners, normals and slave node. Returns false if it does not exist or is not certain.
+ *  @param[in] near  as in surface.h */
+bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2], const double near[2]);
 
 #endif

@@ -20,7 +20,7 @@
 #define MARGIN 1e-13  /* for rounding, in units of the sum of magnitudes */
 #define SMALLEST 1e-9 /* half-width of a box that is not bisected again */
 
-enum { MOST_BOXES = 5000, MOST_DEPTH = 128 /* boxes waiting; each bisection leaves one */ };
+enum { FEW_BOXES = 200, MOST_BOXES = 5000, MOST_DEPTH = 128 /* boxes waiting; each bisection leaves one */ };
 
 /* Vectors m[k] - rad[k] .. m[k] + rad[k]. */
 struct bounds {
@@ -52,9 +52,10 @@ static void short_dot(const struct bounds *a, const struct bounds *b, double *m,
     }
 }
 
-/* The system on a box: F at its centre, and the midpoint and radius of its derivative: 11, 12, 22. */
+/* The system on a box: half the squared distance and F at its centre, and the midpoint and radius of the derivative of F: 11, 12,
+ * 22. */
 struct system {
-    double f[2], h[3], rad[3], noise;
+    double d, f[2], h[3], rad[3], noise;
 };
 
 static void add_blends(const struct patch_local *l, const struct patch_box *box, struct bounds second[3])
@@ -141,6 +142,7 @@ static struct system system_of(const struct patch_local *l, const struct patch_b
     for (int c = 0; c < 3; c++) {
         f.f[0] += first[0].m[c] * point.m[c];
         f.f[1] += first[1].m[c] * point.m[c];
+        f.d += point.m[c] * point.m[c] / 2;
         reach += fabs(point.m[c]);
         slope += fabs(first[0].m[c]) + fabs(first[1].m[c]);
         for (int d = 0; d < 3; d++)
@@ -226,6 +228,16 @@ static bool find_one(const struct patch_local *l, const struct patch_box *box, s
     return true;
 }
 
+/* Bisects a box across its longer side. */
+static void bisect(struct patch_box box, struct patch_box half[2])
+{
+    const bool along_u = box.u[1] - box.u[0] > box.v[1] - box.v[0];
+    const double *side = along_u ? box.u : box.v, middle = (side[0] + side[1]) / 2;
+    half[0] = half[1] = box;
+    (along_u ? half[0].u : half[0].v)[1] = middle;
+    (along_u ? half[1].u : half[1].v)[0] = middle;
+}
+
 int patch_boxes_search(const struct patch_local *l, const struct patch_box *whole,
                        struct stationary found[PATCH_STATIONARY_MAX])
 {
@@ -250,16 +262,67 @@ int patch_boxes_search(const struct patch_local *l, const struct patch_box *whol
         case WIDE:
             break;
         }
-        const double wide_u = box.u[1] - box.u[0], wide_v = box.v[1] - box.v[0];
-        if (fmax(wide_u, wide_v) < 2 * SMALLEST || depth + 2 > MOST_DEPTH)
+        if (fmax(box.u[1] - box.u[0], box.v[1] - box.v[0]) < 2 * SMALLEST || depth + 2 > MOST_DEPTH)
             return PATCH_UNCERTAIN;
-        double *side = wide_u > wide_v ? box.u : box.v;
-        const double middle = (side[0] + side[1]) / 2, high = side[1];
-        side[1] = middle;
-        waiting[depth++] = box;
-        side[0] = middle;
-        side[1] = high;
-        waiting[depth++] = box;
+        bisect(box, &waiting[depth]);
+        depth += 2;
     }
     return n;
+}
+
+/* ---- from a known minimum ---- */
+
+static bool is_convex(const struct patch_local *l, const struct patch_box *box)
+{
+    const struct system f = system_of(l, box);
+    const double h11 = f.h[0] - f.rad[0] - f.noise, h22 = f.h[2] - f.rad[2] - f.noise;
+    const double h12 = fabs(f.h[1]) + f.rad[1] + f.noise;
+    return h11 > 0 && h22 > 0 && h11 * h22 * (1 - MARGIN) > h12 * h12;
+}
+
+/* Returns a bound for half the squared distance on a box, from below: second-order about its centre. */
+static double bound(const struct patch_local *l, const struct patch_box *box)
+{
+    const double hu = (box->u[1] - box->u[0]) / 2, hv = (box->v[1] - box->v[0]) / 2;
+    const struct system f = system_of(l, box);
+    const double bend = fmin(0, f.h[0] - f.rad[0]) * hu * hu + fmin(0, f.h[2] - f.rad[2]) * hv * hv -
+                        2 * (fabs(f.h[1]) + f.rad[1]) * hu * hv;
+    return f.d - fabs(f.f[0]) * hu - fabs(f.f[1]) * hv + bend / 2 - f.noise - MARGIN * f.d;
+}
+
+static bool contains(const struct patch_box *outer, const struct patch_box *inner)
+{
+    return inner->u[0] >= outer->u[0] && inner->u[1] <= outer->u[1] && inner->v[0] >= outer->v[0] &&
+           inner->v[1] <= outer->v[1];
+}
+
+/* Finds a convex part of a box around (u,v); returns false if it would be small. */
+static bool find_convex(const struct patch_local *l, const struct patch_box *whole, double u, double v,
+                        struct patch_box *part)
+{
+    for (double half = 1; half > 0.01; half /= 2) {
+        *part = *whole;
+        if (cut(part->u, u, half) && cut(part->v, v, half) && is_convex(l, part))
+            return true;
+    }
+    return false;
+}
+
+bool patch_boxes_none_nearer(const struct patch_local *l, const struct patch_box *whole, double u, double v)
+{
+    struct patch_box waiting[MOST_DEPTH] = {*whole}, convex, at = {{u, u}, {v, v}};
+    int depth = 1;
+    if (!contains(whole, &at) || !find_convex(l, whole, u, v, &convex))
+        return false;
+    const struct system f = system_of(l, &at);
+    for (int boxes = 0; depth > 0; boxes++) {
+        const struct patch_box box = waiting[--depth];
+        if (contains(&convex, &box) || bound(l, &box) > f.d * (1 + MARGIN) + f.noise)
+            continue;
+        if (boxes == FEW_BOXES)
+            return false;
+        bisect(box, &waiting[depth]);
+        depth += 2;
+    }
+    return true;
 }

@@ -14,4 +14,8 @@ enum { PATCH_STATIONARY_MAX = 16, PATCH_UNCERTAIN = -1 };
 int patch_boxes_search(const struct patch_local *l, const struct patch_box *whole,
                        struct stationary found[PATCH_STATIONARY_MAX]);
 
+/** Returns true if it is proved that no point of a box, bounds included, is nearer than the minimum at (u,v) within it: half
+ *  the squared distance is convex on a part of the box around the minimum, and larger in the rest. */
+bool patch_boxes_none_nearer(const struct patch_local *l, const struct patch_box *whole, double u, double v);
+
 #endif

@@ -68,20 +68,34 @@ static void bernstein(long double t, long double b[3][4])
     memcpy(b, value, sizeof value);
 }
 
-/* Computes an inner point (47)-(50), weighted by x and y, and its derivatives by them: value, x, y, xx, xy, yy. */
-static void inner_point(long double p0, long double p1, long double x, long double y, long double p[6])
+/* Computes the part y/(x + y) that the twin has in an inner point (47)-(50), and its derivatives by x and y: value, x, y, xx,
+ * xy, yy. */
+static void twin_part(long double x, long double y, long double p[6])
 {
     const long double sum = x + y;
     memset(p, 0, 6 * sizeof *p);
-    p[0] = (p0 + p1) / 2;
+    p[0] = 0.5L;
     if (sum == 0)
         return;
-    p[0] = (x * p0 + y * p1) / sum;
-    p[1] = (p0 - p[0]) / sum;
-    p[2] = (p1 - p[0]) / sum;
+    p[0] = y / sum;
+    p[1] = -p[0] / sum;
+    p[2] = (1 - p[0]) / sum;
     p[3] = -2 * p[1] / sum;
     p[4] = -(p[1] + p[2]) / sum;
     p[5] = -2 * p[2] / sum;
+}
+
+/* Adds weight[] times a vector to r, u, v, uu, uv, vv. */
+static void add_weighted(const long double weight[6], const double x[3], struct patch_jet *jet)
+{
+    for (int c = 0; c < 3; c++) {
+        jet->r[c] += weight[0] * x[c];
+        jet->u[c] += weight[1] * x[c];
+        jet->v[c] += weight[2] * x[c];
+        jet->uu[c] += weight[3] * x[c];
+        jet->uv[c] += weight[4] * x[c];
+        jet->vv[c] += weight[5] * x[c];
+    }
 }
 
 void patch_evaluate(const struct patch_local *l, long double u, long double v, struct patch_jet *jet)
@@ -90,25 +104,27 @@ void patch_evaluate(const struct patch_local *l, long double u, long double v, s
     bernstein(u, a);
     bernstein(v, b);
     memset(jet, 0, sizeof *jet);
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < 16; k++) {
-            const int i = k / 4, j = k % 4;
-            long double p[6] = {l->p[i][j][c]};
-            if (i % 3 != 0 && j % 3 != 0) {
-                const long double su = i == 1 ? 1 : -1, sv = j == 1 ? 1 : -1;
-                inner_point(p[0], p[0] + l->e[i - 1][j - 1][c], i == 1 ? u : 1 - u, j == 1 ? v : 1 - v, p);
-                p[1] *= su;
-                p[2] *= sv;
-                p[4] *= su * sv;
-            }
-            const long double w = a[0][i] * b[0][j], w_u = a[1][i] * b[0][j], w_v = a[0][i] * b[1][j];
-            jet->r[c] += w * p[0];
-            jet->u[c] += w_u * p[0] + w * p[1];
-            jet->v[c] += w_v * p[0] + w * p[2];
-            jet->uu[c] += a[2][i] * b[0][j] * p[0] + 2 * w_u * p[1] + w * p[3];
-            jet->uv[c] += a[1][i] * b[1][j] * p[0] + w_u * p[2] + w_v * p[1] + w * p[4];
-            jet->vv[c] += a[0][i] * b[2][j] * p[0] + 2 * w_v * p[2] + w * p[5];
-        }
+    for (int k = 0; k < 16; k++) {
+        const int i = k / 4, j = k % 4;
+        const long double w[6] = {a[0][i] * b[0][j], a[1][i] * b[0][j], a[0][i] * b[1][j],
+                                  a[2][i] * b[0][j], a[1][i] * b[1][j], a[0][i] * b[2][j]};
+        add_weighted(w, l->p[i][j], jet);
+        if (i % 3 == 0 || j % 3 == 0)
+            continue;
+        const long double su = i == 1 ? 1 : -1, sv = j == 1 ? 1 : -1;
+        long double p[6];
+        twin_part(i == 1 ? u : 1 - u, j == 1 ? v : 1 - v, p);
+        p[1] *= su;
+        p[2] *= sv;
+        p[4] *= su * sv;
+        const long double twin[6] = {w[0] * p[0],
+                                     w[1] * p[0] + w[0] * p[1],
+                                     w[2] * p[0] + w[0] * p[2],
+                                     w[3] * p[0] + 2 * w[1] * p[1] + w[0] * p[3],
+                                     w[4] * p[0] + w[1] * p[2] + w[2] * p[1] + w[0] * p[4],
+                                     w[5] * p[0] + 2 * w[2] * p[2] + w[0] * p[5]};
+        add_weighted(twin, l->e[i - 1][j - 1], jet);
+    }
 }
 
 /* Iterates Newton's method from (u,v) until steps are at the level of rounding: tiny, or small and no longer

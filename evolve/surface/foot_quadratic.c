@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { DEGREE = 4, SIDE = DEGREE + 1, DEPTH_MAX = 45, BOXES_MAX = 4000 };
+enum { DEGREE = 4, SIDE = DEGREE + 1, DEPTH_MAX = 45, BOXES_MAX = 4000, BOXES_NEAR = 40 };
 #define BOUND 1e-12    /* rounding of a coordinate at the bound of a box */
 #define WIDER 1e-6     /* how far the search box extends beyond the bounds */
 #define CONVERGED 1e-6 /* how far outside its box a minimum may be found if the box is convex with some slack */
@@ -36,60 +36,45 @@ struct subdivision {
     bool triangle, found, lost;
     long double at[2], least; /* the nearest minimum, and D there */
     double margin;
-    int boxes;
+    int boxes, most;
 };
 
 /* ---- the segment ---- */
 
-/* Computes coefficients of the polynomial of degree 2 with these values at -1, 0, 1. */
-static void parabola(const long double value[3], long double c[3])
+/* Replaces the values at -1, 0, 1 of a polynomial of degree 2, `step` apart, by its coefficients. */
+static void parabola(long double *c, int step)
 {
-    c[0] = value[1];
-    c[1] = (value[2] - value[0]) / 2;
-    c[2] = (value[2] + value[0]) / 2 - value[1];
+    const long double low = c[0], high = c[2 * step];
+    c[0] = c[step];
+    c[step] = (high - low) / 2;
+    c[2 * step] = (high + low) / 2 - c[0];
 }
 
-static void add_node(struct local *l, const struct surface *f, size_t node, const double offset[3])
-{
-    long double c[3][3];
-    for (int j = 0; j < 3; j++) {
-        long double value[3];
-        for (int i = 0; i < 3; i++) {
-            double phi[6 * SEGMENT_VECTORS];
-            f->shape(i - 1, j - 1, phi);
-            value[i] = phi[node];
-        }
-        parabola(value, c[j]);
-    }
-    for (int i = 0; i < 3; i++) {
-        const long double value[3] = {c[0][i], c[1][i], c[2][i]};
-        long double d[3];
-        parabola(value, d);
-        for (int j = 0; j < 3; j++)
-            for (int k = 0; k < 3; k++)
-                l->v[k][i][j] -= d[j] * offset[k];
-    }
-}
-
+/* Computes xs - r at nine points, then its coefficients. */
 static bool localise(const struct surface *f, const struct sample *s, struct local *l)
 {
-    *l = (struct local){.size = 0};
-    for (size_t n = 1; n < f->nodes; n++) {
-        double offset[3];
+    double phi[6 * SEGMENT_VECTORS];
+    l->size = 0;
+    for (size_t n = 1; n < f->nodes; n++)
+        for (int k = 0; k < 3; k++)
+            l->size = fmaxl(l->size, fabsl((long double)s->x[n][k] - s->x[0][k]));
+    for (int i = 0; i < 9; i++) {
+        f->shape(i / 3 - 1, i % 3 - 1, phi);
         for (int k = 0; k < 3; k++) {
-            offset[k] = s->x[n][k] - s->x[0][k];
-            l->size = fmaxl(l->size, fabsl(offset[k]));
+            long double v = (long double)s->xs[k] - s->x[0][k];
+            for (size_t n = 1; n < f->nodes; n++)
+                v -= phi[n] * ((long double)s->x[n][k] - s->x[0][k]);
+            l->v[k][i / 3][i % 3] = v / l->size;
         }
-        add_node(l, f, n, offset);
     }
-    for (int k = 0; k < 3; k++) {
-        l->v[k][0][0] += s->xs[k] - s->x[0][k];
-        for (int i = 0; i < 9; i++)
-            l->v[k][i / 3][i % 3] /= l->size;
-        if (!isfinite(l->v[k][0][0]))
-            return false;
-    }
-    return l->size > 0 && isfinite(l->size);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++)
+            parabola(l->v[k][i], 1);
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            parabola(&l->v[k][0][j], 3);
+    const long double sum = l->v[0][0][0] + l->v[1][0][0] + l->v[2][0][0];
+    return l->size > 0 && isfinite(l->size) && isfinite(sum);
 }
 
 /* Computes v, v_xi, v_eta, v_xixi, v_xieta, v_etaeta. */
@@ -235,12 +220,10 @@ static enum verdict verdict_of(const struct subdivision *s, const struct box *b)
 
 /* ---- minima ---- */
 
-/* Iterates Newton's method from the middle of the box; returns false if it does not converge to a minimum. */
-static bool newton(const struct local *l, const struct box *b, long double at[2])
+/* Iterates Newton's method from *at; returns false if it does not converge to a minimum. */
+static bool newton(const struct local *l, long double at[2])
 {
     long double last = INFINITY;
-    at[0] = (b->lo[0] + b->hi[0]) / 2;
-    at[1] = (b->lo[1] + b->hi[1]) / 2;
     for (int i = 0; i < 60; i++) {
         long double v[6][3];
         evaluate(l, at[0], at[1], v);
@@ -271,32 +254,44 @@ static bool inside(const struct subdivision *s, const long double at[2])
     return !s->triangle || at[0] + at[1] <= s->hi[0] + BOUND;
 }
 
-/* Adds the minimum that Newton's iteration finds, if it belongs to the box. */
-static bool take_minimum(struct subdivision *s, const struct box *b)
+static bool belongs(const struct box *b, const long double at[2])
 {
-    long double at[2], v[6][3];
     bool own = true;
-    if (!newton(s->local, b, at))
-        return false;
     for (int k = 0; k < 2; k++)
         own = own && at[k] > b->lo[k] - CONVERGED && at[k] < b->hi[k] + CONVERGED;
+    return own;
+}
+
+/* Adds the minimum to which Newton's iteration converges from *at, if it belongs to the box. */
+static bool take_minimum(struct subdivision *s, const struct box *b, long double at[2])
+{
+    long double v[6][3];
+    if (!newton(s->local, at) || !belongs(b, at))
+        return false;
     evaluate(s->local, at[0], at[1], v);
     const long double d = long_dot(v[0], v[0]) / 2;
-    if (own && inside(s, at) && d < s->least) {
+    if (inside(s, at) && d < s->least) {
         memcpy(s->at, at, sizeof s->at);
         s->least = d;
         s->found = true;
     }
-    return own;
+    return true;
+}
+
+/* Takes the only minimum of a convex box; returns false if it is not found. */
+static bool take_only(struct subdivision *s, const struct box *b)
+{
+    long double middle[2] = {(b->lo[0] + b->hi[0]) / 2, (b->lo[1] + b->hi[1]) / 2};
+    return (s->found && belongs(b, s->at)) || take_minimum(s, b, middle);
 }
 
 static void search_box(struct subdivision *s, const struct box *b)
 {
     const enum verdict verdict = verdict_of(s, b);
     struct box half[2];
-    if (verdict == NO_MINIMUM || (verdict == CONVEX && take_minimum(s, b)))
+    if (verdict == NO_MINIMUM || (verdict == CONVEX && take_only(s, b)))
         return;
-    s->lost = s->lost || b->depth == DEPTH_MAX || ++s->boxes > BOXES_MAX;
+    s->lost = s->lost || b->depth == DEPTH_MAX || ++s->boxes > s->most;
     if (s->lost)
         return;
     halve(b, half);
@@ -304,17 +299,23 @@ static void search_box(struct subdivision *s, const struct box *b)
     search_box(s, &half[1]);
 }
 
-bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                            const double near[2])
 {
     struct local l;
-    struct subdivision sub = {.local = &l, .triangle = f->triangle, .least = INFINITY};
+    struct subdivision sub = {
+        .local = &l, .triangle = f->triangle, .least = INFINITY, .most = near ? BOXES_NEAR : BOXES_MAX};
     long double v[6][3], n[3];
     if (!localise(f, s, &l))
         return false;
     memcpy(sub.lo, lo, sizeof sub.lo);
     memcpy(sub.hi, hi, sizeof sub.hi);
     const struct box all = whole_box(&sub);
+    if (near)
+        take_minimum(&sub, &all, (long double[]){near[0], near[1]});
     search_box(&sub, &all);
+    if (sub.lost && near)
+        return surface_foot_quadratic(f, s, lo, hi, NULL);
     if (sub.lost || !sub.found)
         return false;
     evaluate(&l, sub.at[0], sub.at[1], v);

@@ -21,8 +21,11 @@ struct surface {
     void (*point)(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
     /** Finds the foot point as scenes define it: the local minimum of the distance nearest to s->xs with lo < xi,eta <=
      *  hi (component-wise; on triangles also xi + eta <= hi[0]). Fills xi, eta, gap of *s. Returns false if there is
-     *  none, or if it is not certain. */
-    bool (*foot)(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+     *  none, or if it is not certain.
+     *  @param[in] near  a point near the foot point, which makes the search quick and changes no result but by rounding;
+     *                   or NULL */
+    bool (*foot)(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                 const double near[2]);
 };
 
 /** Returns the surface of a kind; never NULL if segment_find() knows the kind. */
@@ -34,11 +37,14 @@ bool surface_normal(const struct surface *f, double (*x)[3], double xi, double e
 /* Functions of the table's rows. */
 
 /** Bilinear: the quintic of foot_bilinear.h. */
-bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                           const double near[2]);
 /** Kinds with shape functions of degree up to 2 in xi and in eta: see foot_quadratic.c. */
-bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                            const double near[2]);
 /** Gregory and Bezier patches: see foot_patch.c. */
 void surface_point_patch(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
-bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                        const double near[2]);
 
 #endif

@@ -166,7 +166,7 @@ static void neighbours_are_samples_of_the_scene(void **state)
         if (!sampler_play(p, &tape, &one))
             continue;
         again = one;
-        assert_true(f->foot(f, &again, lo, hi) && fabs(again.xi - one.xi) + fabs(again.eta - one.eta) < 1e-12);
+        assert_true(f->foot(f, &again, lo, hi, NULL) && fabs(again.xi - one.xi) + fabs(again.eta - one.eta) < 1e-12);
         assert_true(fabs(one.gap) <= s->shapes.gap * sample_shortest_edge(&one, 4) * (1 + 1e-9));
         made++;
     }

@@ -155,10 +155,10 @@ static void test_uncertain(void **state)
     assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.x + 4, &g), FOOTPOINT_OK);
     assert_int_equal(foot_patch_stationary(&g, s.xs, lowest, highest, found), PATCH_UNCERTAIN);
     assert_false(foot_patch_closest(&g, s.xs, &closest));
-    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest));
+    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest, NULL));
     s.xs[1] = NAN;
     assert_false(foot_patch_closest(&g, s.xs, &closest));
-    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest));
+    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest, NULL));
 }
 
 /* A corner is the closest point of all that lie beyond it, an edge of what lies beside it. */

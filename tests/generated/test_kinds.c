@@ -207,7 +207,7 @@ static void bisection_agrees_with_the_quintic(void **state)
                     b.x[m][k] = m == 8 ? (b.x[0][k] + b.x[1][k] + b.x[2][k] + b.x[3][k]) / 4
                                        : (b.x[m - 4][k] + b.x[(m - 3) % 4][k]) / 2;
             const bool found = foot_bilinear(&a, lo, hi);
-            if (found != f->foot(f, &b, lo, hi))
+            if (found != f->foot(f, &b, lo, hi, NULL))
                 fail_msg("sample %zu, box %d: (%a,%a) by the quintic alone: %d", i, box, a.xi, a.eta, found);
             if (found &&
                 !(fabs(a.xi - b.xi) + fabs(a.eta - b.eta) < 1e-11 && fabs(a.gap - b.gap) < 1e-9 * (1 + fabs(a.gap))))
@@ -223,20 +223,20 @@ static void degenerate_faces_have_none(void **state)
     const double lo[2] = {-1.2, -1.2}, hi[2] = {1.2, 1.2};
     struct sample s = {0};
     (void)state;
-    assert_false(f->foot(f, &s, lo, hi));
+    assert_false(f->foot(f, &s, lo, hi, NULL));
     for (int i = 0; i < 9; i++) {
         s.x[i][0] = at_quad[i][0];
         s.x[i][1] = at_quad[i][1];
     }
     s.xs[2] = 0.3;
-    assert_true(f->foot(f, &s, lo, hi));
+    assert_true(f->foot(f, &s, lo, hi, NULL));
     assert_true(fabs(s.xi) + fabs(s.eta) < 1e-15 && fabs(s.gap - 0.3) < 1e-15);
     s.xs[1] = NAN;
-    assert_false(f->foot(f, &s, lo, hi));
+    assert_false(f->foot(f, &s, lo, hi, NULL));
     for (int i = 0; i < 9; i++) /* flattened to a line */
         s.x[i][1] = 0;
     s.xs[1] = 0;
-    assert_false(f->foot(f, &s, lo, hi));
+    assert_false(f->foot(f, &s, lo, hi, NULL));
 }
 
 /* Names of the inputs, and kinds that are unknown. */
@@ -286,7 +286,7 @@ static void patches_hold_their_foot_points(void **state)
             assert_true(surface_normal(surface_find(scene->segment), x, s->xi, s->eta, r, n));
             for (int c = 0; c < 3; c++)
                 check_near(name[i], r[c] + s->gap * n[c], s->xs[c], 1e-9);
-            assert_true(surface_find(scene->segment)->foot(surface_find(scene->segment), &again, lo, hi));
+            assert_true(surface_find(scene->segment)->foot(surface_find(scene->segment), &again, lo, hi, NULL));
             check_near(name[i], again.xi, s->xi, 1e-9);
             if (k > 0)
                 assert_true(memcmp(set.s[k - 1].xs, s->xs, sizeof s->xs) != 0 ||
