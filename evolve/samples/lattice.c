@@ -194,7 +194,7 @@ bool lattice_draw(const struct sampler *p, struct sample *s)
     gsl_rng *stream = p->stream;
     const struct lattice *l = &p->scene->lattice;
     double *a = s->x[0], *b = s->x[1], *c = s->x[2], *d = s->x[3];
-    *s = (struct sample){.x = {{0, 0, 0}, {1, 0, 0}}};
+    b[0] = 1; /* the rest of A and B stays 0 */
     d[0] = within(stream, fmin(1, l->xy.most));
     d[1] = fmin(1, l->xy.most) * gsl_rng_uniform_pos(stream);
     if (vector_distance2(a, d) > 1)

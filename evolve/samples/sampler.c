@@ -85,9 +85,9 @@ static void key(const struct sampler *p, uint64_t i)
     stream_key(p->stream, p->scene->seed, (uint64_t)p->part, i, 2 * run + (p->mesh != NULL));
 }
 
+/* *s is 0, or what a draw before has left. */
 static bool draw(struct sampler *p, struct sample *s)
 {
-    *s = (struct sample){0};
     return p->draw(p, s) && (!is_float(p->scene) || sample_round(p->scene, s));
 }
 
@@ -98,6 +98,7 @@ bool sampler_take(struct sampler *p, size_t i, struct sample *s, struct diag *d)
         return true;
     }
     key(p, i - p->listed.n);
+    *s = (struct sample){0};
     for (int n = 0; n < TRIES; n++)
         if (draw(p, s))
             return true;
@@ -106,7 +107,7 @@ bool sampler_take(struct sampler *p, size_t i, struct sample *s, struct diag *d)
 
 void sampler_record(struct sampler *p, size_t i, struct stream_tape *tape)
 {
-    struct sample s;
+    struct sample s = {0};
     key(p, i - p->listed.n);
     do {
         tape->n = 0;
@@ -119,6 +120,7 @@ bool sampler_play(struct sampler *p, struct stream_tape *tape, struct sample *s)
 {
     key(p, UINT64_MAX);
     stream_play(p->stream, tape);
+    *s = (struct sample){0};
     const bool drawn = draw(p, s);
     stream_play(p->stream, NULL);
     return drawn;
