@@ -5,6 +5,7 @@
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"
+#include "climb.h"
 #include "measure.h"
 
 #include <math.h>
@@ -32,19 +33,72 @@ static struct row *list_rows(const struct archive *a, size_t *n)
     return row;
 }
 
-/* Takes the errors of all rows on a few samples, by row. */
-static void take_piece(const struct archive *a, const struct row *row, size_t n, const struct sample *s, size_t samples,
-                       struct tally *t)
+static size_t outputs_of(const struct row *row)
+{
+    return quest_of_programs(row->quest) ? 2 : 1;
+}
+
+/* Gives the errors of rows on a few samples to `take`, those of xi first, then those of eta. */
+static void measure_piece(const struct archive *a, const struct row *row, size_t n, const struct sample *s,
+                          size_t samples, void (*take)(void *to, size_t row, const double *error, size_t errors),
+                          void *to)
 {
     struct columns table = frame_columns(a->program, s, samples);
     struct objective *o = objective_new(a->program, &table, NORM_MAX);
     o->decimal = true;
     for (size_t i = 0; i < n; i++) {
         archive_bare_error(a, o, row[i].quest, &row[i].member->genes);
-        tally_take(&t[i], o->scratch, quest_of_programs(row[i].quest) ? 2 * samples : samples);
+        take(to, i, o->scratch, outputs_of(&row[i]) * samples);
     }
     objective_free(o);
     columns_free(&table);
+}
+
+static void tally_row(void *tallies, size_t row, const double *error, size_t errors)
+{
+    tally_take((struct tally *)tallies + row, error, errors);
+}
+
+/* ---- climbing ---- */
+
+struct row_of {
+    const struct archive *a; /* not owned, as is: */
+    const struct row *row;
+};
+
+static void copy_errors(void *to, size_t row, const double *error, size_t errors)
+{
+    double *const *out = to;
+    (void)row;
+    memcpy(out[0], error, errors * sizeof *error);
+}
+
+/* Both outputs in one: they are pooled. */
+static void errors_of_row(const void *of, const struct sample *s, size_t n, double **error)
+{
+    const struct row_of *r = of;
+    double both[2 * TALLY_WORST], *to = both;
+    measure_piece(r->a, r->row, 1, s, n, copy_errors, &to);
+    for (size_t i = 0; i < n; i++)
+        error[0][i] = fmax(both[i], outputs_of(r->row) == 2 ? both[n + i] : 0);
+}
+
+/* Climbs from a row's worst samples.  Where outputs are pooled, a piece of n samples has the errors 0 to 2 n - 1. */
+static double climb_row(const struct archive *a, const struct row *row, size_t at, struct sampler *p, struct tally *t)
+{
+    const struct row_of of = {a, row};
+    const size_t outs = outputs_of(row), piece = outs * HELDOUT_PIECE, all = t->n / outs;
+    struct largest start[TALLY_WORST];
+    size_t n = 0;
+    tally_sort(t);
+    double worst = t->kept > 0 ? t->largest[0].error : 0;
+    for (; n < t->kept && n < TALLY_WORST; n++) {
+        const size_t first = t->largest[n].sample / piece * HELDOUT_PIECE, left = all - first;
+        const size_t samples = left < HELDOUT_PIECE ? left : HELDOUT_PIECE;
+        start[n] = (struct largest){t->largest[n].error, first + t->largest[n].sample % piece % samples};
+    }
+    climb_from(p, &(struct climb_goal){errors_of_row, &of, 1}, at, start, n, &worst);
+    return worst;
 }
 
 static bool measure_rows(const struct archive *a, struct row *row, size_t n, struct sampler *p, int part, size_t most,
@@ -57,10 +111,12 @@ static bool measure_rows(const struct archive *a, struct row *row, size_t n, str
     for (size_t i = 0; i < n; i++)
         tally_open(&t[i], 2 * p->count);
     while ((good = heldout_piece(p, most, &at, s, &samples, d)) && samples > 0)
-        take_piece(a, row, n, s, samples, t);
+        measure_piece(a, row, n, s, samples, tally_row, t);
     for (size_t i = 0; i < n; i++) {
+        const double climbed = good && climb_can(p) && most == SIZE_MAX ? climb_row(a, &row[i], i, p, &t[i]) : 0;
         row[i].found[part] = tally_close(&t[i]);
         row[i].found[part].n = at;
+        row[i].found[part].climbed = climbed;
     }
     free(t);
     free(s);
@@ -72,7 +128,7 @@ static void print_errors(const struct errors *e, FILE *stream)
     if (e->n == 0)
         fputs(",0,,,", stream);
     else
-        fprintf(stream, ",%zu,%.3e,%.3e,%.3e", e->n, e->mean, e->p99, e->max);
+        fprintf(stream, ",%zu,%.3e,%.3e,%.3e", e->n, e->mean, e->p99, fmax(e->max, e->climbed));
 }
 
 static void print_expression(const struct archive *a, const struct quest *q, const struct genes *t, FILE *stream)

@@ -16,9 +16,8 @@ struct climber {
 };
 
 struct climb {
-    struct sampler *sampler;     /* not owned, as is: */
-    const struct measurement *m; /* outputs first to first + outs - 1 */
-    size_t first, outs;
+    struct sampler *sampler; /* not owned, as is: */
+    const struct climb_goal *goal;
     struct climber *climber; /* owned */
     size_t climbers;
     gsl_rng *stream; /* owned */
@@ -46,10 +45,10 @@ static void change(gsl_rng *stream, double step, struct stream_tape *tape)
 static void measure(struct climb *c, const struct sample *s, size_t n, double *larger)
 {
     double value[OUTS][TALLY_WORST], *error[OUTS] = {value[0], value[1]};
-    measurement_errors(c->m, c->first, c->first + c->outs, s, n, error);
+    c->goal->errors(c->goal->of, s, n, error);
     for (size_t i = 0; i < n; i++) {
         larger[i] = 0;
-        for (size_t k = 0; k < c->outs; k++) {
+        for (size_t k = 0; k < c->goal->outs; k++) {
             larger[i] = fmax(larger[i], value[k][i]);
             c->worst[k] = fmax(c->worst[k], value[k][i]);
         }
@@ -81,37 +80,52 @@ static void take_steps(struct climb *c)
         }
 }
 
-/* Adds climbers at the worst samples of one output. */
-static void start(struct climb *c, const struct tally *t, size_t most)
-{
-    for (size_t i = 0; i < t->kept && i < most; i++) {
-        struct climber *k = &c->climber[c->climbers];
-        if (t->largest[i].sample < c->sampler->listed.n)
-            continue;
-        sampler_record(c->sampler, t->largest[i].sample, &k->tape);
-        k->error = t->largest[i].error;
-        k->step = LARGEST_STEP / 4;
-        c->climbers++;
-    }
-}
-
 bool climb_can(const struct sampler *p)
 {
     return p->draw && p->part != PART_HELDOUT_EVEN;
 }
 
-void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst)
+void climb_from(struct sampler *p, const struct climb_goal *goal, uint64_t key, const struct largest *start, size_t n,
+                double *worst)
 {
-    struct climb c = {p, m, first, outs, new_array(TALLY_WORST, sizeof *c.climber), 0, stream_new(), worst};
-    for (size_t k = 0; k < outs; k++) {
-        struct tally *t = &m->tally[first + k];
-        tally_sort(t);
-        worst[k] = t->kept > 0 ? t->largest[0].error : 0;
-        start(&c, t, TALLY_WORST / outs);
-    }
-    stream_key(c.stream, p->scene->seed, p->scene->run, first, PART_HELDOUT);
+    struct climb c = {p, goal, new_array(TALLY_WORST, sizeof *c.climber), 0, stream_new(), worst};
+    for (size_t i = 0; i < n && c.climbers < TALLY_WORST; i++)
+        if (start[i].sample >= p->listed.n) {
+            struct climber *k = &c.climber[c.climbers++];
+            sampler_record(p, start[i].sample, &k->tape);
+            k->error = start[i].error;
+            k->step = LARGEST_STEP / 4;
+        }
+    stream_key(c.stream, p->scene->seed, p->scene->run, key, PART_HELDOUT);
     for (int i = p->scene->segment->bilinear ? STEPS : STEPS_CURVED; i > 0 && c.climbers > 0; i--)
         take_steps(&c);
     gsl_rng_free(c.stream);
     free(c.climber);
+}
+
+/* Outputs of a measurement. */
+struct outputs {
+    const struct measurement *m; /* not owned */
+    size_t first, outs;
+};
+
+static void errors_of_outputs(const void *of, const struct sample *s, size_t n, double **error)
+{
+    const struct outputs *o = of;
+    measurement_errors(o->m, o->first, o->first + o->outs, s, n, error);
+}
+
+void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst)
+{
+    const struct outputs of = {m, first, outs};
+    struct largest start[TALLY_WORST];
+    size_t n = 0;
+    for (size_t k = 0; k < outs; k++) {
+        struct tally *t = &m->tally[first + k];
+        tally_sort(t);
+        worst[k] = t->kept > 0 ? t->largest[0].error : 0;
+        for (size_t i = 0; i < t->kept && i < TALLY_WORST / outs; i++)
+            start[n++] = t->largest[i];
+    }
+    climb_from(p, &(struct climb_goal){errors_of_outputs, &of, outs}, first, start, n, worst);
 }

@@ -14,6 +14,19 @@
  *  @param[out] worst        worst[outs]: the largest error of each output; at least that of the samples */
 void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst);
 
+/** The function that is climbed. */
+struct climb_goal {
+    void (*errors)(const void *of, const struct sample *s, size_t n, double **error); /* of each output on n samples */
+    const void *of;                                                                   /* not owned */
+    size_t outs;                                                                      /* 2 at most */
+};
+/** The same from any samples, TALLY_WORST at most.
+ *  @param[in] key            of the random numbers
+ *  @param[in] start, n       samples with their errors
+ *  @param[in,out] worst      raised to the largest error of each output */
+void climb_from(struct sampler *p, const struct climb_goal *goal, uint64_t key, const struct largest *start, size_t n,
+                double *worst);
+
 /** Returns whether the samples of a part can be climbed from: they are drawn, and from the scene's own distribution. */
 bool climb_can(const struct sampler *p);
 
