@@ -6,8 +6,8 @@
 #include "input/scene_print.h"
 #include "mpi/shared_file.h"
 #include "run/run.h"
-#include "samples/samples_write.h"
 #include "tiles/kernel_benchmark.h"
+#include "write/samples_write.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +64,7 @@ int main(int argc, char **argv)
     else if (team.rank == 0 && outcome == OPTIONS_READ && o.print_scene)
         scene_print(o.print_scene, stdout);
     else if (team.rank == 0 && outcome == OPTIONS_READ)
-        samples_write(o.root, o.scene, o.seed, o.samples, &d);
+        samples_write(o.root, o.scene, o.seed, o.start, o.samples, &d);
     else if (team.rank == 0 && outcome != OPTIONS_WRONG)
         options_tell(&evolve_option_table, outcome);
     if (team.rank == 0 && d.code == EXIT_DONE)

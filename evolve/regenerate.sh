@@ -19,7 +19,7 @@ emit() {
     samples='' points=''
     if grep -q '^note precision float' "$1"; then
         samples=$BIN/$(basename "$1").samples
-        "$BIN/footpoint-evolve" --scene "$3" --samples "$samples" || return
+        "$BIN/footpoint-evolve" --scene "$3" --start "$1" --samples "$samples" || return
     elif ! grep -q '^face ' "$1" && [ "${2%/*}" = generated ]; then
         points=tests/generated/points/$(basename "$2" .h)_points.h
     fi

@@ -46,17 +46,26 @@ static char *head_of(const struct genome_file *f)
     return g.text;
 }
 
-/* Reads a part's name at the beginning of a line.  Returns the rest of the line, or NULL. */
+/* Reads a part's name at the beginning of a line, MEASURE_PARTS more if climbing found its samples.  Returns the rest of the line,
+ * or NULL. */
 static char *read_part(char *line, int *part)
 {
     char *end = strchr(line, ',');
-    for (int k = 0; end && k < MEASURE_PARTS; k++)
-        if (strlen(measure_part[k]) == (size_t)(end - line) &&
-            strncmp(line, measure_part[k], strlen(measure_part[k])) == 0) {
-            *part = k;
-            return end;
-        }
-    return NULL;
+    if (!end)
+        return NULL;
+    *end = '\0';
+    char *climbing = strstr(line, "_climbing");
+    if (climbing && strcmp(climbing, "_climbing") == 0)
+        *climbing = '\0';
+    else
+        climbing = NULL;
+    *part = 0;
+    while (*part < MEASURE_PARTS && strcmp(line, measure_part[*part]) != 0)
+        ++*part;
+    const bool known = *part < MEASURE_PARTS;
+    *part += climbing ? MEASURE_PARTS : 0;
+    *end = ',';
+    return known ? end : NULL;
 }
 
 static bool read_line(char *line, struct measure_samples *s)
@@ -144,9 +153,9 @@ struct measured measure_program(const struct genome_file *f, const struct progra
     struct measured found;
     float *y = new_array(s->inputs, sizeof *y), *value = new_array(p->ops, sizeof *value);
     float *x = new_array(s->inputs, sizeof *x);
-    double *error[MEASURE_PARTS][2];
-    size_t n[MEASURE_PARTS] = {0};
-    for (int part = 0; part < MEASURE_PARTS; part++)
+    double *error[2 * MEASURE_PARTS][2];
+    size_t n[2 * MEASURE_PARTS] = {0};
+    for (int part = 0; part < 2 * MEASURE_PARTS; part++)
         for (int k = 0; k < 2; k++)
             error[part][k] = new_array(s->n, sizeof **error[part]);
     single_constants(p, value);
@@ -165,8 +174,11 @@ struct measured measure_program(const struct genome_file *f, const struct progra
     }
     for (int part = 0; part < MEASURE_PARTS; part++)
         for (int k = 0; k < 2; k++) {
+            const struct measure_error climbed = error_of(error[MEASURE_PARTS + part][k], n[MEASURE_PARTS + part]);
             found.error[part][k] = error_of(error[part][k], n[part]);
+            found.error[part][k].climbed = climbed.n > 0 ? fmax(climbed.max, found.error[part][k].max) : 0;
             free(error[part][k]);
+            free(error[MEASURE_PARTS + part][k]);
         }
     free(x);
     free(y);

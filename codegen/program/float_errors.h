@@ -9,7 +9,7 @@ enum { MEASURE_PARTS = 3, MEASURE_EVEN = 2 };
 
 struct measure_samples {
     size_t inputs, n, room, width;
-    double *row; /* owned: n rows of `width`: the part, the inputs, xi and eta */
+    double *row; /* owned: n rows of `width`: the part, MEASURE_PARTS more if climbing found it, the inputs, xi and eta */
 };
 
 /** |value - truth| of an output on a part. */
@@ -32,7 +32,8 @@ struct measured {
 /** The names "heldout", "heldout_random", "heldout_even", indexed by part. */
 extern const char *const measure_part[MEASURE_PARTS];
 
-/** Reads a file whose columns are the inputs of f, a segment, and xi, eta.  Returns false with *d filled. */
+/** Reads a file whose columns are the inputs of f, a segment, and xi, eta.  Samples that climbing found may follow a part, as
+ *  NAME_climbing.  Returns false with *d filled. */
 bool measure_read(const char *path, const struct genome_file *f, struct measure_samples *s, struct diag *d);
 void measure_samples_free(struct measure_samples *s);
 

@@ -15,6 +15,7 @@ struct columns {
     size_t room;         /* rows from a column to the next: n rounded up to whole blocks, plus a pad; padding is 0 */
     double *data;        /* not owned: aligned in `memory` */
     double *memory;      /* owned */
+    bool single;         /* values computed from the columns are rounded to float after each operation */
     unsigned char *band; /* owned: band of |gap| of each row, for mesh samples; otherwise NULL */
 };
 struct columns columns_new(size_t n, size_t count);

@@ -162,7 +162,7 @@ static void take_bands(struct tally *t, const double *error, const unsigned char
 struct measurement measurement_open(const struct genome_file *program, const struct genes *t, const int *output,
                                     size_t trees, size_t most)
 {
-    struct measurement m = {program, t, output, trees, new_array(trees, sizeof *m.tally)};
+    struct measurement m = {program, t, output, trees, new_array(trees, sizeof *m.tally), false};
     for (size_t i = 0; i < trees; i++)
         tally_open(&m.tally[i], most);
     return m;
@@ -171,7 +171,7 @@ struct measurement measurement_open(const struct genome_file *program, const str
 void measurement_errors(const struct measurement *m, size_t first, size_t last, const struct sample *s, size_t n,
                         double **error)
 {
-    struct columns table = frame_columns(m->program, s, n);
+    struct columns table = (m->single ? frame_columns_single : frame_columns)(m->program, s, n);
     for (size_t i = first; i < last; i++) {
         table_values(&table, m->program->constant, m->t[i].gene, m->t[i].length, error[i - first]);
         errors_absolute(error[i - first], columns_at(&table, frame_target(m->program, m->output[i])), n);

@@ -50,6 +50,7 @@ struct measurement {
     const int *output;
     size_t trees;
     struct tally *tally; /* owned, by expression */
+    bool single;         /* errors are those in float */
 };
 struct measurement measurement_open(const struct genome_file *program, const struct genes *t, const int *output,
                                     size_t trees, size_t most);

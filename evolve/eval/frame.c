@@ -232,9 +232,10 @@ size_t frame_target(const struct genome_file *program, int output)
     return program->inputs + program->lets + (size_t)output;
 }
 
-struct columns frame_columns(const struct genome_file *program, const struct sample *s, size_t n)
+static struct columns columns_of(const struct genome_file *program, const struct sample *s, size_t n, bool single)
 {
     struct columns c = columns_new(n, frame_target(program, 2));
+    c.single = single;
     const size_t inputs = program->inputs, slave = inputs - 3;
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j < inputs; j++)
@@ -247,4 +248,14 @@ struct columns frame_columns(const struct genome_file *program, const struct sam
         table_values(&c, program->constant, let->gene, let->length, columns_at(&c, program->inputs + j));
     }
     return c;
+}
+
+struct columns frame_columns(const struct genome_file *program, const struct sample *s, size_t n)
+{
+    return columns_of(program, s, n, false);
+}
+
+struct columns frame_columns_single(const struct genome_file *program, const struct sample *s, size_t n)
+{
+    return columns_of(program, s, n, true);
 }

@@ -22,6 +22,8 @@ bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, s
 
 /** The columns of n samples: every symbol of the program, then the true xi and eta. */
 struct columns frame_columns(const struct genome_file *program, const struct sample *s, size_t n);
+/** The same in float: of samples whose coordinates are floats. */
+struct columns frame_columns_single(const struct genome_file *program, const struct sample *s, size_t n);
 /** Column of the true xi (output 0) or eta (output 1); past them for both (output 2). */
 size_t frame_target(const struct genome_file *program, int output);
 

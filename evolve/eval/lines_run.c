@@ -127,6 +127,16 @@ WIDE static void fill_numbers(struct lines_run *r)
     }
 }
 
+/* Rounds to 24 bits (Dekker); sums, products, quotients and roots are then those of float, short of its range. */
+IN_WIDE void round_to_float(double *value)
+{
+    EACH
+    {
+        const double high = value[k] * (0x1p29 + 1);
+        value[k] = high - (high - value[k]);
+    }
+}
+
 WIDE static void run_block(struct lines_run *r, size_t row)
 {
     const struct lines *c = r->code;
@@ -140,6 +150,8 @@ WIDE static void run_block(struct lines_run *r, size_t row)
         }
         double *to = r->block + r->place[i] * TAPE_BLOCK;
         value_of(x->gene, r->value[x->a], x->b >= 0 ? r->value[x->b] : NULL, to);
+        if (r->table->single)
+            round_to_float(to);
         r->value[i] = to;
     }
 }

@@ -97,7 +97,7 @@ static double climb_row(const struct archive *a, const struct row *row, size_t a
         const size_t samples = left < HELDOUT_PIECE ? left : HELDOUT_PIECE;
         start[n] = (struct largest){t->largest[n].error, first + t->largest[n].sample % piece % samples};
     }
-    climb_from(p, &(struct climb_goal){errors_of_row, &of, 1}, at, start, n, &worst);
+    climb_from(p, &(struct climb_goal){errors_of_row, &of, 1, NULL, NULL}, at, start, n, &worst);
     return worst;
 }
 

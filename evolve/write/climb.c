@@ -99,6 +99,11 @@ void climb_from(struct sampler *p, const struct climb_goal *goal, uint64_t key, 
     stream_key(c.stream, p->scene->seed, p->scene->run, key, PART_HELDOUT);
     for (int i = p->scene->segment->bilinear ? STEPS : STEPS_CURVED; i > 0 && c.climbers > 0; i--)
         take_steps(&c);
+    for (size_t i = 0; i < c.climbers && goal->found; i++) {
+        struct sample s;
+        if (sampler_play(p, &c.climber[i].tape, &s))
+            goal->found(goal->to, &s);
+    }
     gsl_rng_free(c.stream);
     free(c.climber);
 }
@@ -115,7 +120,8 @@ static void errors_of_outputs(const void *of, const struct sample *s, size_t n, 
     measurement_errors(o->m, o->first, o->first + o->outs, s, n, error);
 }
 
-void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst)
+void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst,
+           void (*found)(void *to, const struct sample *s), void *to)
 {
     const struct outputs of = {m, first, outs};
     struct largest start[TALLY_WORST];
@@ -127,5 +133,5 @@ void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, 
         for (size_t i = 0; i < t->kept && i < TALLY_WORST / outs; i++)
             start[n++] = t->largest[i];
     }
-    climb_from(p, &(struct climb_goal){errors_of_outputs, &of, outs}, first, start, n, worst);
+    climb_from(p, &(struct climb_goal){errors_of_outputs, &of, outs, found, to}, first, start, n, worst);
 }

@@ -11,14 +11,18 @@
  *  point of its own.  Deterministic in the scene, its run and `first`.
  *  @param[in,out] m         must have taken the samples of p; its tallies are sorted
  *  @param[in] first, outs   the outputs of the function in m, 2 at most
- *  @param[out] worst        worst[outs]: the largest error of each output; at least that of the samples */
-void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst);
+ *  @param[out] worst        worst[outs]: the largest error of each output; at least that of the samples
+ *  @param[in] found, to     as in climb_goal */
+void climb(struct sampler *p, struct measurement *m, size_t first, size_t outs, double *worst,
+           void (*found)(void *to, const struct sample *s), void *to);
 
 /** The function that is climbed. */
 struct climb_goal {
     void (*errors)(const void *of, const struct sample *s, size_t n, double **error); /* of each output on n samples */
     const void *of;                                                                   /* not owned */
     size_t outs;                                                                      /* 2 at most */
+    void (*found)(void *to, const struct sample *s); /* takes the sample that each climber ends at; or NULL */
+    void *to;                                        /* not owned */
 };
 /** The same from any samples, TALLY_WORST at most.
  *  @param[in] key            of the random numbers

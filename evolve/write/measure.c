@@ -42,7 +42,7 @@ static bool measure_part(const struct genome_file *f, struct measured *m, int pa
     double *worst = new_array(m->n, sizeof *worst);
     const bool good = take_part(&all, p, most, p->part == PART_HELDOUT_EVEN ? NULL : region, d);
     for (size_t i = 0; i < m->n && good && outs == 2 && climb_can(p) && most == SIZE_MAX; i += outs)
-        climb(p, &all, i, outs, worst + i);
+        climb(p, &all, i, outs, worst + i, NULL, NULL);
     measurement_close(&all, found);
     for (size_t i = 0; i < m->n; i++)
         found[i].climbed = worst[i];
@@ -82,4 +82,21 @@ void measured_free(struct measured *m)
     free(m->output);
     for (int part = 0; part < HELDOUT_PARTS; part++)
         free(m->found[part]);
+}
+
+bool measure_climbed(const struct genome_file *f, struct sampler *p, bool single,
+                     void (*found)(void *to, const struct sample *s), void *to, struct diag *d)
+{
+    struct measured m = {.n = 0};
+    double worst[2];
+    list_outputs(f, 2, &m);
+    struct measurement all = measurement_open(f, m.t, m.output, m.n, p->count);
+    all.single = single;
+    const bool good = take_part(&all, p, SIZE_MAX, NULL, d);
+    for (size_t i = 0; i < m.n && good; i += 2)
+        climb(p, &all, i, 2, worst, found, to);
+    m.found[0] = new_array(m.n, sizeof *m.found[0]);
+    measurement_close(&all, m.found[0]);
+    measured_free(&m);
+    return good;
 }

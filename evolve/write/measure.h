@@ -26,4 +26,11 @@ bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *h
                      struct diag *d);
 void measured_free(struct measured *m);
 
+/** Climbs from the worst samples of each genome of two outputs, as above.
+ *  @param[in] single     errors are those in float
+ *  @param[in] found, to  as in climb.h
+ *  @return false with *d filled */
+bool measure_climbed(const struct genome_file *f, struct sampler *p, bool single,
+                     void (*found)(void *to, const struct sample *s), void *to, struct diag *d);
+
 #endif

@@ -10,11 +10,16 @@ expect 'the genomes say so' 0 'note precision float' '' grep '^note precision' "
 expect 'samples' 0 '' '' "$evolve" --scene "$work/f.scene" --samples "$work/f.samples"
 expect 'of all parts' 0 'heldout
 heldout_even' '' sh -c "sed 1d '$work/f.samples' | cut -d, -f1 | uniq"
+expect 'with climbing' 0 '' '' "$evolve" --scene "$work/f.scene" --start "$work/f.gen" --samples "$work/f.samples"
+expect 'of the scene alone' 0 'heldout
+heldout_climbing
+heldout_even' '' sh -c "sed 1d '$work/f.samples' | cut -d, -f1 | uniq"
 expect 'coordinates are floats' 0 0 '' sh -c \
     "sed 1d '$work/f.samples' | cut -d, -f2-16 | tr , '\n' | grep -cvE '^-?0x[01](\.[0-9a-f]{1,6})?p[-+][0-9]+$'; :"
 expect 'header' 0 '' '' "$codegen" --quiet --effort 0 --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/f.h"
 expect 'in float' 0 ' * precision: float' '' grep '^ . precision' "$work/f.h"
 expect 'whose banner has errors of the float code alone' 0 2 '' grep -c '^ .   heldout' "$work/f.h"
+expect 'of climbing, too' 0 '*' '' grep '^ .   heldout: .* samples and' "$work/f.h"
 functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const float xA.*/\1/p' "$work/f.h" | grep -v -e _detail_ -e '_closest$' -e '_along$')
 {
     echo '#include "f.h"'

@@ -125,8 +125,8 @@ static void climbing_finds_no_less(void **state)
         outputs_of(&f->genome[1], t);
         struct measurement m = measure(f, t, p);
         double worst[2], again[2];
-        climb(p, &m, 0, 2, worst);
-        climb(p, &m, 0, 2, again);
+        climb(p, &m, 0, 2, worst, NULL, NULL);
+        climb(p, &m, 0, 2, again, NULL, NULL);
         measurement_close(&m, found);
         for (int k = 0; k < 2; k++) {
             assert_true(worst[k] >= found[k].max && worst[k] < INFINITY && worst[k] == again[k]);

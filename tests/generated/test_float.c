@@ -90,8 +90,9 @@ static void coordinates_are_floats(void **state)
         }
 }
 
-/* The banner's line of a function: "KEY: xi MEAN P99 WORST, eta MEAN P99 WORST, of N samples". */
-static void read_banner(const char *text, const char *function, const char *part, struct error_stats e[2], size_t *n)
+/* The banner's line of a function: "KEY: xi MEAN P99 WORST, eta MEAN P99 WORST, of N samples", "and climbing" perhaps. */
+static void read_banner(const char *text, const char *function, const char *part, struct error_stats e[2], size_t *n,
+                        bool *climbed)
 {
     char name[80], line[80];
     snprintf(name, sizeof name, "\n/* footpoint_quad4_float_%s\n", function);
@@ -103,6 +104,7 @@ static void read_banner(const char *text, const char *function, const char *part
     assert_int_equal(sscanf(at + strlen(line), " xi %lf %lf %lf, eta %lf %lf %lf, of %zu samples", &e[0].mean,
                             &e[0].p99, &e[0].max, &e[1].mean, &e[1].p99, &e[1].max, n),
                      7);
+    *climbed = strncmp(strstr(at, " samples"), " samples and", strlen(" samples and")) == 0;
 }
 
 static void banner_tells_errors_of_the_float_code(void **state)
@@ -126,14 +128,15 @@ static void banner_tells_errors_of_the_float_code(void **state)
             }
             struct error_stats told[2];
             size_t count;
-            read_banner(text, functions[f].name, part_name[part], told, &count);
+            bool climbed;
+            read_banner(text, functions[f].name, part_name[part], told, &count, &climbed);
             assert_int_equal(count, n);
             for (int k = 0; k < 2; k++) {
                 const struct error_stats e = error_stats_of(error[k], n), stated = told[k];
                 assert_int_equal(e.failures, 0);
                 if (!(fabs(e.mean - stated.mean) <= AGREE * stated.mean &&
-                      fabs(e.p99 - stated.p99) <= AGREE * stated.p99 &&
-                      fabs(e.max - stated.max) <= 2 * AGREE * stated.max))
+                      fabs(e.p99 - stated.p99) <= AGREE * stated.p99 && e.max - stated.max <= 2 * AGREE * stated.max &&
+                      (climbed || stated.max - e.max <= 2 * AGREE * stated.max)))
                     fail_msg("%s %s: measured mean %g p99 %g max %g, the banner says %g %g %g", functions[f].name,
                              part_name[part], e.mean, e.p99, e.max, stated.mean, stated.p99, stated.max);
                 free(error[k]);

@@ -2,7 +2,11 @@
 #include "samples_write.h"
 
 #include "../input/scene_files.h"
-#include "samples.h"
+#include "../samples/samples.h"
+#include "climb.h"
+#include "measure.h"
+
+#include <string.h>
 
 static void print_head(const struct segment_kind *kind, FILE *out)
 {
@@ -25,9 +29,25 @@ static void print_sample(const struct segment_kind *kind, const char *part, cons
     fprintf(out, ",%a,%a\n", s->xi, s->eta);
 }
 
-static bool write_part(const struct scene *scene, enum sample_part part, const char *name, FILE *out, struct diag *d)
+/* Where samples that climbing finds go. */
+struct climbed {
+    const struct segment_kind *kind; /* not owned, as is: */
+    FILE *out;
+    char part[40];
+};
+
+static void print_climbed(void *to, const struct sample *s)
+{
+    const struct climbed *c = to;
+    print_sample(c->kind, c->part, s, c->out);
+}
+
+/* @param[in] f  genomes from whose worst samples to climb, or NULL */
+static bool write_part(const struct scene *scene, enum sample_part part, const char *name, const struct genome_file *f,
+                       FILE *out, struct diag *d)
 {
     struct sampler *p = sampler_new(scene, part, d);
+    struct climbed to = {scene->segment, out, ""};
     bool drawn = p != NULL;
     for (size_t i = 0; drawn && i < p->count; i++) {
         struct sample s;
@@ -35,27 +55,34 @@ static bool write_part(const struct scene *scene, enum sample_part part, const c
         if (drawn)
             print_sample(scene->segment, name, &s, out);
     }
+    snprintf(to.part, sizeof to.part, "%s_climbing", name);
+    if (drawn && f && climb_can(p))
+        drawn = measure_climbed(f, p, strcmp(scene->precision, "float") == 0, print_climbed, &to, d);
     sampler_free(p);
     return drawn;
 }
 
-bool samples_write(const char *root, const char *scene_name, size_t run, const char *path, struct diag *d)
+bool samples_write(const char *root, const char *scene_name, size_t run, const char *genomes, const char *path,
+                   struct diag *d)
 {
     struct scene *scene = scene_read(root, scene_name, d);
+    struct genome_file *climbed = scene && genomes ? genome_read(genomes, d) : NULL;
     struct outfile f;
     const struct file_use output = {"--samples", path, true, 0};
-    bool good = scene && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) && outfile_open(&f, path, d);
+    bool good = scene && (!genomes || climbed) && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) &&
+                outfile_open(&f, path, d);
     if (good) {
         scene->run = run;
         print_head(scene->segment, f.stream);
         for (int k = 0; k < HELDOUT_PARTS && good; k++)
             good = !scene_has(scene, heldout_part[k].part) ||
-                   write_part(scene, heldout_part[k].part, heldout_part[k].name, f.stream, d);
+                   write_part(scene, heldout_part[k].part, heldout_part[k].name, climbed, f.stream, d);
         if (good)
             good = outfile_commit(&f, d);
         else
             outfile_discard(&f);
     }
+    genome_file_free(climbed);
     scene_free(scene);
     return good;
 }
