@@ -319,7 +319,7 @@ bool patch_boxes_none_nearer(const struct patch_local *l, const struct patch_box
         const struct patch_box box = waiting[--depth];
         if (contains(&convex, &box) || bound(l, &box) > f.d * (1 + MARGIN) + f.noise)
             continue;
-        if (boxes == FEW_BOXES)
+        if (boxes == FEW_BOXES || depth + 2 > MOST_DEPTH)
             return false;
         bisect(box, &waiting[depth]);
         depth += 2;
