@@ -5,8 +5,8 @@
 # in the folder OUT.  Genomes take the place of those before when a run has ended; an interrupted run changes nothing.
 # regenerate.sh --derivatives FACE...: emit the headers of derivatives, as above.  regenerate.sh --table: a line a function of
 # all headers, and what changed since the committed ones.  Reads BIN, MPIRUN (without -n), RANKS,
-# GENERATIONS, SEED, OUT and FROM (scratch, or nothing) from the environment; `make regenerate` calls it.  What a scene's run
-# says is in $BIN/regenerate/NAME.log, if there are several.
+# GENERATIONS, ISLANDS (of each tier, or nothing), SEED, OUT and FROM (scratch, or nothing) from the environment; `make
+# regenerate` calls it.  What a scene's run says is in $BIN/regenerate/NAME.log, if there are several.
 progress() { printf '%s\n' "$*" >&2; }
 
 # emit GENOMES HEADER [SCENE whose samples single precision is measured on]: the header, and in the tree the test points of
@@ -49,7 +49,7 @@ regenerate() { # regenerate SCENE RANKS
     rm -f "$new"
     # shellcheck disable=SC2086
     $MPIRUN -n "$2" "$BIN/footpoint-evolve" --scene "$1" --generations "$GENERATIONS" --seed "$SEED" -o "$new" \
-        ${FROM:+--from-scratch} ${start:+--start "$start"} ${page:+--page "$page"} > "$found"
+        ${ISLANDS:+--islands "$ISLANDS"} ${FROM:+--from-scratch} ${start:+--start "$start"} ${page:+--page "$page"} > "$found"
     status=$?
     grep -v "$is_verdict" "$found"
     if [ $status -ne 0 ]; then
