@@ -5,6 +5,7 @@
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/write/climb.h"
 
+#include <gsl/gsl_randist.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -175,6 +176,43 @@ static void neighbours_are_samples_of_the_scene(void **state)
     scene_free(s);
 }
 
+/* Wherever a search for a foot point starts, it ends at the same one or finds none, also where several minima are near. */
+static void guesses_change_nothing(void **state)
+{
+    static const char *const name[] = {"quad4", "tri6", "quad8", "gregory", "bezier"};
+    enum { SAMPLES = 100 };
+    gsl_rng *stream = stream_new();
+    size_t found = 0, none = 0;
+    (void)state;
+    for (size_t kind = 0; kind < sizeof name / sizeof *name; kind++) {
+        struct scene *s = scene_of(name[kind], SAMPLES);
+        const struct surface *f = surface_find(s->segment);
+        struct sampler *p = sampler_of(s, PART_HELDOUT);
+        double lo[2], hi[2], near[2];
+        scene_box(s, lo, hi);
+        for (size_t i = 0; i < SAMPLES; i++) {
+            struct sample one, other;
+            struct diag d;
+            assert_true(sampler_take(p, i, &one, &d));
+            stream_key(stream, 1, kind, i, 0);
+            for (int k = 0; k < 3; k++)
+                one.xs[k] += gsl_ran_flat(stream, -1, 1) * sample_shortest_edge(&one, s->segment->corners);
+            for (int k = 0; k < 2; k++)
+                near[k] = gsl_ran_flat(stream, lo[k], hi[k]);
+            other = one;
+            const bool first = f->foot(f, &one, lo, hi, NULL), second = f->foot(f, &other, lo, hi, near);
+            assert_true(first == second);
+            assert_true(!first || fabs(one.xi - other.xi) + fabs(one.eta - other.eta) < 1e-9);
+            found += first;
+            none += !first;
+        }
+        sampler_free(p);
+        scene_free(s);
+    }
+    assert_true(found > 50 && none > 50);
+    gsl_rng_free(stream);
+}
+
 /* Seeds of the run make other samples to hold out, and the same for training. */
 static void runs_hold_out_their_own(void **state)
 {
@@ -201,6 +239,7 @@ int main(void)
         cmocka_unit_test(figures_are_those_of_a_set),
         cmocka_unit_test(climbing_finds_no_less),
         cmocka_unit_test(neighbours_are_samples_of_the_scene),
+        cmocka_unit_test(guesses_change_nothing),
         cmocka_unit_test(runs_hold_out_their_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

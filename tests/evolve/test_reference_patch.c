@@ -115,6 +115,12 @@ static bool compare(const struct sample *s, int *points)
             if (i % 4 == 0 && j % 4 == 0 && settle(&g, s->xs, &xi, &eta) && !known(found, n, xi, eta))
                 fail_msg("stationary point (%.17g, %.17g) is missing", xi, eta);
         }
+    for (int k = 0; k < n; k++) { /* what is proved from anywhere is the closest point */
+        const double near[2] = {found[k].xi, found[k].eta};
+        struct stationary proved;
+        if (told && foot_patch_closest_near(&g, s->xs, lowest, highest, near, &proved))
+            assert_true(proved.minimum && fabs(proved.distance - closest.distance) < 1e-14);
+    }
     if (told) {
         assert_true(closest.distance <= sqrt(nearest) + 1e-14);
         assert_true(closest.distance >= sqrt(nearest) - 8.0 / GRID);
