@@ -110,7 +110,8 @@ bool draw_face(const struct surface *f, gsl_rng *stream, const struct shapes *sh
 {
     if (!draw_corners(f, stream, shapes, x))
         return false;
-    if (f->nodes > 4)
-        draw_middles(f, stream, shapes, x);
+    if (f->nodes <= 3) /* a plane triangle does not fold */
+        return true;
+    draw_middles(f, stream, shapes, x);
     return unfolded(f, shapes, x);
 }
