@@ -38,25 +38,27 @@ static size_t outputs_of(const struct row *row)
     return quest_of_programs(row->quest) ? 2 : 1;
 }
 
-/* Gives the errors of rows on a few samples to `take`, those of xi first, then those of eta. */
-static void measure_piece(const struct archive *a, const struct row *row, size_t n, const struct sample *s,
-                          size_t samples, void (*take)(void *to, size_t row, const double *error, size_t errors),
-                          void *to)
+/* Opens what measures rows on a few samples: xi's errors first, then eta's, in `scratch`. */
+static struct objective *judge_new(const struct archive *a, const struct sample *s, size_t n, struct columns *table)
 {
-    struct columns table = frame_columns(a->program, s, samples);
-    struct objective *o = objective_new(a->program, &table, NORM_MAX);
+    *table = frame_columns(a->program, s, n);
+    struct objective *o = objective_new(a->program, table, NORM_MAX);
     o->decimal = true;
+    return o;
+}
+
+/* Takes the errors of all rows on a few samples, by row. */
+static void take_piece(const struct archive *a, const struct row *row, size_t n, const struct sample *s, size_t samples,
+                       struct tally *t)
+{
+    struct columns table;
+    struct objective *o = judge_new(a, s, samples, &table);
     for (size_t i = 0; i < n; i++) {
         archive_bare_error(a, o, row[i].quest, &row[i].member->genes);
-        take(to, i, o->scratch, outputs_of(&row[i]) * samples);
+        tally_take(&t[i], o->scratch, outputs_of(&row[i]) * samples);
     }
     objective_free(o);
     columns_free(&table);
-}
-
-static void tally_row(void *tallies, size_t row, const double *error, size_t errors)
-{
-    tally_take((struct tally *)tallies + row, error, errors);
 }
 
 /* ---- climbing ---- */
@@ -66,21 +68,17 @@ struct row_of {
     const struct row *row;
 };
 
-static void copy_errors(void *to, size_t row, const double *error, size_t errors)
-{
-    double *const *out = to;
-    (void)row;
-    memcpy(out[0], error, errors * sizeof *error);
-}
-
 /* Both outputs in one: they are pooled. */
 static void errors_of_row(const void *of, const struct sample *s, size_t n, double **error)
 {
     const struct row_of *r = of;
-    double both[2 * TALLY_WORST], *to = both;
-    measure_piece(r->a, r->row, 1, s, n, copy_errors, &to);
+    struct columns table;
+    struct objective *o = judge_new(r->a, s, n, &table);
+    archive_bare_error(r->a, o, r->row->quest, &r->row->member->genes);
     for (size_t i = 0; i < n; i++)
-        error[0][i] = fmax(both[i], outputs_of(r->row) == 2 ? both[n + i] : 0);
+        error[0][i] = fmax(o->scratch[i], outputs_of(r->row) == 2 ? o->scratch[n + i] : 0);
+    objective_free(o);
+    columns_free(&table);
 }
 
 /* Climbs from a row's worst samples.  Where outputs are pooled, a piece of n samples has the errors 0 to 2 n - 1. */
@@ -111,7 +109,7 @@ static bool measure_rows(const struct archive *a, struct row *row, size_t n, str
     for (size_t i = 0; i < n; i++)
         tally_open(&t[i], 2 * p->count);
     while ((good = heldout_piece(p, most, &at, s, &samples, d)) && samples > 0)
-        measure_piece(a, row, n, s, samples, tally_row, t);
+        take_piece(a, row, n, s, samples, t);
     for (size_t i = 0; i < n; i++) {
         const double climbed = good && climb_can(p) && most == SIZE_MAX ? climb_row(a, &row[i], i, p, &t[i]) : 0;
         row[i].found[part] = tally_close(&t[i]);
