@@ -9,7 +9,7 @@ enum { MEASURE_PARTS = 3, MEASURE_EVEN = 2 };
 
 struct measure_samples {
     size_t inputs, n, room, width;
-    double *row; /* owned: n rows of `width`: the part, MEASURE_PARTS more if climbing found it, the inputs, xi and eta */
+    double *row; /* owned: n rows of `width`: the part (MEASURE_PARTS more if climbing found it), inputs, xi, eta */
 };
 
 /** |value - truth| of an output on a part. */
