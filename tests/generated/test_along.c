@@ -112,14 +112,13 @@ static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, do
         memcpy(x[6], x[2], sizeof *x);
 }
 
-/* Tangents by differences, as the surface is of degree 2 in each coordinate. */
+/* Tangents by differences, as the surface is of degree 2 in each coordinate; from corner A, so that places far away cost no digits. */
 static void tangents_at(const struct kind *k, struct line *l, const double loc[2], double t[2][3])
 {
-    static const double none[3] = {0, 0, 0};
     for (int j = 0; j < 2; j++) {
         double less[3];
-        line_points_offset(k->nodes, l->x, none, (double[]){loc[0] + (j == 0), loc[1] + (j == 1)}, t[j]);
-        line_points_offset(k->nodes, l->x, none, (double[]){loc[0] - (j == 0), loc[1] - (j == 1)}, less);
+        line_points_offset(k->nodes, l->x, l->x[0], (double[]){loc[0] + (j == 0), loc[1] + (j == 1)}, t[j]);
+        line_points_offset(k->nodes, l->x, l->x[0], (double[]){loc[0] - (j == 0), loc[1] - (j == 1)}, less);
         for (int i = 0; i < 3; i++)
             t[j][i] = (t[j][i] - less[i]) / 2;
     }
@@ -191,7 +190,7 @@ struct tally {
     long lines[4], wrong, unclear, nowhere, family[FAMILIES]; /* lines by number of points, three and more together */
     long all[FAMILIES + 1],
         proved[FAMILIES + 1]; /* last: mild faces, lines through these, slave nodes up to 100 edges away */
-    double off, error;
+    double error;
 };
 
 struct answer {
@@ -232,13 +231,34 @@ static bool is_nowhere(const struct kind *k, struct line *l)
     return wide.count == 0 || !wide.clear;
 }
 
-/* A point lies within the promise of the answer, and no other one on the face; `found` reach 0.1 beyond it. */
-static bool is_proved(const struct kind *k, struct line *l, const struct answer *a, const struct line_points *found,
-                      double *error_of)
+/* The distance is that of the point on the face, to rounding: 1,000 units of the largest term of coordinates. */
+static bool is_distance_of(const struct kind *k, struct line *l, const struct answer *a)
+{
+    const double reach = fmax(1, fmax(fabs(a->loc[0]), fabs(a->loc[1])));
+    const int power = k->nodes == 9 ? 4 : k->nodes == 8 ? 3 : k->nodes == 3 ? 1 : 2;
+    double r[3], length = 0, dist = 0;
+    line_points_offset(k->nodes, l->x, l->x[k->nodes], a->loc, r);
+    for (int i = 0; i < 3; i++) {
+        length += l->p[i] * l->p[i];
+        dist -= r[i] * l->p[i];
+    }
+    return fabs(dist / sqrt(length) - a->dist) <= 1.2e-13 * span_of(k, l) * pow(reach, power);
+}
+
+/* A point lies within the promise of the answer. */
+static bool is_point(const struct kind *k, struct line *l, const struct answer *a, double *error)
+{
+    const double reach = fmax(1, fmax(fabs(a->loc[0]), fabs(a->loc[1])));
+    *error = line_points_error(k->nodes, l->x, l->x[k->nodes], l->p, a->loc) / reach;
+    return *error <= FOOTPOINT_ALONG_PROMISE && is_distance_of(k, l, a);
+}
+
+/* No other point lies on the face; `found` reach 0.1 beyond it. */
+static bool is_only(const struct kind *k, struct line *l, const struct answer *a, const struct line_points *found,
+                    double error)
 {
     struct line_points face = *found;
-    const double error = *error_of = line_points_error(k->nodes, l->x, l->x[k->nodes], l->p, a->loc);
-    if (!(error <= FOOTPOINT_ALONG_PROMISE) || beyond_of(k, a->loc) > 1e-15)
+    if (beyond_of(k, a->loc) > 1e-15)
         return false;
     for (double over = 0.005; over > CLEAR && !face.clear;
          over *= 0.05) /* where it touches the surface beyond the edges */
@@ -251,22 +271,47 @@ static bool is_proved(const struct kind *k, struct line *l, const struct answer 
     return face.clear;
 }
 
-/* The direction has no length, or lies in the planes of the tangents at corners. */
+/* The direction has no length, or lies in the planes of the tangents at 16 places, to rounding. */
 static bool is_flat(const struct kind *k, struct line *l)
 {
-    double size = 0, most = 0;
-    for (int c = 0; c < k->corners; c++) {
-        double t[2][3], across = 0;
-        tangents_at(k, l, k->corners == 3 ? triangle[c] : square[c], t);
+    const double low = k->corners == 3 ? 0 : -1, third = (1 - low) / 3;
+    double edges = 0;
+    for (int n = 3; n < 3 * k->nodes; n++)
+        edges += fabs(l->x[n / 3][n % 3] - l->x[0][n % 3]);
+    for (int n = 0; n < 16; n++) {
+        const double at[2] = {low + third * (n & 3), low + third * (n >> 2)};
+        double t[2][3], sum[2] = {0}, terms, product = line_points_product(k->nodes, l->x, l->p, at, &terms);
+        tangents_at(k, l, at, t);
         for (int i = 0; i < 3; i++) {
-            const int a = (i + 1) % 3, b = (i + 2) % 3;
-            across += l->p[i] * (t[0][a] * t[1][b] - t[0][b] * t[1][a]);
-            for (int j = 0; j < 3; j++)
-                size = fmax(size, fabs(l->p[i] * t[0][j] * t[1][a]));
+            sum[0] += fabs(t[0][i]) + fabs(t[1][i]);
+            sum[1] += fabs(l->p[i]);
         }
-        most = fmax(most, fabs(across));
+        if (fabs(product) > 1.2e-16 * (k->nodes == 3 ? 16 * terms : 500 * edges * sum[0] * sum[1]))
+            return false;
     }
-    return most <= 1e-7 * size;
+    return true;
+}
+
+/* By how much the distance changes where xi and eta change by 1, at most. */
+static double slope_of(const struct kind *k, struct line *l, const double loc[2])
+{
+    double t[2][3], sum[2] = {0};
+    tangents_at(k, l, loc, t);
+    for (int i = 0; i < 6; i++)
+        sum[i / 3] += t[i / 3][i % 3] * t[i / 3][i % 3];
+    return sqrt(sum[0]) + sqrt(sum[1]);
+}
+
+/* The answer is the nearest of the points on the face, but for what their errors make of distances. */
+static bool is_nearest(const struct kind *k, struct line *l, const struct answer *a, const struct line_points *all)
+{
+    for (int i = 0; i < all->count; i++) {
+        const struct line_point *const p = &all->point[i];
+        const double slope = slope_of(k, l, p->loc) + slope_of(k, l, a->loc);
+        if (p->beyond < 0 && fabs(a->dist) > fabs(p->dist) + FOOTPOINT_ALONG_PROMISE * slope + 1.2e-13 * span_of(k, l))
+            return false;
+    }
+    return true;
 }
 
 /* What a status says of the number of points on the face is true. */
@@ -282,14 +327,15 @@ static bool is_counted(const struct kind *k, struct line *l, const struct answer
 static bool is_right(const struct kind *k, struct line *l, const struct answer *a, struct tally *t)
 {
     struct line_points all;
-    const struct line_point *best = NULL;
     const double span = span_of(k, l);
     double error = 0;
     int inside = 0;
     if (a->status == FOOTPOINT_ERR_DEGENERATE)
         return is_flat(k, l);
     line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, 0.1, &all);
-    if (a->status == FOOTPOINT_OK && !is_proved(k, l, a, &all, &error))
+    if (a->status >= FOOTPOINT_OK && a->status != FOOTPOINT_UNPROVED && !is_point(k, l, a, &error))
+        return false;
+    if (a->status == FOOTPOINT_OK && !is_only(k, l, a, &all, error))
         return false;
     t->error = fmax(t->error, error);
     bool clear = all.clear;
@@ -297,23 +343,13 @@ static bool is_right(const struct kind *k, struct line *l, const struct answer *
         const struct line_point *const p = &all.point[i];
         clear = clear && fabs(p->beyond) > CLEAR + 1e-14 * span * p->spread;
         inside += p->beyond < 0;
-        if (p->beyond < 0 && (!best || fabs(p->dist) < fabs(best->dist)))
-            best = p;
-    }
-    if (a->status >= FOOTPOINT_OK && a->status != FOOTPOINT_UNPROVED) {
-        const double reach = 1 + fabs(a->loc[0]) + fabs(a->loc[1]), off = off_line(k, l, a) / (span * reach * reach);
-        t->off = fmax(t->off, off);
-        if (off > 4 * FOOTPOINT_ALONG_PROMISE) /* which moves r by up to twice the span */
-            return false;
     }
     t->unclear += !clear && l->lead != TOUCHING && l->lead != NODE_OR_EDGE;
     if (!clear)
         return true;
     t->lines[inside < 3 ? inside : 3]++;
     t->nowhere += a->status == FOOTPOINT_ERR_DOMAIN;
-    return is_counted(k, l, a, inside) &&
-           (inside == 0 || a->status == FOOTPOINT_UNPROVED ||
-            fabs(fabs(a->dist) - fabs(best->dist)) <= (1e-12 + 1e-14 * span * best->spread + 8 * error) * span);
+    return is_counted(k, l, a, inside) && (a->status != FOOTPOINT_NOT_UNIQUE || is_nearest(k, l, a, &all));
 }
 
 static void count(long number, const struct line *l, const struct answer *a, struct tally *t)
@@ -383,9 +419,8 @@ static long compare(const struct kind *k, long samples)
     gsl_rng_free(stream);
     printf(
         "# %s: %ld of %ld wrong; %ld lines beside the face, %ld meet it once, %ld twice, %ld more often; %ld meet the "
-        "surface nowhere; %ld unclear; off the line by %.1e, off a point by %.1e\n",
-        k->name, t.wrong, samples, t.lines[0], t.lines[1], t.lines[2], t.lines[3], t.nowhere, t.unclear, t.off,
-        t.error);
+        "surface nowhere; %ld unclear; off a point by %.1e\n",
+        k->name, t.wrong, samples, t.lines[0], t.lines[1], t.lines[2], t.lines[3], t.nowhere, t.unclear, t.error);
     printf("# %s: proved of ordinary ones %.2f %%; of all", k->name,
            100.0 * (double)t.proved[FAMILIES] / (double)t.all[FAMILIES]);
     for (int i = 0; i < FAMILIES; i++)

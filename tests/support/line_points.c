@@ -116,7 +116,8 @@ double line_points_error(int nodes, double (*x)[3], const double xs[3], const do
             slope[i][c] = (slope[i][c] - f[c]) / 2;
     }
     const exact turn = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
-    for (int k = 0; k < 12 && step > 1e-16 && turn != 0; k++) {
+    const double enough = 1e-16 * fmax(1, fmax(fabs(loc[0]), fabs(loc[1])));
+    for (int k = 0; k < 12 && step > enough && turn != 0; k++) {
         exact f[2], move[2];
         plane_at(nodes, x, xs, e, at, f);
         move[0] = (slope[1][0] * f[1] - slope[1][1] * f[0]) / turn;
@@ -125,7 +126,25 @@ double line_points_error(int nodes, double (*x)[3], const double xs[3], const do
         at[1] += move[1];
         step = fmax(fabs((double)move[0]), fabs((double)move[1]));
     }
-    return step > 1e-16 ? INFINITY : fmax(fabs((double)(at[0] - loc[0])), fabs((double)(at[1] - loc[1])));
+    return step > enough ? INFINITY : fmax(fabs((double)(at[0] - loc[0])), fabs((double)(at[1] - loc[1])));
+}
+
+double line_points_product(int nodes, double (*x)[3], const double along[3], const double loc[2], double *terms)
+{
+    exact high[2][3], low[2][3], product = 0;
+    for (int j = 0; j < 2; j++) {
+        offset_at(nodes, x, x[0], (exact)loc[0] + (j == 0), (exact)loc[1] + (j == 1), high[j]);
+        offset_at(nodes, x, x[0], (exact)loc[0] - (j == 0), (exact)loc[1] - (j == 1), low[j]);
+    }
+    *terms = 0;
+    for (int i = 0; i < 3; i++) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        const exact ab = (high[0][a] - low[0][a]) * (high[1][b] - low[1][b]) * along[i] / 4;
+        const exact ba = (high[0][b] - low[0][b]) * (high[1][a] - low[1][a]) * along[i] / 4;
+        product += ab - ba;
+        *terms += fabs((double)ab) + fabs((double)ba);
+    }
+    return (double)product;
 }
 
 /* ---- the search ---- */

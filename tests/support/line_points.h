@@ -27,6 +27,9 @@ void line_points_find(int nodes, double (*x)[3], const double xs[3], const doubl
  *  quadruple precision: the larger difference; infinite if they lead to none. */
 double line_points_error(int nodes, double (*x)[3], const double xs[3], const double along[3], const double loc[2]);
 
+/** Returns r_xi x r_eta . along at loc, in quadruple precision; *terms: the sum of the absolute values of its terms. */
+double line_points_product(int nodes, double (*x)[3], const double along[3], const double loc[2], double *terms);
+
 /** Writes r(xi,eta) - xs; mesh length. */
 void line_points_offset(int nodes, double (*x)[3], const double xs[3], const double loc[2], double offset[3]);
 

@@ -2,15 +2,16 @@
 
 /* PREFIX_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  These are proved, rounding errors included: FOOTPOINT_OK, the line meets the
- *           surface at a point within ALONG_PROMISE of loc, and the segment at no other one;
- *           FOOTPOINT_NOT_UNIQUE, it meets the segment more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE,
- *           it passes by, and the answer is where it meets the surface beyond the edges, to about as much.
- *           FOOTPOINT_UNPROVED: any of these, as where it nearly touches the segment.  loc and dist are untouched where it returns
- *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the edges
- *           is known;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
- *           FOOTPOINT_ERR_NOT_FINITE.
+ *           normal that is the gap.  A point where the line meets the surface is proved to lie within ALONG_PROMISE of
+ *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
+ *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
+ *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
+ *           meets the surface there beyond the edges, which count for as thick as ALONG_PROMISE.
+ *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
+ *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
+ *           edges is proved;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
+ *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
  * PREFIX_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2], REAL *dist)
 {

@@ -57,22 +57,40 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_rounding(REAL c[3][9])
     return footpoint_detail_unit() * (20.0 * away + 500.0 * size);
 }
 
+/* A bound of how far a point lies from where a step of Newton ends, in maximum norms; above `most` if none is proved.  inverse: the norm
+ * of the inverse of the slopes where it begins; off, bends: bounds of rounding errors of the equations and of bends' slopes.
+ *
+ * Second derivatives are 5 bends in all, see below, and errors of slopes are part of bends.  By Kantorovich, if h = 5 bends inverse
+ * (step + 2 error) <= 1/4, with error = inverse off, then a point lies within 0.7 h step + 1.2 error: bounds hold that far if the step
+ * is 5e-4 at most.  It is solved to 16 units of itself times inverse and the slopes, 2 + bends. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_near(REAL step, REAL inverse, REAL off, REAL bends,
+                                               REAL most)
+{
+    const REAL error = 1.01 * inverse * off, units = 16.0 * footpoint_detail_unit();
+    const REAL h = 5.1 * bends * inverse * (step + 2.0 * error);
+    const REAL near = 0.72 * h * step + 1.25 * error + units * inverse * (2.0 + bends) * step;
+    return footpoint_detail_larger(near, (4.2 * h + 2000.0 * step) * most);
+}
+
 /* The point at = {u, v} where u + bend = k[0] and v + bend = l[0].  Bends as they are without bends, then a few of Newton's
- * steps; at[2] becomes the square of the last.  off: bounds of the rounding errors of both equations where |u|, |v| <= 1.  The highest
- * bit of what it returns is set unless a point is proved to lie within `most` of `at`, and no other one where |u|, |v| <= reach;
- * that of *hit unless it is proved that no point lies there at all.
+ * steps.  off: bounds of the rounding errors of both equations where |u|, |v| <= 1.  The highest bit of what it returns is set unless
+ * a point is proved to lie within `most` of `at`, and no other one where |u|, |v| <= reach; that of *hit unless it is proved that no
+ * point lies there at all.  at[2] <= most: it is proved that a point lies within at[2] of `at`, and nothing of others.
  *
  * Let bounds of the slopes of u's bend be A, B, of v's C, D where |u|, |v| <= wide.  Then u, v -> k[0] - bend, l[0] - bend is a
  * contraction there if A, D < 1 and (1 - A) (1 - D) > B C, in a norm of its own: there is one point at most, and one lies within
  * ((1 - D) r + B s, (1 - A) s + C r) / ((1 - A) (1 - D) - B C) of any place where the equations are off by r and s.  A step of
  * Newton leaves half of its square times second derivatives, which are 5 (A + B) / wide at most.  It is solved to 1e5 units of
  * itself, as the determinant is above 0.01; less than a unit and 4e8 units of its square.  Errors of coefficients change
- * slopes by twice what they change values by, and either grows by the fourth power of wide. */
+ * slopes by twice what they change values by, and either grows by the fourth power of wide.
+ *
+ * By Kantorovich, a point lies within 0.7 h `step` of where the last step ends if h <= 1/4, h being the step, times the norm of the
+ * inverse of the slopes where it begins, `most` at first, times the second derivatives. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL l[9],
                                                     const REAL off[2], REAL reach, REAL most,
                                                     REAL at[3], REAL_BITS *hit)
 {
-    REAL f[2], g[2], u, v, s, t, wide, over, moved = 0.0, a, d, det;
+    REAL f[2], g[2], u, v, s, t, wide, over, moved = 0.0, step = 0.0, inverse = 0.0, a, d, det;
     int i;
     u = k[0] - footpoint_detail_KIND_bend(k, k[0], l[0], f);
     v = l[0] - footpoint_detail_KIND_bend(l, k[0], l[0], g);
@@ -81,15 +99,17 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL 
         s = k[0] - u - footpoint_detail_KIND_bend(k, u, v, f);
         t = l[0] - v - footpoint_detail_KIND_bend(l, u, v, g);
         over = 1.0 / ((1.0 + f[0]) * (1.0 + g[1]) - f[1] * g[0]);
+        inverse = fabs(over) * footpoint_detail_larger(fabs(1.0 + g[1]) + fabs(f[1]),
+                                                       fabs(1.0 + f[0]) + fabs(g[0]));
         f[1] = over * ((1.0 + g[1]) * s - f[1] * t);
         g[0] = over * ((1.0 + f[0]) * t - g[0] * s);
         u += f[1];
         v += g[0];
         moved = f[1] * f[1] + g[0] * g[0];
+        step = footpoint_detail_larger(fabs(f[1]), fabs(g[0]));
     }
     at[0] = u;
     at[1] = v;
-    at[2] = moved;
     wide = 1.002 * footpoint_detail_larger(footpoint_detail_larger(fabs(u), fabs(v)), reach);
     s = fabs(k[0]) - footpoint_detail_KIND_bounds(k, reach, wide, f) - off[0];
     t = fabs(l[0]) - footpoint_detail_KIND_bounds(l, reach, wide, g) - off[1];
@@ -103,6 +123,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL 
     f[1] += s + s;
     g[0] += t + t;
     g[1] += t + t;
+    at[2] = footpoint_detail_KIND_near(step, inverse, footpoint_detail_larger(s, t),
+                                       footpoint_detail_larger(f[0] + f[1], g[0] + g[1]), most);
     over = 4e8 * footpoint_detail_unit();
     s += (4.0 * (f[0] + f[1]) + over) * moved;
     t += (4.0 * (g[0] + g[1]) + over) * moved;
@@ -161,8 +183,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
                          footpoint_detail_KIND_bend(c[i], w[0], w[1], slope));
     beyond = footpoint_detail_SHAPE_beyond(at[0], at[1]);
     *status = beyond > 0.0 ? FOOTPOINT_OUTSIDE : footpoint_detail_met();
-    hit |= footpoint_detail_above(w[2], REAL_MARGIN) | footpoint_detail_bits(beyond - REAL_MIN) |
-           footpoint_detail_above(off[0] + off[1], ALONG_PROMISE);
+    hit |= footpoint_detail_above(w[2], 0.99 * ALONG_PROMISE) |
+           footpoint_detail_bits(beyond - REAL_MIN);
     return (doubt & hit) | footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
            footpoint_detail_above(w[0] * w[0] + w[1] * w[1], 1e4);
 }

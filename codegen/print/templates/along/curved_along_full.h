@@ -23,20 +23,24 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along_step(const REAL *const *x, 
            footpoint_detail_bits(across * across - 100.0 * REAL_FLAT * size);
 }
 
-/* 1 if p is in the plane of the tangents at 16 places: then it is everywhere, as the volume that the three span is of
- * degree 3 in xi and in eta. */
+/* 1 if rounding errors may hide that p is in the plane of the tangents at 16 places: then it is everywhere, as the volume that the
+ * three span is of degree 3 in xi and in eta.  Tangents are sums of differences of nodes, times 8 at most, to 16 units, and products
+ * to 7 more. */
 FOOTPOINT_FN int footpoint_detail_KIND_edge_on(const REAL *const *x, const REAL p[3])
 {
     const REAL low = NODES > 6 ? -1.0 : 0.0, third = (1.0 - low) / 3.0;
-    REAL u[3], v[3], d[3], n[3], across, size;
-    int i;
+    const REAL unit = footpoint_detail_unit() * footpoint_detail_manhattan(p);
+    REAL u[3], v[3], d[3], n[3], edges = 0.0;
+    int i, k;
+    for (i = 1; i < NODES; i++)
+        for (k = 0; k < 3; k++)
+            edges += fabs(x[i][k] - x[0][k]);
     for (i = 0; i < 16; i++) {
         footpoint_detail_KIND_surface(x, low + third * (REAL)(i & 3), low + third * (REAL)(i >> 2),
                                       u, v, d);
         footpoint_detail_cross(u, v, n);
-        across = footpoint_detail_dot(n, p);
-        size = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v) * footpoint_detail_dot(p, p);
-        if (across * across > 100.0 * REAL_FLAT * size)
+        if (fabs(footpoint_detail_dot(n, p)) >
+            200.0 * unit * edges * (footpoint_detail_manhattan(u) + footpoint_detail_manhattan(v)))
             return 0;
     }
     return 1;
@@ -93,14 +97,40 @@ FOOTPOINT_FN void footpoint_detail_KIND_ahead(const REAL *const *x, const REAL p
     at[2] = footpoint_detail_dot(p, d) / sqrt(footpoint_detail_dot(p, p));
 }
 
-/* Where the line meets the surface beyond the edges: of steps from five places, the first that lead to a point. */
-FOOTPOINT_FN int footpoint_detail_KIND_beside(const REAL *const *x, const REAL p[3], REAL at[3])
+/* 1 if a point of the surface is proved to lie within the promise, times |at| where that is above 1, of `at`, which moves to where the
+ * proof has it: as in parts of the face, smaller ones if a larger one does not tell.  Rounding errors grow as the highest powers of
+ * u and v. */
+FOOTPOINT_COLD int footpoint_detail_KIND_beyond(const footpoint_detail_KIND_view *s, REAL at[3])
+{
+    footpoint_detail_KIND_view far = *s;
+    REAL from[3], to[2], wide, half, most;
+    int i;
+    footpoint_detail_SHAPE_start(0, from);
+    wide = footpoint_detail_larger(fabs(at[0] - from[0]), fabs(at[1] - from[1]));
+    wide = footpoint_detail_larger(1.0, 1.1 * wide);
+    most = footpoint_detail_larger(fabs(at[0]), fabs(at[1]));
+    most = 0.99 * ALONG_PROMISE * footpoint_detail_larger(1.0, most);
+    far.off *= NODES > 6 ? wide * wide * (wide * wide) : wide * wide;
+    for (half = 0.05 * wide, i = 0; i < 4; half /= 16.0, i++)
+        if (footpoint_detail_KIND_line_about(&far, at[0] - from[0], at[1] - from[1], half,
+                                             most / half, to) == 1) {
+            at[0] = from[0] + to[0];
+            at[1] = from[1] + to[1];
+            return footpoint_detail_SHAPE_beyond(at[0], at[1]) > 0.0;
+        }
+    return 0;
+}
+
+/* Where the line meets the surface beyond the edges: of steps from five places, the first that lead to a point that is proved. */
+FOOTPOINT_FN int footpoint_detail_KIND_beside(const REAL *const *x, const REAL p[3],
+                                              const footpoint_detail_KIND_view *s, REAL at[3])
 {
     int k;
     for (k = 0; k < 5; k++) {
         footpoint_detail_SHAPE_start(k, at);
         if (footpoint_detail_KIND_walk(x, p, at) >> REAL_TOP ||
-            footpoint_detail_SHAPE_beyond(at[0], at[1]) <= 0.0)
+            footpoint_detail_SHAPE_beyond(at[0], at[1]) <= 0.0 ||
+            !footpoint_detail_KIND_beyond(s, at))
             continue;
         footpoint_detail_KIND_ahead(x, p, at);
         return FOOTPOINT_OUTSIDE;
@@ -112,7 +142,7 @@ FOOTPOINT_FN int footpoint_detail_KIND_beside(const REAL *const *x, const REAL p
 FOOTPOINT_FN void footpoint_detail_KIND_place(const REAL *const *x, const REAL p[3],
                                               const REAL found[3], REAL at[3])
 {
-    const REAL promise = 2.0 * ALONG_PROMISE;
+    const REAL half = 0.5 * ALONG_PROMISE;
     REAL y[3];
     footpoint_detail_SHAPE_start(0, at);
     at[0] += found[0];
@@ -120,9 +150,9 @@ FOOTPOINT_FN void footpoint_detail_KIND_place(const REAL *const *x, const REAL p
     y[0] = at[0];
     y[1] = at[1];
     y[2] = 0.0;
-    if ((found[2] > 0.0 || footpoint_detail_SHAPE_beyond(at[0], at[1]) > promise) &&
+    if ((found[2] > 0.0 || footpoint_detail_SHAPE_beyond(at[0], at[1]) > 4.0 * half) &&
         !(footpoint_detail_KIND_walk(x, p, y) >> REAL_TOP) &&
-        (found[2] > 0.0 || fabs(y[0] - at[0]) + fabs(y[1] - at[1]) <= promise)) {
+        (found[2] > 0.0 || (fabs(y[0] - at[0]) <= half && fabs(y[1] - at[1]) <= half))) {
         at[0] = y[0];
         at[1] = y[1];
     }
@@ -157,7 +187,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_along_full(const REAL *const *x, const 
         surely += over < -2.0 * ALONG_PROMISE;
     }
     if (s.n == 0)
-        return footpoint_detail_KIND_beside(x, p, at);
+        return footpoint_detail_KIND_beside(x, p, &s, at);
     if (doubt > 0.0 || (maybe > 1 && surely < 2))
         return FOOTPOINT_UNPROVED;
     return maybe > 1 ? FOOTPOINT_NOT_UNIQUE : inside ? footpoint_detail_met() : FOOTPOINT_OUTSIDE;

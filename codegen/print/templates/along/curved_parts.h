@@ -104,11 +104,12 @@ FOOTPOINT_COLD int footpoint_detail_KIND_line_about(footpoint_detail_KIND_view *
 }
 
 /* 1 if the part is proved to hold no point, or one, which joins those that are found if it is none of these.  It is found once more
- * in a sixteenth of the part about it, and where it is known to the promise, points as near are the same. */
+ * in a sixteenth of the part about it.  Where it is known to half of the promise, points within twice that are the same, as parts
+ * reach farther into each other. */
 FOOTPOINT_FN int footpoint_detail_KIND_part(footpoint_detail_KIND_view *s, REAL u, REAL v,
                                             REAL half)
 {
-    const REAL near = half / 16.0, promise = 0.99 * ALONG_PROMISE;
+    const REAL near = half / 16.0, promise = 0.49 * ALONG_PROMISE;
     REAL at[2], *to = s->found[s->n];
     int i;
     const int told = footpoint_detail_KIND_line_about(s, u, v, half, 1e-4, at);
@@ -139,7 +140,7 @@ FOOTPOINT_FN void footpoint_detail_KIND_meets(footpoint_detail_KIND_view *s)
         u = low + half * (REAL)(2 * i + 1);
         v = low + half * (REAL)(2 * j + 1);
         if (!(NODES < 7 && u + v > 1.0 / 3.0 + 2.01 * half) &&
-            !footpoint_detail_KIND_part(s, u, v, 1.001 * half)) {
+            !footpoint_detail_KIND_part(s, u, v, 1.001 * half + 4.0 * ALONG_PROMISE)) {
             if (++level > REAL_DIGITS / 2 + 3)
                 break;
             half *= 0.5;

@@ -193,20 +193,30 @@ FOOTPOINT_FN int footpoint_detail_quad4_excludes(const REAL k[6], const REAL z[3
     return turn * k[0] > 0.0 && apart > 2.0 * ALONG_PROMISE * bends + 3.0 * off * (2.0 + reach);
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside.  Where both are proved there is no other one. */
+/* Returns 1 if rounding errors may hide that p lies in the planes of the tangents everywhere. */
+FOOTPOINT_FN int footpoint_detail_quad4_edge_on(const REAL c1[3], const REAL c2[3],
+                                                const REAL c3[3], const REAL p[3], const REAL k[6])
+{
+    const REAL off =
+        footpoint_detail_manhattan(p) * footpoint_detail_quad4_rounding(c1, c2, c3, c3, 40.0);
+    const REAL a = footpoint_detail_manhattan(c1), b = footpoint_detail_manhattan(c2);
+    const REAL c = footpoint_detail_manhattan(c3);
+    return !(fabs(k[0]) > off * (a + b) || fabs(k[1]) > off * (a + c) ||
+             fabs(k[2]) > off * (b + c));
+}
+
+/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
+ * other one. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const REAL p[3],
                                                      REAL at[3])
 {
-    REAL c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, wide, off;
+    REAL c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, off;
     int i, best, proved[2], could[2], inside[2], near = 0, surely = 0;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
     size =
         footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
-    wide = footpoint_detail_manhattan(k);
-    if (footpoint_detail_bits(wide * wide -
-                              10.0 * REAL_FLAT * (size * size) * footpoint_detail_dot(p, p)) >>
-        REAL_TOP)
+    if (footpoint_detail_quad4_edge_on(c1, c2, c3, p, k))
         return FOOTPOINT_ERR_DEGENERATE;
     if (footpoint_detail_quad4_solve(c1, c2, c3, d, p, k, z, reach, proved) != FOOTPOINT_OK)
         return FOOTPOINT_ERR_DOMAIN;
@@ -218,9 +228,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const
         near += could[i] && reach[i] <= 1.0 + ALONG_PROMISE;
         surely += could[i] && reach[i] < 1.0 - ALONG_PROMISE;
     }
-    best = inside[0] == inside[1]
-               ? (inside[0] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0])
-               : inside[1];
+    if (inside[0] != inside[1])
+        best = inside[1];
+    else if (inside[0])
+        best = fabs(z[1][2]) < fabs(z[0][2]);
+    else
+        best = proved[0] == proved[1] ? reach[1] < reach[0] : proved[1];
     for (i = 0; i < 3; i++)
         at[i] = z[best][i];
     if ((could[0] && !proved[0]) || (could[1] && !proved[1]) || (near == 2 && surely < 2))
