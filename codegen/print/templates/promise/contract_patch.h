@@ -4,4 +4,5 @@
  * polynomials make just beyond an edge, is proved to lie within NAME_PROMISE, a macro, of (xi,eta).  FOOTPOINT_OUTSIDE: (xi,eta) lies on
  * an edge or in a corner, and within NAME_PROMISE of a proved minimum of the distance to the closed patch, from which the distance falls
  * beyond the border.  Both hold for any normals of length 1, rounding errors included.  FOOTPOINT_UNPROVED: steps came to no proof, loc
- * and gap are where they ended; under -ffast-math nothing is proved.  NAME_at and NAME_n prove nothing. */
+ * and gap are where they ended; under -ffast-math nothing is proved.  On how many of the samples OK or OUTSIDE is proved stands above
+ * each function.  NAME_at and NAME_n prove nothing. */

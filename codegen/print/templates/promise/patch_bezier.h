@@ -17,11 +17,17 @@ FOOTPOINT_PART void footpoint_detail_bezier_local(const footpoint_detail_bezier_
     footpoint_detail_net_local(&t->net, p, q, l);
 }
 
-/* What third derivatives are greater by inside, beside the net's bounds; on edges by nothing. */
+/* What third derivatives are greater by inside, beside the net's bounds, and along edges. */
 FOOTPOINT_PART REAL footpoint_detail_bezier_inner(const footpoint_detail_bezier_terms *t, REAL p,
                                                   REAL q)
 {
     (void)t, (void)p, (void)q;
+    return 0.0;
+}
+
+FOOTPOINT_FN REAL footpoint_detail_bezier_rim(const footpoint_detail_bezier_terms *t)
+{
+    (void)t;
     return 0.0;
 }
 

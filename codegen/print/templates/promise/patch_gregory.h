@@ -64,8 +64,12 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *x,
     return most;
 }
 
-/* Rounding, of d* the longest edge and w the largest quotient of an edge and a handle along it: handles are off by 2.9 u d*, k b and l b
- * by 5.3 u w d*, what edges make of inner points by 8.2 u w^2 d*, of which 18 and 60 w^2 d* are the sums in d and in tangents. */
+/* Rounding, of d* the longest edge and w >= 2.98 the largest quotient of an edge and a handle along it, as lengths: handles are off by 3.2
+ * u d*, so b / |b|^2 by 3.2 u w and 4 u w of products; |b| <= d* / 3.  At the other end of an edge handles are w / 3 times as long at most:
+ * k turn and l b are off by 1.7 u w^2 d*, twice middle, of middle <= 5 / 3 of an edge, by 13 u w^2 d*, made[] <= 1.9 w^2 d* by 64 u w^2 d*
+ * with the sum.  In d the four corners weigh 1 / 16 of that, in tangents 1 / 8 and 0.06 of twice that for x / (x + y), in second derivatives
+ * 3 / 8 and 0.6 of twice that: 5, 12 and 100 u w^2 d*.  Weights are off by some 20 u of themselves, those of second derivatives by
+ * 0.5 (3 u / (x + y) / 2 + 20 u) of twist <= 3.8 w^2 d*, 330 u w^2 d* where x + y is 0.01.  18, 60 and 280 2.5 allow for both. */
 FOOTPOINT_PART void footpoint_detail_gregory_expand(const REAL *const *x,
                                                     footpoint_detail_gregory_terms *t)
 {
@@ -170,7 +174,12 @@ FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregor
 }
 
 /* What third derivatives are greater by inside, beside the net's bounds: the twists' are less than 16.5 + 2.92 / (x + y) times
- * those, within a quarter of x + y.  On edges they are nothing. */
+ * those, within a quarter of x + y.
+ *
+ * How: h = x^2 y / (x + y), a = x / (x + y), b = 1 - a: h_x = y a (1 + b), h_y = x a^2, h_xx = 2 b^3, h_xy = a^2 (3 - 2 a), h_yy = -2 a^3, and
+ * the third ones -6 b^3, 6 a b^2, -6 a^2 b, 6 a^3 over x + y.  There x, y are 1.0625 at most, a and b 7/6, f 1.13, f' 2.125, f'' 2.  The third
+ * ones add 6/8 f f (|b^3| + 2 |a| b^2 + a^2 |b|) / (0.75 (x + y)) <= 1.28 2.08 / (x + y), others 14.5 and 15.2 by Leibniz' rule.  Of `side`,
+ * m = x f and its derivatives are 0.149, 1.27, 4.38, 6 at most: (6 0.149 + 3 4.38 1.27) / 8 = 2.2, in footpoint_detail_gregory_expand. */
 FOOTPOINT_PART REAL footpoint_detail_gregory_inner(const footpoint_detail_gregory_terms *t, REAL p,
                                                    REAL q)
 {
@@ -183,7 +192,14 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_inner(const footpoint_detail_gregor
     return sum;
 }
 
-/* Where that holds: up to so far from (p,q), not nearer to a corner than x + y = 0.01, where rounding takes the digits of second
+/* What r_ppq is greater by along edges q = -1 and 1, and r_pqq along the others: of the two corners of an edge |f'' x + 2 f'| / 8 <= 0.55
+ * twists each, and nothing along the others; r_ppp and r_qqq along edges are the net's. */
+FOOTPOINT_FN REAL footpoint_detail_gregory_rim(const footpoint_detail_gregory_terms *t)
+{
+    return 0.55 * (t->twists[0] + t->twists[1] + t->twists[2] + t->twists[3]);
+}
+
+/* Where inner bounds hold: up to so far from (p,q), not nearer to a corner than x + y = 0.01, where rounding takes the digits of second
  * derivatives. */
 FOOTPOINT_PART REAL footpoint_detail_gregory_ball(REAL p, REAL q)
 {

@@ -8,7 +8,8 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
 }
 
 /* By how much rounding may change (r_xi . D, r_eta . D), and per step, see footpoint_detail_net; dot products and Cramer's rule count
- * as 9 u |r_i| |D|, and a step as much more as entries of the Hessian are off by. */
+ * as 3 + 4 of 9 u |r_i| |D|, and a step as much more as both entries of a row of the Hessian are off by, 1820 u far^2, and its determinant,
+ * 3 u (r11 r22 + r12^2) <= 42 u far^2 max(r11, r22). */
 FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REAL u, REAL v, REAL d,
                                               REAL step, REAL off[2])
 {
@@ -39,9 +40,10 @@ FOOTPOINT_PART void footpoint_detail_KIND_bare(const footpoint_detail_KIND_terms
  * max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|.  If h = w step <= 1/4, then there is a
  * root within 1.2 step of x, it is within 0.7 h step of where the step ends, and H is positive definite all the way there.
  *
- * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far; that and what l_i are off by take 7000 u far^2 |H^-1| of
- * what is allowed to h.  The weak inequality of `det` keeps the rounding errors of w and of the step below what 0.72, 0.249 and 0.999
- * leave. */
+ * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far: 2 2.5 35 and 19 of r_i . r_j, 280 + 3.5 12 of r_ij . D.  Let
+ * e = 1820 u far^2 |H^-1|.  It adds 0.27 e to h, and l_i, off by 5 far 2 1680 u far of |r_ij| twice, 3400 u far^2 |H^-1| as steps are 0.1 at
+ * most: 7000 u far^2 |H^-1| is taken of what is allowed to h, which keeps e below 0.07, so that H is definite, too.  The weak
+ * inequality of `det` keeps the rounding errors of w and of the step below what 0.72, 0.249 and 0.999 leave. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_terms *of,
                                                     const footpoint_detail_local *r, REAL promise,
                                                     REAL *p, REAL *q)

@@ -28,7 +28,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_border(const footpoint_detail_KIND_term
     const REAL *const bend = j ? r->vv : r->uu;
     const REAL size[2] = {footpoint_detail_sum(r->u), footpoint_detail_sum(r->v)};
     const REAL d = footpoint_detail_sum(r->d), third = of->net.third[j],
-               other = of->net.third[1 - j];
+               other = of->net.third[1 - j] + footpoint_detail_KIND_rim(of);
     const REAL slope = footpoint_detail_dot(across, r->d) * (REAL)out[1 - j];
     const REAL f = footpoint_detail_dot(along, r->d);
     const REAL h = footpoint_detail_dot(along, along) - footpoint_detail_dot(bend, r->d);
