@@ -1,7 +1,7 @@
 /* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene,
- * with FOOTPOINT_LONG on all of them, else of some scenes on the random ones, and must show the figures of its banner; it
- * must compute what its genome does; and the checked function must agree with the unchecked one however the corners are
- * numbered; of nodes on a line it must say so. */
+ * with FOOTPOINT_LONG on all of them, else of some scenes on the random ones, and must show the figures of its banner, of
+ * patches the share of proved answers, too.  It must compute what its genome does; and the checked function must agree with
+ * the unchecked one however the corners are numbered; of nodes on a line it must say so. */
 #include "../../codegen/base/random.h"
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/eval/lines_run.h"
@@ -87,6 +87,30 @@ static void measure(const struct header_function *m, const struct genome *g, con
         check_note(g, key, k, set->n, &e);
         free(error[k]);
     }
+}
+
+/* The note of a genome of patches says how many samples the checked function proves; of some samples, about. */
+static void check_share(const struct header_function *m, const struct genome *g, const struct sample_set *set,
+                        const char *part)
+{
+    const char *text = genome_find_note(g->note, g->notes, "statuses");
+    double share = 0, proved = 0;
+    size_t n = 0;
+    for (size_t i = 0; i < set->n; i++) {
+        const double *x[SEGMENT_VECTORS];
+        double loc[2], gap;
+        for (int k = 0; k < SEGMENT_VECTORS; k++)
+            x[k] = set->s[i].x[k];
+        const int status = m->locate(x, set->s[i].xs, loc, &gap);
+        proved += status == FOOTPOINT_OK || status == FOOTPOINT_OUTSIDE;
+    }
+    proved *= 100 / (double)set->n;
+    if (!text || sscanf(text, "proved on %lf %% of %zu samples", &share, &n) != 2)
+        fail_msg("%s lacks: note statuses proved on %.2f %% of %zu samples of %s, FOOTPOINT_UNPROVED on the others",
+                 g->name, proved, set->n, part);
+    const double chance = set->n < n ? 5 * sqrt(fmax(1, share * (100 - share)) / (double)set->n) : 0;
+    if (!(fabs(share - proved) <= chance + 0.02))
+        fail_msg("%s: the banner says %g %% are proved, measured %g %%", m->name, share, proved);
 }
 
 /* The code in double against the genome in double, gene by gene: they differ by rounding alone.  By blocks, whose columns
@@ -272,6 +296,8 @@ static void check_scene(const char *name)
             assert_non_null(g);
             if (measured)
                 measure(&header_functions[i], g, &set, heldout_part[p].name);
+            if (off && *scene->segment->normals)
+                check_share(&header_functions[i], g, &set, heldout_part[p].name);
             compare_with_genome(&header_functions[i], f, g, &set);
             if (off && scene->order == CORNERS_ANY)
                 check_some(&header_functions[i], scene->segment, &set);
