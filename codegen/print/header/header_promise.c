@@ -106,14 +106,21 @@ static const struct function *start_of(const struct unit *u, const struct functi
 /* The error from which steps on a patch converge. */
 #define NEAR 0.02
 
-/* On a patch: how many steps of Newton, each of which leaves an error's square, come before one that is proved, from NEAR and within some
- * ten times that; and about what a step costs. */
-enum { PATCH_STEPS = 4, PATCH_STEP_COST = 500 };
+/* On a patch: how many steps come before one that is proved, from NEAR and within some ten times its error's square; and about what a step
+ * costs. */
+enum { PATCH_STEPS = 4, PATCH_STEP_COST = 550 };
+
+/* What such a step leaves of an error e, at most but for 1 % of the samples of gregory: from 0.084 1.3e-4, 0.027 2.3e-6, 0.013 6e-7. */
+static double step_leaves(double e)
+{
+    return e * e * (0.3 * e + 0.003);
+}
+
 static int patch_steps(const struct function *start, double promise)
 {
     int steps = 0;
     for (double e = usual_error(start); steps < PATCH_STEPS && !(e < NEAR && 10.0 * e * e < promise); steps++)
-        e *= e;
+        e = step_leaves(e);
     return steps;
 }
 

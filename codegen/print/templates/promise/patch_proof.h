@@ -19,19 +19,30 @@ FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REA
     off[1] = place * v + turn;
 }
 
-/* A step from (*p,*q) to the foot point, kept in the patch, without a proof. */
+/* A step from (*p,*q) to the foot point, kept in the patch, without a proof: Newton's, and what the same Hessian makes of the slopes that
+ * it leaves if third derivatives are nothing, so that its error falls by the third power until these tell. */
 FOOTPOINT_PART void footpoint_detail_KIND_bare(const footpoint_detail_KIND_terms *of, REAL *p,
                                                REAL *q)
 {
     footpoint_detail_local r;
     footpoint_detail_newton n;
+    REAL f = 0.0, g = 0.0;
+    int k;
     footpoint_detail_KIND_local(of, *p, *q, &r);
     footpoint_detail_newton_of(&r, &n);
-    *p = footpoint_detail_KIND_kept(*p + n.s);
-    *q = footpoint_detail_KIND_kept(*q + n.t);
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 3; k++) {
+        const REAL u = r.u[k] + (n.s * r.uu[k] + n.t * r.uv[k]);
+        const REAL v = r.v[k] + (n.s * r.uv[k] + n.t * r.vv[k]);
+        const REAL d = r.d[k] - 0.5 * (n.s * (r.u[k] + u) + n.t * (r.v[k] + v));
+        f += u * d;
+        g += v * d;
+    }
+    *p = footpoint_detail_KIND_kept(*p + (n.s + (n.r22 * f - n.r12 * g) * n.per));
+    *q = footpoint_detail_KIND_kept(*q + (n.t + (n.r11 * g - n.r12 * f) * n.per));
 }
 
-/* The same, of a point in the patch, where r is the surface.  The highest bit of the result is not set if a minimum of the distance is
+/* Newton's step from a point in the patch, where r is the surface.  The highest bit of the result is not set if a minimum of the distance is
  * proved to lie within `promise` of the answer, on the patch or on the surface that its polynomials make beside it.
  *
  * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11 r12; r12 r22];
