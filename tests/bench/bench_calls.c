@@ -13,9 +13,9 @@
 #include "../../runtime/geometry/footpoint-quad9-geometry.h"
 #include "../../runtime/geometry/footpoint-tri3-geometry.h"
 #include "../../runtime/geometry/footpoint-tri6-geometry.h"
-#include "../rivals/newton_lanes_calls.h"
 #include "../rivals/rivals_along.h"
 #include "../rivals/rivals_derivatives.h"
+#include "../rivals/rivals_from.h"
 #include "../support/kind_arguments.h"
 #include "calls.h"
 
@@ -76,7 +76,7 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
     DEFINE_ONE(name, if (!(found)) NO_ANSWER)                                                                          \
     DEFINE_LOOP(name, found, derivatives)
 
-/* ---- by hand, and of the library ---- */
+/* ---- by hand ---- */
 
 #define NODES(kind) NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1])
 #define DIRECTION(kind) x[VECTORS_OF_##kind]
@@ -177,6 +177,47 @@ BY_HAND(DEFINE)
 DEFINE_FAIR(newton_fair_checked, 1)
 DEFINE_FAIR(newton_fair_over, BENCH_OVER)
 
+/* ---- by hand, from the last answer ---- */
+
+/* The last answer, for a call. */
+#define LAST loc[0] = in[i].before[0], loc[1] = in[i].before[1]
+#define DEFINE_FROM_CALLS(name, found) DEFINE_ONE(name, LAST; if (!(found)) NO_ANSWER)
+#define DEFINE_FROM_LOOP(name, found)                                                                                  \
+    DEFINE_FROM_CALLS(name, found)                                                                                     \
+    DEFINE_LOOP(name, (loc[0] = b->before[0][i], loc[1] = b->before[1][i], found), 0)
+#define DEFINE_FROM_LANES(name, tolerance, fair)                                                                       \
+    DEFINE_FROM_CALLS(name, rival_quad4_from(x, tolerance, loc, &gap))                                                 \
+    DEFINE_MANY(                                                                                                       \
+        name, for (int first = 0; first < BENCH_BLOCK; first += NEWTON_LANES) {                                        \
+            const double *lane[15];                                                                                    \
+            int answered[NEWTON_LANES];                                                                                \
+            for (int k = 0; k < 15; k++)                                                                               \
+                lane[k] = x[k] + first;                                                                                \
+            newton_lanes_from(lane, tolerance, b->before[0] + first, b->before[1] + first, b->xi + first,              \
+                              b->eta + first, b->gap + first, answered);                                               \
+            for (int i = 0; i < NEWTON_LANES; i++)                                                                     \
+                b->status[first + i] = answered[i] ? FOOTPOINT_OK : FOOTPOINT_ERR_NO_CONVERGENCE;                      \
+        })
+/* R(name, tolerance, whether fair) and R(kind, name, found, whether fair); Newton to 1e-10 stands first of each kind. */
+#define FROM_LANES(R)                                                                                                  \
+    R(newton_from, RIVAL_NEWTON_TOLERANCE, 0)                                                                          \
+    R(newton_fair_from, RIVAL_FAIR_TOLERANCE, 1)                                                                       \
+    R(newton_loose_from, RIVAL_NEWTON_LOOSE, 0)
+#define FROM_CURVED(R, kind)                                                                                           \
+    R(kind, kind##_newton_from, rival_##kind##_from(x, RIVAL_NEWTON_TOLERANCE, loc, &gap), 0)                          \
+    R(kind, kind##_newton_fair_from, rival_##kind##_from(x, RIVAL_FAIR_TOLERANCE, loc, &gap), 1)
+#define FROM_LOOPS(R)                                                                                                  \
+    R(quad4, newton_1_from, rival_quad4_from_fixed(x, RIVAL_FROM_NEWTON, loc, &gap), 0)                                \
+    R(quad4, newton_2_from, rival_quad4_from_fixed(x, RIVAL_FROM_NEWTON_TWICE, loc, &gap), 0)                          \
+    R(quad4, chebyshev_from, rival_quad4_from_fixed(x, RIVAL_FROM_CHEBYSHEV, loc, &gap), 0)                            \
+    FROM_CURVED(R, tri6) FROM_CURVED(R, quad8) FROM_CURVED(R, quad9)
+#define DEFINE(kind, name, found, fair) DEFINE_FROM_LOOP(name, found)
+FROM_LANES(DEFINE_FROM_LANES)
+FROM_LOOPS(DEFINE)
+#undef DEFINE
+
+/* ---- of the library ---- */
+
 DEFINE_ONE(footpoint_locate, (void)footpoint_locate(NODES(quad4), loc, &gap))
 BATCH_FN(footpoint_locate)
 {
@@ -241,6 +282,11 @@ DEFINE_ONE(footpoint_differentiate, {
                 slaves[k] = x[3 * (VECTORS_OF_##kind - 1) + k] + i;                                                    \
             name##_over_n(nodes, BENCH_OVER, slaves, b->xi + i, b->eta + i, b->gap + i, b->status + i);                \
         })
+/* Answers replace the last ones, so that a loop over arrays begins with a copy. */
+#define FROM(scene, kind, name)                                                                                        \
+    DEFINE_FROM_CALLS(name##_from, name##_from(NODES(kind), loc, &gap) >= 0)                                           \
+    DEFINE_MANY(name##_from, memcpy(b->xi, b->before[0], sizeof b->xi); memcpy(b->eta, b->before[1], sizeof b->eta);   \
+                name##_from_n(BENCH_BLOCK, x, b->xi, b->eta, b->gap, b->status))
 #define CLOSEST(scene, kind, name)                                                                                     \
     DEFINE_ONE(name##_closest, int region; (void)name##_closest(NODES(kind), loc, &gap, &region))                      \
     DEFINE_MANY(name##_closest, name##_closest_n(BENCH_BLOCK, x, b->xi, b->eta, b->gap, b->region, b->status))
@@ -263,6 +309,7 @@ DEFINE_ONE(footpoint_differentiate, {
 #include "calls.inc"
 #undef CHECKED
 #undef OVER
+#undef FROM
 #undef CLOSEST
 #undef ALONG
 #undef DERIVATIVES
@@ -282,6 +329,20 @@ DEFINE_ONE(footpoint_differentiate, {
      .batch = batch_##name_},
 #define CHECKED(scene, kind, name) {OURS(scene, kind, name##_checked, ASK_CHECKED), .batch = batch_##name##_checked},
 #define OVER(scene, kind, name) {OURS(scene, kind, name##_over, ASK_OVER), .batch = batch_##name##_over},
+#define MOVED(name_, kind_, question_, move, ...)                                                                      \
+    {.name = #name_ move,                                                                                              \
+     .kind = #kind_,                                                                                                   \
+     .question = question_,                                                                                            \
+     .scalar = scalar_##name_,                                                                                         \
+     .batch = batch_##name_,                                                                                           \
+     __VA_ARGS__},
+#define MOVES(name, kind, ...)                                                                                         \
+    MOVED(name, kind, ASK_FROM_NEAR, "_1e-3", __VA_ARGS__)                                                             \
+    MOVED(name, kind, ASK_FROM, "_1e-2", __VA_ARGS__)                                                                  \
+    MOVED(name, kind, ASK_FROM_FAR, "_1e-1", __VA_ARGS__)
+#define FROM(scene_, kind, name) MOVES(name##_from, kind, .scene = scene_, .ours = 1)
+#define FROM_LOOPS_ROW(kind, name, found, fair_) MOVES(name, kind, .fair = fair_)
+#define FROM_LANES_ROW(name, tolerance, fair_) MOVES(name, quad4, .fair = fair_)
 #define CLOSEST(scene, kind, name) {OURS(scene, kind, name##_closest, ASK_CLOSEST), .batch = batch_##name##_closest},
 #define ALONG(scene, kind, name) {OURS(scene, kind, name##_along, ASK_ALONG), .batch = batch_##name##_along},
 #define DERIVATIVES(scene, kind, KIND, name)                                                                           \
@@ -289,7 +350,8 @@ DEFINE_ONE(footpoint_differentiate, {
         {OURS(scene, kind, name##_hessian, ASK_DERIVATIVES)},
 
 static const struct bench_method calls[] = {
-    BY_HAND(ROW) FAIR(newton_fair_checked, ASK_CHECKED) FAIR(newton_fair_over, ASK_OVER) //
+    BY_HAND(ROW) FAIR(newton_fair_checked, ASK_CHECKED) FAIR(newton_fair_over, ASK_OVER) FROM_LANES(FROM_LANES_ROW)
+        FROM_LOOPS(FROM_LOOPS_ROW) //
     {OURS("quad4", quad4, footpoint_locate, ASK_CHECKED), .batch = batch_footpoint_locate},
     {OURS("quad4", quad4, footpoint_robust, ASK_CLOSEST)},
     {OURS("quad4", quad4, footpoint_differentiate, ASK_DERIVATIVES)},

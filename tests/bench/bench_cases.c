@@ -13,12 +13,24 @@
 #include <string.h>
 
 enum { SEED = 20271 };
-static const double before_distance = 0.02, turn = 2.399963229728653; /* in xi and eta; the golden angle */
+static const double turn = 2.399963229728653; /* the golden angle */
 
-struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s, size_t i)
+/* How far the answer of the step before lies from the foot point; of the segment. */
+static double move_of(enum bench_question question)
 {
-    struct bench_input in = {
-        .before = {s->xi + before_distance * cos(turn * (double)i), s->eta + before_distance * sin(turn * (double)i)}};
+    return question == ASK_FROM_NEAR ? 1e-3 : question == ASK_FROM_FAR ? 1e-1 : 1e-2;
+}
+
+static void ask_from(const struct segment_kind *kind, double move, size_t i, struct bench_case *c)
+{
+    const double way = move * (kind->triangle ? 1 : 2); /* in xi and eta */
+    c->in.before[0] = c->xi + way * cos(turn * (double)i);
+    c->in.before[1] = c->eta + way * sin(turn * (double)i);
+}
+
+struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s)
+{
+    struct bench_input in = {.before = {0, 0}};
     for (int k = 0; k < 3; k++) {
         for (size_t n = 0; n < segment_vectors(kind); n++)
             in.x[n][k] = s->x[n][k];
@@ -138,7 +150,8 @@ struct bench_cases bench_cases_new(const struct scene *scene, enum bench_questio
     gsl_rng *stream = stream_new();
     for (size_t i = 0; i < n; i++) {
         const struct sample *s = &set->s[i * set->n / n];
-        cases.of[i] = (struct bench_case){bench_input_of(scene->segment, s, i), s->xi, s->eta, s->gap, 0};
+        cases.of[i] = (struct bench_case){bench_input_of(scene->segment, s), s->xi, s->eta, s->gap, 0};
+        ask_from(scene->segment, move_of(question), i, &cases.of[i]);
         cases.of[i].size = size_of(scene->segment, cases.of[i].in.x);
         stream_key(stream, SEED, question, i, 0);
         if (question == ASK_OVER)

@@ -18,10 +18,11 @@ struct bench_cases {
     size_t n;
 };
 
-/** What a method is given of sample number i.  The answer of the step before lies a hundredth of the segment away. */
-struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s, size_t i);
+/** Returns nodes and slave node of a sample; there is no answer of the step before. */
+struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s);
 
-/** Cases of a question, evenly spread over the set, `most` of them at most.
+/** Cases of a question, evenly spread over the set, `most` of them at most.  The answer of the step before lies a
+ *  hundredth of the segment away, of ASK_FROM_NEAR a thousandth, of ASK_FROM_FAR a tenth.
  *  ASK_OVER: BENCH_OVER cases after each other have the segment of the first of them, and foot point and gap, over the
  *  size of the face, of their own samples.
  *  ASK_CLOSEST: every other slave node is moved up to an edge beside its face, less far away from it than its longest edge

@@ -19,10 +19,12 @@ enum { TIMED_BLOCKS = 62, TIMED_SAMPLES = TIMED_BLOCKS * BENCH_BLOCK, REPEATS = 
 
 /* What errors are taken on at most: where samples are made into questions, those that are timed. */
 static const size_t most_cases[BENCH_QUESTIONS] = {600000,        600000,        TIMED_SAMPLES,
+                                                   TIMED_SAMPLES, TIMED_SAMPLES, TIMED_SAMPLES,
                                                    TIMED_SAMPLES, TIMED_SAMPLES, TIMED_SAMPLES};
 
 const char *const bench_mode_name[BENCH_MODES] = {"chain", "scalar", "batch"};
-const char *const bench_question_name[BENCH_QUESTIONS] = {"bare", "checked", "over", "closest", "along", "derivatives"};
+const char *const bench_question_name[BENCH_QUESTIONS] = {"bare",        "checked",   "over",      "closest",  "along",
+                                                          "derivatives", "from_1e-3", "from_1e-2", "from_1e-1"};
 
 static bool has_mode(const struct bench_method *m, int mode)
 {

@@ -31,6 +31,9 @@ enum bench_question {
     ASK_CLOSEST,     /* the closest point of the closed face: NAME_closest, NAME_closest_n */
     ASK_ALONG,       /* where the line through S in a direction meets the face: footpoint_SCENE_along, _along_n */
     ASK_DERIVATIVES, /* of xi, eta and gap by all coordinates, search and all: NAME_gradients, NAME_gradients_n */
+    ASK_FROM_NEAR,   /* with gap and status, from an answer 1e-3 of the face away: NAME_from, NAME_from_n */
+    ASK_FROM,        /* 1e-2 of it */
+    ASK_FROM_FAR,    /* 1e-1 of it */
     BENCH_QUESTIONS
 };
 extern const char *const bench_question_name[BENCH_QUESTIONS];

@@ -158,7 +158,10 @@ static void print_question(const struct scene *scene, enum bench_question questi
                                                       "checked, eight slave nodes over each segment",
                                                       "closest point of the closed face",
                                                       "along a direction",
-                                                      "with derivatives"};
+                                                      "with derivatives",
+                                                      "checked, from an answer 1e-3 of the face away",
+                                                      "checked, from an answer 1e-2 of the face away",
+                                                      "checked, from an answer 1e-1 of the face away"};
     if (question == ASK_BARE)
         printf("\n%s: the front of %d methods, all others with --all\n  %-40s %4s %3s %4s %4s", scene->name, methods,
                "method", "mul", "div", "add", "sqrt");

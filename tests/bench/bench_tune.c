@@ -32,7 +32,7 @@ static struct fit fit_new(const struct bench_method *m, const struct sample_set 
     f.found = new_array(f.n, sizeof *f.found);
     for (size_t i = 0; i < f.n; i++) {
         f.s[i] = &training->s[i * training->n / f.n];
-        f.in[i] = bench_input_of(segment_find(m->kind), f.s[i], i);
+        f.in[i] = bench_input_of(segment_find(m->kind), f.s[i]);
     }
     return f;
 }

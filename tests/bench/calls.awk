@@ -1,15 +1,17 @@
 # What callers get of the generated headers, as CHECKED(scene, kind, name), CLOSEST(...) and ALONG(...); OVER(...) of two
-# searches of each kind; and DERIVATIVES(scene, kind, KIND, name) of the searches that derivatives are worth while behind.
-# Read from their text.
+# searches of each kind, FROM(...) of some; and DERIVATIVES(scene, kind, KIND, name) of the searches that derivatives are
+# worth while behind.  Read from their text.
 FNR == 1 { scene = "" }
 /^ \* scene: / && scene == "" { scene = $3 }
 /^#define FOOTPOINT_[A-Z0-9]+_SEARCH$/ { split(tolower($2), part, "_"); kind = part[2] }
 /^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_checked_n\(/ { put("CHECKED", "_checked_n") }
+/^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_from_n\(/ { put("FROM", "_from_n") }
 /^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_closest_n\(/ { put("CLOSEST", "_closest_n") }
 /^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_along_n\(/ { put("ALONG", "_along_n") }
 function put(what, ending,    name) {
     name = $3
     sub(ending "\\(.*", "", name)
+    if (what == "FROM" && (scene != kind || name !~ /_(balanced|fine|precise|full)$/)) return
     printf "%s(\"%s\", %s, %s)\n", what, scene, kind, name
     if (what != "CHECKED" || scene != kind || kind ~ /gregory|bezier/) return
     if (name ~ /_(balanced|accurate)$/) printf "OVER(\"%s\", %s, %s)\n", scene, kind, name

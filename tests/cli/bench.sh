@@ -114,13 +114,14 @@ right() {
 }
 of_quad4() { right "$work/quad4.csv" "$2" "$3"; report $((! $?)) "quad4: $1"; }
 of_quad4 'every function has an answer, but footpoint_locate beside the segment' \
-    'if (q != "bare" && ours) holds = m == "footpoint_locate" ? none > 0 : none == 0' 80
+    'if (q != "bare" && ours) holds = m == "footpoint_locate" ? none > 0 : none == 0' 116
 of_quad4 'converged Newton asked the same is what a ratio is of' \
     'if (m ~ /^newton_(clamped|along|implicit)$/) holds = ratio == 1' 9
-of_quad4 'or fair Newton, if that is quicker' 'if (m ~ /^newton(_fair)?(_checked|_over)?$/) {
-    holds = ratio <= 1; key = mode " " q; if (key in other) holds = holds && (ratio == 1 || other[key] == 1); other[key] = ratio }' 18
+of_quad4 'or fair Newton, if that is quicker' 'if (m ~ /^newton(_fair)?(_checked|_over|_from_1e-[123])?$/) {
+    holds = ratio <= 1; key = mode " " q; if (key in other) holds = holds && (ratio == 1 || other[key] == 1); other[key] = ratio }' 36
 of_quad4 'checked' 'if (m ~ /(accurate|full|newton|newton_fair)_checked|locate/) holds = e < 1e-4 && d < 1e-9' 15
 of_quad4 'eight slave nodes over each segment' 'if (m ~ /(accurate|newton|newton_fair)_over/) holds = none == 0 && e < 1e-4 && d < 1e-9' 9
+of_quad4 'from the last answer' 'if (m ~ /full_from_|newton(_fair)?_from_1e-[23]/) holds = none == 0 && e < 1e-9 && d < 1e-9' 21
 of_quad4 'closest points' 'if (m ~ /(accurate|full)_closest|robust/) holds = e < 1e-4 && d < 1e-9' 8
 of_quad4 'four triangles are off where the face is warped, their points are not' \
     'if (m ~ /triangles/) holds = none == 0 && d > 1e-4 && d < 2e-2 && e < 0.2' 3
@@ -138,14 +139,14 @@ while read -r kind search questions by_hand; do
         if (m == "footpoint_'"${kind}_$search"'_" q || m == "footpoint_'"$kind"'_along" || m ~ /_gradients|_hessian|_robust$/)
             holds = none == 0 && e < 1e-3 && d < 1e-3' "$questions"
     report $((! $?)) "$kind: what callers get"
-    right "$work/$kind.csv" 'if (m ~ /(newton|areas)_(checked|over|along|implicit)$|regions$|attach_2d$/)
+    right "$work/$kind.csv" 'if (m ~ /(newton|areas)_(checked|over|along|implicit)$|newton(_fair)?_from_1e-[23]$|regions$|attach_2d$/)
         holds = none == 0 && e < 1e-7 && d < 1e-9' "$by_hand"
     report $((! $?)) "$kind: what is written by hand"
 done << END
 tri3 exact 16 12
-tri6 accurate 60 14
-quad8 full 71 14
-quad9 full 69 12
+tri6 accurate 87 26
+quad8 full 98 26
+quad9 full 96 24
 gregory full 21 3
 bezier full 18 3
 END

@@ -45,6 +45,9 @@ part() { # part SCENE SAMPLE
     methods "$1" "$2" closest 'The closest point of the closed face, every other slave node beside it'
     methods "$1" "$2" along 'Along a direction'
     methods "$1" "$2" derivatives 'With derivatives by all coordinates; errors are of these'
+    for move in 1e-3 1e-2 1e-1; do
+        methods "$1" "$2" from_$move "Checked, from an answer $move of the face away"
+    done
     echo '<details><summary>'
     grep "^$1 $2 " "$folder/front.txt" | awk 'END { print NR " rivals below the front" }'
     echo '</summary><div class=wide><pre>'

@@ -50,6 +50,7 @@ END {
     rival["closest"] = "four_triangles"
     rival["along"] = "newton_along"
     rival["derivatives"] = "newton_implicit"
+    for (k = 1; k <= 3; k++) rival["from_1e-" k] = "newton_from_1e-" k " newton_fair_from_1e-" k
     for (i = 1; i <= n; i++) {
         m = order[i]
         if (question[m] != "bare" && m !~ /_(checked|closest)$/)
