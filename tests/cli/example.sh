@@ -26,6 +26,8 @@ for search in Newton footpoint; do
 done
 below "xi and eta agree" "$(value "xi, eta off Newton's, worst" NF)" 1e-4
 below 'and so do the nodes at the end' "$(value 'nodes apart' NF)" 1e-8
+below 'from the last answers energies of each step are the same, Newton' "$(value 'last: energies off' '(NF-1)')" 1e-13
+below 'and footpoint' "$(value 'last: energies off' NF)" 1e-10
 [ "$(ls "$work"/frames/impact_*.vtk | wc -l)" = 20 ]; report $((! $?)) 'a series of 20 frames'
 awk '/^POINTS/ { points = $2 } /^CELLS/ { cells = $2; on = 1; next } /^CELL_TYPES/ { on = 0 }
      on { n++; for (i = 2; i <= 9; i++) if ($i < 0 || $i >= points) exit 1 } END { exit n != cells }' \

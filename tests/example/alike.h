@@ -46,28 +46,20 @@ static void search_newton_block(const struct model *m, struct world *w)
     search_columns(m, w, newton_block);
 }
 
-#ifdef LOCATE_ONE
 static void search_footpoint_one(const struct model *m, struct world *w)
 {
     for (int p = 0; p < w->pairs; p++) {
         const int *const node = m->seg[w->pair_seg[p]];
         double loc[2] = {0.0, 0.0}, gap;
-        LOCATE_ONE(w->x[node[0]], w->x[node[1]], w->x[node[2]], w->x[node[3]], w->x[m->slave[w->pair_slave[p]]], loc,
-                   &gap);
+        LOCATE(w->x[node[0]], w->x[node[1]], w->x[node[2]], w->x[node[3]], w->x[m->slave[w->pair_slave[p]]], loc, &gap);
         w->xi[p] = loc[0];
         w->eta[p] = loc[1];
     }
 }
-#endif
 
-/* What is compared, Newton's first; a search that there is not is the one over columns. */
+/* What is compared, Newton's first. */
 enum { ONE_AT_A_TIME, OVER_ARRAYS, WAYS };
-static void (*const alike[WAYS][2])(const struct model *, struct world *) = {
-#ifdef LOCATE_ONE
-    {search_newton, search_footpoint_one},
-#else
-    {search_newton, search_footpoint},
-#endif
-    {search_newton_block, search_footpoint}};
+static void (*const alike[WAYS][2])(const struct model *, struct world *) = {{search_newton, search_footpoint_one},
+                                                                             {search_newton_block, search_footpoint}};
 
 #endif

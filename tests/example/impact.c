@@ -1,11 +1,11 @@
 /* Two elastic plates collide: explicit dynamics with penalty contact, the loop that footpoint is made for.
  *
  * Slave nodes of the upper plate meet master segments of the lower one: penalty.h.  Elements: plates.h.  Here: central
- * differences, and what comes of them.  Two worlds advance side by side, one with each local search, so that both are
- * timed under the same load.
+ * differences, and what comes of them.  Four worlds advance side by side, one with each local search: Newton's iteration
+ * and footpoint, from scratch and from the answers of the step before, so that all are timed under the same load.
  *
- *     cc -O3 -march=native impact.c -o impact -lm
- *     ./impact                 both searches, a table
+ *     cc -O3 -march=native -fno-math-errno -fno-trapping-math impact.c -o impact -lm
+ *     ./impact                 all searches, a table
  *     ./impact 0.5 FOLDER      half the time step; energy.csv and VTK files in a folder that exists
  *     ./impact --inp           the mesh, as an input file with *CONTACT PAIR
  */
@@ -15,7 +15,7 @@
 
 static const double END = 0.03;                       /* ms */
 static const double VELOCITY[3] = {20.0, 5.0, -40.0}; /* of the upper plate, mm/ms */
-enum { GLOBAL_EVERY = 10, FRAMES = 20 };
+enum { GLOBAL_EVERY = 10, FRAMES = 20, WORLDS = 4 };
 
 static double seconds(void)
 {
@@ -108,8 +108,8 @@ static struct world start(const struct model *m, int steps)
 
 static void finish(struct world *w)
 {
-    void *const owned[] = {w->x,  w->v,   w->f,       w->pair_seg, w->pair_slave,
-                           w->xi, w->eta, w->nearest, w->distance, w->local};
+    void *const owned[] = {w->x,   w->v,       w->f,        w->pair_seg, w->pair_slave, w->xi,
+                           w->eta, w->last_xi, w->last_eta, w->nearest,  w->distance,   w->local};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++)
         free(owned[i]);
 }
@@ -222,7 +222,15 @@ static void write_energies(FILE *csv, double t, const struct world *w)
     fprintf(csv, "\n");
 }
 
-/* Largest distance between the two worlds' nodes. */
+/* Kinetic, strain and contact energy of two worlds: the largest difference, over their sum. */
+static double energies_apart(const struct world *a, const struct world *b)
+{
+    const double sum = a->kinetic + a->strain + a->contact;
+    const double most = fmax(fabs(a->kinetic - b->kinetic), fabs(a->strain - b->strain));
+    return fmax(most, fabs(a->contact - b->contact)) / sum;
+}
+
+/* Largest distance between the first two worlds' nodes. */
 static double difference(const struct model *m, const struct world *w)
 {
     double worst = 0.0;
@@ -256,6 +264,16 @@ static double median_ns(struct world *w, int steps)
     return 1e9 * w->local[1 + steps / 2];
 }
 
+/* apart: of the energies in any step from those of the same search from scratch. */
+static void report_last(struct world *w, const double apart[2], int steps)
+{
+    printf("from the answers of the step before\n");
+    row("last: local search, ns a pair", median_ns(&w[0], steps), median_ns(&w[1], steps), 1);
+    row("last: local search, ms", 1e3 * w[0].seconds[LOCAL], 1e3 * w[1].seconds[LOCAL], 1);
+    row("last: everything, ms", 1e3 * w[0].seconds[ALL], 1e3 * w[1].seconds[ALL], 1);
+    row("last: energies off, relative", apart[0], apart[1], 0);
+}
+
 static void report(const struct model *m, struct world *w, const struct balance *b, const struct errors *e, int steps)
 {
     const double ns[2] = {median_ns(&w[0], steps), median_ns(&w[1], steps)};
@@ -279,21 +297,25 @@ static void report(const struct model *m, struct world *w, const struct balance 
 
 static void run(const struct model *m, double dt, const char *folder)
 {
-    static void (*const search[2])(const struct model *, struct world *) = {search_newton, search_footpoint};
+    static void (*const search[WORLDS])(const struct model *, struct world *) = {
+        search_newton, search_footpoint, search_newton_last, search_footpoint_last};
     const int steps = (int)ceil(END / dt);
-    struct world w[2];
-    struct balance b[2];
+    struct world w[WORLDS];
+    struct balance b[WORLDS];
+    double apart[2] = {0.0, 0.0};
     struct errors errors = {0};
     FILE *const csv = folder ? open_file(folder, "energy.csv") : NULL;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < WORLDS; i++) {
         w[i] = start(m, steps);
         take_balance(m, &w[i], &b[i], 1);
     }
     for (int step = 1; step <= steps; step++) {
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < WORLDS; i++) {
             advance(m, &w[i], step, dt, search[i]);
             take_balance(m, &w[i], &b[i], 0);
         }
+        for (int i = 0; i < 2; i++)
+            apart[i] = fmax(apart[i], energies_apart(&w[i], &w[2 + i]));
         if (step % GLOBAL_EVERY == 0)
             take_errors(m, &w[1], &errors);
         if (folder)
@@ -304,7 +326,8 @@ static void run(const struct model *m, double dt, const char *folder)
     if (csv)
         fclose(csv);
     report(m, w, b, &errors, steps);
-    for (int i = 0; i < 2; i++)
+    report_last(w + 2, apart, steps);
+    for (int i = 0; i < WORLDS; i++)
         finish(&w[i]);
 }
 

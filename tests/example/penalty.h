@@ -1,16 +1,20 @@
 /* Contact, the part to copy: pairs by a global search in buckets, xi and eta of each pair by Newton's iteration or by
- * footpoint, penalty forces where the gap is negative.  Units: plates.h. */
+ * footpoint, from scratch or from the answers of the step before, penalty forces where the gap is negative.  Units:
+ * plates.h. */
 #ifndef PENALTY_H
 #define PENALTY_H
 
 #include "plates.h"
 
-#ifndef HEADER /* a generated header, its function over arrays, and (for a comparison alone) the same for one pair */
+#ifndef HEADER /* a generated header and a function of it */
 #define HEADER "../../generated/footpoint_quad4.h"
-#define LOCATE footpoint_quad4_balanced_n
-#define LOCATE_ONE footpoint_quad4_balanced
+#define LOCATE footpoint_quad4_balanced
 #endif
 #include HEADER
+
+/* The same over arrays, and from last answers. */
+#define OF_LOCATE(name, ending) name##ending
+#define LOCATE_AS(name, ending) OF_LOCATE(name, ending)
 
 static const double REACH = 0.3, DEPTH = 0.5; /* of global search, and of penetration at most; mm */
 enum { BLOCK = 128 };
@@ -19,7 +23,8 @@ enum { BLOCK = 128 };
 struct world {
     vec *x, *v, *f;
     int pairs, room, *pair_seg, *pair_slave;
-    double *xi, *eta;                       /* of pairs */
+    double *xi, *eta;                       /* of pairs; choose_segments() moves them onto the segment */
+    double *last_xi, *last_eta;             /* of pairs: where the search found them, NaN if it has not yet */
     int *nearest;                           /* pair of each slave node, -1: none */
     double *distance;                       /* of each slave node from its nearest segment */
     double kinetic, strain, contact, force; /* the last one on the upper plate along z */
@@ -38,7 +43,10 @@ static void add_pair(struct world *w, int seg, int slave)
         w->pair_slave = room_for(w->pair_slave, (size_t)w->room, sizeof *w->pair_slave);
         w->xi = room_for(w->xi, (size_t)w->room, sizeof *w->xi);
         w->eta = room_for(w->eta, (size_t)w->room, sizeof *w->eta);
+        w->last_xi = room_for(w->last_xi, (size_t)w->room, sizeof *w->last_xi);
+        w->last_eta = room_for(w->last_eta, (size_t)w->room, sizeof *w->last_eta);
     }
+    w->last_xi[w->pairs] = w->last_eta[w->pairs] = (double)NAN;
     w->pair_seg[w->pairs] = seg;
     w->pair_slave[w->pairs++] = slave;
 }
@@ -50,7 +58,7 @@ static int cell(double x, double low, double size, int n)
 }
 
 /* Pairs of a segment and the slave nodes within REACH of its box.  Slave nodes lie in buckets of 1 mm. */
-static void global_search(const struct model *m, struct world *w)
+static void find_pairs(const struct model *m, struct world *w)
 {
     vec low = {1e30, 1e30, 1e30}, high = {-1e30, -1e30, -1e30};
     int n[3];
@@ -97,6 +105,32 @@ static void global_search(const struct model *m, struct world *w)
     free(head);
 }
 
+/* Finds the pairs; those that were pairs before keep their last answers.  Pairs stand in the order of their segments. */
+static void global_search(const struct model *m, struct world *w)
+{
+    const int pairs = w->pairs;
+    int *const seg = room_for(NULL, 2 * (size_t)pairs, sizeof *seg), *const slave = seg + pairs, first = 0;
+    double *const xi = room_for(NULL, 2 * (size_t)pairs, sizeof *xi), *const eta = xi + pairs;
+    for (int p = 0; p < pairs; p++) {
+        seg[p] = w->pair_seg[p];
+        slave[p] = w->pair_slave[p];
+        xi[p] = w->last_xi[p];
+        eta[p] = w->last_eta[p];
+    }
+    find_pairs(m, w);
+    for (int p = 0; p < w->pairs; p++) {
+        while (first < pairs && seg[first] < w->pair_seg[p])
+            first++;
+        for (int k = first; k < pairs && seg[k] == w->pair_seg[p]; k++)
+            if (slave[k] == w->pair_slave[p]) {
+                w->last_xi[p] = xi[k];
+                w->last_eta[p] = eta[k];
+            }
+    }
+    free(seg);
+    free(xi);
+}
+
 /* ---- local search: xi and eta of all pairs ---- */
 
 static double dot(const vec a, const vec b)
@@ -104,11 +138,11 @@ static double dot(const vec a, const vec b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* r = c0 + c1 xi + c2 eta + c3 xi eta; Newton's iteration from the centre on r_xi . (S - r) = r_eta . (S - r) = 0. */
+/* r = c0 + c1 xi + c2 eta + c3 xi eta; Newton's iteration from loc on r_xi . (S - r) = r_eta . (S - r) = 0. */
 static void newton(const double *A, const double *B, const double *C, const double *D, const double *S, double loc[2])
 {
     vec c0, c1, c2, c3;
-    double xi = 0.0, eta = 0.0, u = 1.0, v = 1.0;
+    double xi = loc[0], eta = loc[1], u = 1.0, v = 1.0;
     for (int i = 0; i < 3; i++) {
         c0[i] = S[i] - 0.25 * (A[i] + B[i] + C[i] + D[i]);
         c1[i] = 0.25 * (B[i] - A[i] + C[i] - D[i]);
@@ -133,15 +167,21 @@ static void newton(const double *A, const double *B, const double *C, const doub
     loc[1] = eta;
 }
 
-static void search_newton(const struct model *m, struct world *w)
+/* From the centre of the segment, or from the last answer where there is one. */
+static void search_newton_from(const struct model *m, struct world *w, int last)
 {
     for (int p = 0; p < w->pairs; p++) {
-        const int *const node = m->seg[w->pair_seg[p]];
-        double loc[2];
+        const int *const node = m->seg[w->pair_seg[p]], from = last && w->last_xi[p] == w->last_xi[p];
+        double loc[2] = {from ? w->last_xi[p] : 0.0, from ? w->last_eta[p] : 0.0};
         newton(w->x[node[0]], w->x[node[1]], w->x[node[2]], w->x[node[3]], w->x[m->slave[w->pair_slave[p]]], loc);
         w->xi[p] = loc[0];
         w->eta[p] = loc[1];
     }
+}
+
+static void search_newton(const struct model *m, struct world *w)
+{
+    search_newton_from(m, w, 0);
 }
 
 /* Searches a block of n pairs, whose nodes A, B, C, D, S are 15 columns of coordinates. */
@@ -171,7 +211,34 @@ static void search_columns(const struct model *m, struct world *w, search_block 
 /* The same by footpoint: coordinates go into columns, over which the header's loop vectorises. */
 static void search_footpoint(const struct model *m, struct world *w)
 {
-    search_columns(m, w, LOCATE);
+    search_columns(m, w, LOCATE_AS(LOCATE, _n));
+}
+
+static void copy_answers(const struct world *w, const double *const from[2], double *const to[2])
+{
+    for (int i = 0; i < 2; i++)
+        memcpy(to[i], from[i], (size_t)w->pairs * sizeof *to[i]);
+}
+
+static void footpoint_from(size_t n, const double *const x[15], double *xi, double *eta)
+{
+    double gap[BLOCK];
+    int status[BLOCK];
+    LOCATE_AS(LOCATE, _from_n)(n, x, xi, eta, gap, status);
+}
+
+/* By footpoint from the last answers, which the new ones replace. */
+static void search_footpoint_last(const struct model *m, struct world *w)
+{
+    copy_answers(w, (const double *const[]){w->last_xi, w->last_eta}, (double *const[]){w->xi, w->eta});
+    search_columns(m, w, footpoint_from);
+    copy_answers(w, (const double *const[]){w->xi, w->eta}, (double *const[]){w->last_xi, w->last_eta});
+}
+
+static void search_newton_last(const struct model *m, struct world *w)
+{
+    search_newton_from(m, w, 1);
+    copy_answers(w, (const double *const[]){w->xi, w->eta}, (double *const[]){w->last_xi, w->last_eta});
 }
 
 /* ---- contact forces ---- */

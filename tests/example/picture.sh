@@ -34,8 +34,8 @@ PLOT
 [ "$2" = slide ] && exit
 : > "$folder/times.txt"
 for function in fast coarse medium balanced precise accurate; do
-    $CC -O3 -march=native -DHEADER='"../../generated/footpoint_quad4.h"' -DLOCATE=footpoint_quad4_${function}_n \
-        -DLOCATE_ONE=footpoint_quad4_$function "$here/impact.c" -o "$folder/impact" -lm &&
+    $CC -O3 -march=native -DHEADER='"../../generated/footpoint_quad4.h"' -DLOCATE=footpoint_quad4_$function \
+        "$here/impact.c" -o "$folder/impact" -lm &&
         "$folder/impact" 0.5 "$folder" > "$folder/$function.txt" || exit 3
     awk -v f=$function '/one at a time/ { one[1] = $(NF - 3); one[2] = $(NF - 2) }
         /over arrays/ { all[1] = $(NF - 3); all[2] = $(NF - 2) } /^xi, eta .*mean/ { mean = $NF }

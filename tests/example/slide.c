@@ -332,9 +332,9 @@ static struct slide start(const struct model *m, enum surface surface)
 
 static void finish(struct slide *s)
 {
-    void *const owned[] = {s->w.x,           s->w.v,          s->w.f,   s->w.nearest, s->w.distance,
-                           s->w.pair_seg,    s->w.pair_slave, s->w.xi,  s->w.eta,     s->patches.normal,
-                           s->patches.patch, s->touch,        s->before};
+    void *const owned[] = {s->w.x,           s->w.v,   s->w.f,   s->w.nearest, s->w.distance, s->w.pair_seg,
+                           s->w.pair_slave,  s->w.xi,  s->w.eta, s->w.last_xi, s->w.last_eta, s->patches.normal,
+                           s->patches.patch, s->touch, s->before};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++)
         free(owned[i]);
 }

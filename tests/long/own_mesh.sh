@@ -25,7 +25,7 @@ banner() {
 }
 run_with() { # run_with HEADER FUNCTION PROGRAM: compile the example and run it; $error
     logged "the example with $2" \
-        $CC -O3 -march=native -DHEADER="\"$1\"" -DLOCATE="$2_n" tests/example/impact.c -o "$work/$3" -lm
+        $CC -O3 -march=native -DHEADER="\"$1\"" -DLOCATE="$2" tests/example/impact.c -o "$work/$3" -lm
     "$work/$3" 0.5 > "$work/table"
     error=$(value "xi, eta off Newton's, mean" NF)
     echo "# $2: banner $(banner "$1" "$2"), in the run $error;" \
