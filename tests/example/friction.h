@@ -9,12 +9,13 @@ static const double PENALTY = 4000.0, TANGENTIAL = 2000.0; /* N/mm */
 enum { MOST_COORDINATES = 3 * MOST_FACE + 3 };
 
 /* Of a slave node, between steps: its face, where on it the node would stand without friction's force (xi, eta), and how
- * far it is from there, on the face.  Of the state at hand: the pressing force, and whether it slides. */
+ * far it is from there, on the face.  Of the state at hand: its foot point, from which the next search starts, and gap;
+ * the pressing force, and whether it slides. */
 struct touch {
     int face;
     double stick[2];
     vec stretch;
-    double pressure;
+    double loc[2], gap, pressure;
     int slides;
 };
 
@@ -64,11 +65,12 @@ static void choose_faces(const struct model *m, const vec *x, struct touch *touc
         double y[MOST_COORDINATES], distance;
         size_t chosen;
         int node[MOST_FACE + 1], region;
-        check(footpoint_face_select(m->kind, x[0], (size_t)m->faces, m->face, x[m->slave[i]], &chosen, foot.loc,
+        check(footpoint_face_select(m->kind, x[0], (size_t)m->faces, m->face, x[m->slave[i]], &chosen, t->loc,
                                     &distance, &region));
         t->face = (int)chosen;
         gather(m, x, t, m->slave[i], node, y);
-        check(footpoint_face_locate(m->kind, y, foot.loc, &foot.gap));
+        check(footpoint_track(m->kind, y, t->loc, &t->gap));
+        memcpy(foot.loc, t->loc, sizeof foot.loc);
         place(m->kind, y, &foot);
         const double aa = along(foot.r_xi, foot.r_xi), ab = along(foot.r_xi, foot.r_eta);
         const double bb = along(foot.r_eta, foot.r_eta), area = aa * bb - ab * ab;
@@ -78,7 +80,21 @@ static void choose_faces(const struct model *m, const vec *x, struct touch *touc
     }
 }
 
-/* Forces of contact on the nodes and their tangent, -df/dx: added.  The slave nodes' sum, in `force`. */
+/* A local search: from the last answer in loc, or without it. */
+typedef int local_search(enum footpoint_face, const double *y, double loc[2], double *gap);
+
+/* The foot points of all slave nodes. */
+static void find_feet(const struct model *m, const vec *x, local_search search, struct touch *touch)
+{
+    for (int i = 0; i < m->slaves; i++) {
+        double y[MOST_COORDINATES];
+        int node[MOST_FACE + 1];
+        gather(m, x, &touch[i], m->slave[i], node, y);
+        check(search(m->kind, y, touch[i].loc, &touch[i].gap));
+    }
+}
+
+/* Forces of contact on the nodes, at the foot points, and their tangent, -df/dx: added.  The slave nodes' sum, in `force`. */
 static void add_contact(const struct model *m, const vec *x, double friction, struct touch *touch, vec *f, double *K,
                         vec force)
 {
@@ -93,10 +109,10 @@ static void add_contact(const struct model *m, const vec *x, double friction, st
         t->pressure = 0.0;
         t->slides = 0;
         memset(t->stretch, 0, sizeof t->stretch);
-        gather(m, x, t, m->slave[i], node, y);
-        check(footpoint_face_locate(m->kind, y, foot.loc, &foot.gap));
-        if (foot.gap >= 0.0)
+        if (t->gap >= 0.0)
             continue;
+        gather(m, x, t, m->slave[i], node, y);
+        memcpy(foot.loc, t->loc, sizeof foot.loc);
         place(m->kind, y, &foot);
         check(footpoint_face_hessian(m->kind, y, foot.loc, NULL, NULL, NULL, foot.d_gap, foot.d_normal, foot.hessian));
         check(footpoint_element_normal(nodes, foot.gap, foot.d_gap, foot.hessian, PENALTY, 0.0, &t->pressure, pull,

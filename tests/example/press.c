@@ -6,11 +6,16 @@
  *
  * Prints of each step how far the upper block's top has gone down and along, the contact's force on the block (pressing
  * and drawing, N), how many slave nodes touch and how many of these slide, and of Newton's iterations the residual: the
- * norm of the forces that are not balanced, relative to that of the forces at the block's top.
+ * norm of the forces that are not balanced, relative to that of the forces at the block's top.  Unless told a kind, at the
+ * end of each kind, with friction, how long local search takes from scratch, from the last answers, and by Newton's
+ * iteration from these.
  *
  *     make -C ../.. runtime
  *     cc -O3 press.c ../../build/libfootpoint.a -o press -lm && ./press */
 #include "friction.h"
+#include "last_newton.h"
+
+#include <time.h>
 
 enum { STEPS = 8, PRESSING = 4, MOST_RESIDUALS = 30, HALVINGS = 4 };
 static const double DEPTH = 0.14, WAY = 0.2; /* of the block's top; mm */
@@ -23,7 +28,17 @@ struct state {
     double *K, *right, *step;
     struct touch *touch;
     vec force; /* of contact on the upper block */
+    local_search *search;
+    double searching, searched; /* seconds, foot points */
 };
+
+/* Of processor time. */
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 /* Forces and tangent of all that there is; returns the residual. */
 static double assemble(const struct model *m, double friction, struct state *s)
@@ -32,6 +47,10 @@ static double assemble(const struct model *m, double friction, struct state *s)
     memset(s->f, 0, (size_t)m->nodes * sizeof *s->f);
     memset(s->K, 0, (size_t)m->unknowns * (size_t)m->unknowns * sizeof *s->K);
     add_elements(m, (const vec *)s->x, s->f, s->K);
+    const double start = seconds();
+    find_feet(m, (const vec *)s->x, s->search, s->touch);
+    s->searching += seconds() - start;
+    s->searched += m->slaves;
     add_contact(m, (const vec *)s->x, friction, s->touch, s->f, s->K, s->force);
     for (int n = 0; n < m->nodes; n++)
         for (int k = 0; k < 3; k++) {
@@ -97,8 +116,8 @@ static void print_step(int step, const struct model *m, const struct state *s, i
     putchar('\n');
 }
 
-/* Presses and draws.  0: no equilibrium was found. */
-static int press(enum footpoint_face kind, double friction)
+/* Presses and draws, `times`: not told, but how long that takes.  0: no equilibrium was found. */
+static int press(enum footpoint_face kind, double friction, local_search search, const char *times)
 {
     struct model m = blocks(kind);
     const size_t nodes = (size_t)m.nodes, unknowns = (size_t)m.unknowns;
@@ -108,24 +127,33 @@ static int press(enum footpoint_face kind, double friction)
                       room_for(NULL, unknowns, sizeof *s.right),
                       room_for(NULL, unknowns, sizeof *s.step),
                       room_for(NULL, (size_t)m.slaves, sizeof *s.touch),
-                      {0}};
+                      {0},
+                      search,
+                      0.0,
+                      0.0};
+    const double start = seconds();
     int good = 1;
     memcpy(s.x, m.X, nodes * sizeof *s.x);
     memset(s.touch, 0, (size_t)m.slaves * sizeof *s.touch);
-    printf("%s, friction %g: %d elements, %d unknowns, %d faces, %d slave nodes\n"
-           "   down  along  pressing   drawing  touch  slide  residuals\n",
-           kind_name[kind], friction, m.elements, m.unknowns, m.faces, m.slaves);
+    if (!times)
+        printf("%s, friction %g: %d elements, %d unknowns, %d faces, %d slave nodes\n"
+               "   down  along  pressing   drawing  touch  slide  residuals\n",
+               kind_name[kind], friction, m.elements, m.unknowns, m.faces, m.slaves);
     for (int step = 1; step <= STEPS && good; step++) {
         const vec by[2] = {{0.0, 0.0, -DEPTH / PRESSING}, {WAY / (STEPS - PRESSING), 0.0, 0.0}};
         double residual[MOST_RESIDUALS];
         choose_faces(&m, (const vec *)s.x, s.touch);
         move(&m, &s, by[step > PRESSING]);
         const int residuals = equilibrium(&m, friction, &s, residual);
-        print_step(step, &m, &s, residuals, residual);
+        if (!times)
+            print_step(step, &m, &s, residuals, residual);
         good = residual[residuals - 1] <= DONE;
     }
     if (!good)
         puts("no equilibrium");
+    if (times)
+        printf("%-34s %6.0f ns a foot point, %8.3f ms of %8.1f ms\n", times, 1e9 * s.searching / s.searched,
+               1e3 * s.searching, 1e3 * (seconds() - start));
     free(s.x);
     free(s.f);
     free(s.K);
@@ -134,6 +162,13 @@ static int press(enum footpoint_face kind, double friction)
     free(s.touch);
     free_model(&m);
     return good;
+}
+
+static int compare(enum footpoint_face kind)
+{
+    return press(kind, FRICTION, footpoint_face_locate, "local search from scratch") &&
+           press(kind, FRICTION, footpoint_track, "from the last answers") &&
+           press(kind, FRICTION, last_newton, "by Newton's iteration from these");
 }
 
 static int usage(void)
@@ -153,9 +188,11 @@ int main(int argc, char **argv)
         if (argc > 1 && strcmp(argv[1], kind_name[kind]) != 0)
             continue;
         found = 1;
-        good = press(kind, friction) && good;
+        good = press(kind, friction, footpoint_track, NULL) && good;
         if (argc < 3)
-            good = press(kind, FRICTION) && good;
+            good = press(kind, FRICTION, footpoint_track, NULL) && good;
+        if (argc < 2)
+            good = compare(kind) && good;
     }
     return found ? !good : usage();
 }
