@@ -1,6 +1,7 @@
 ! FrontISTR: the projection of a point on a surface element, in place of the subroutine of that name in
 ! m_fstr_contact_geom, whose own is renamed to project_Point2Element_newton and keeps the elements that are no
-! four-node quadrilaterals.  The position of the iteration before, ctpos, is not needed.
+! four-node quadrilaterals.  The search starts from the position of the iteration before, ctpos, if there is one, and, as
+! the iteration that it replaces, answers with the minimum of the distance that this leads to.
 subroutine project_Point2Element(xyz, etype, nn, elemt, reflen, cstate, isin, distclr, ctpos, localclr)
   use hecmw, only: kreal
   use elementInfo, only: fe_quad4n
@@ -15,7 +16,7 @@ subroutine project_Point2Element(xyz, etype, nn, elemt, reflen, cstate, isin, di
   real(kind=kreal), optional         :: ctpos(2), localclr
   type(footpoint_derivatives)        :: at
   real(kind=kreal) :: loc(2), gap, clr
-  integer          :: before
+  integer          :: before, status
 
   if (etype /= fe_quad4n .or. cstate%interference_flag /= 0) then
     call project_Point2Element_newton(xyz, etype, nn, elemt, reflen, cstate, isin, distclr, ctpos, localclr)
@@ -26,7 +27,13 @@ subroutine project_Point2Element(xyz, etype, nn, elemt, reflen, cstate, isin, di
   before = cstate%state
   cstate%state = CONTACTFREE
   isin = .false.
-  if (unclamped(elemt(:,1), elemt(:,2), elemt(:,3), elemt(:,4), xyz, loc, gap) /= FOOTPOINT_OK) return
+  if (present(ctpos)) then
+    loc = ctpos
+    status = tracked(elemt(:,1), elemt(:,2), elemt(:,3), elemt(:,4), xyz, loc, gap)
+  else
+    status = unclamped(elemt(:,1), elemt(:,2), elemt(:,3), elemt(:,4), xyz, loc, gap)
+  end if
+  if (status /= FOOTPOINT_OK) return
   if (maxval(abs(loc)) > 1 + clr) return
   if (footpoint_differentiate(elemt(:,1), elemt(:,2), elemt(:,3), elemt(:,4), xyz, loc, at) /= FOOTPOINT_OK) return
   cstate%distance = -at%gap ! theirs is positive where the point has penetrated

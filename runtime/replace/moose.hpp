@@ -1,6 +1,7 @@
 // MOOSE: Moose::findContactPoint for four-node sides (libMesh's QUAD4), in place of the iteration in the function of
 // that name (framework/src/geomsearch/FindContactPoint.C).  Types are parameters, so that it compiles with those of
-// any version.
+// any version.  The function answers with the closest point, which a search from _closest_point_ref proves on no folded
+// side: the start is not used.
 #ifndef FOOTPOINT_REPLACE_MOOSE
 #define FOOTPOINT_REPLACE_MOOSE
 

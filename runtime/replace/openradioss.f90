@@ -4,7 +4,8 @@
 !  xi1, xi2       [out]   local coordinates on the primary segment; huge where there is no foot point, so that the
 !                         caller passes the pair over
 !  eta1, eta2             of the quadrature point, on the secondary segment
-!  xi1_guess, xi2_guess, use_guess    not needed
+!  xi1_guess, xi2_guess   from the warm-start table if use_guess: the search starts there and, as the iteration that it
+!                         replaces, answers with the minimum of the distance that this leads to
 !  istat          [out]   0 found, 2 none
 !  resid          [out]   0
 subroutine sts_project(xupd, xi1, xi2, eta1, eta2, xi1_guess, xi2_guess, use_guess, istat, resid)
@@ -19,9 +20,14 @@ subroutine sts_project(xupd, xi1, xi2, eta1, eta2, xi1_guess, xi2_guess, use_gue
 
   xs = 0.25d0*((1 - eta1)*((1 - eta2)*xupd(:,5) + (1 + eta2)*xupd(:,8)) &
              + (1 + eta1)*((1 - eta2)*xupd(:,6) + (1 + eta2)*xupd(:,7)))
-  istat = 0
   resid = 0
-  if (unclamped(xupd(:,1), xupd(:,2), xupd(:,3), xupd(:,4), xs, loc, gap) /= FOOTPOINT_OK) then
+  if (use_guess) then
+    loc = [xi1_guess, xi2_guess]
+    istat = tracked(xupd(:,1), xupd(:,2), xupd(:,3), xupd(:,4), xs, loc, gap)
+  else
+    istat = unclamped(xupd(:,1), xupd(:,2), xupd(:,3), xupd(:,4), xs, loc, gap)
+  end if
+  if (istat /= FOOTPOINT_OK) then
     istat = 2
     loc = huge(loc)
   end if

@@ -1,5 +1,5 @@
 ! For the adapters in Fortran beside it: the foot point on a four-node face, or beside it where the closest point of
-! the face lies on its edge.
+! the face lies on its edge; and the foot point from a start that the code hands over.
 module footpoint_unclamped
   use footpoint
   implicit none
@@ -24,5 +24,16 @@ contains
     if (status /= FOOTPOINT_OK) return
     loc = at
     gap = g
+  end function
+
+  ! The same from the start in loc, for codes that ask for the minimum that an iteration from there finds: on a folded
+  ! face another point may be nearer.  Without a proof from there, unclamped() answers.
+  function tracked(xA, xB, xC, xD, xS, loc, gap) result(status)
+    real*8, intent(in)    :: xA(3), xB(3), xC(3), xD(3), xS(3)
+    real*8, intent(inout) :: loc(2), gap
+    integer :: status
+
+    status = footpoint_track(FOOTPOINT_QUAD4, reshape([xA, xB, xC, xD, xS], [3, 5]), loc, gap)
+    if (status /= FOOTPOINT_OK) status = unclamped(xA, xB, xC, xD, xS, loc, gap)
   end function
 end module

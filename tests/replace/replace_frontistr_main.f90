@@ -60,6 +60,8 @@ program replace_frontistr
   call check('penetrating', isin .and. c%state == CONTACTSTICK .and. abs(c%distance - 0.05d0) < 1d-9)
   call check('place', maxval(abs(c%lpos(1:2) - loc)) < 1d-9 .and. norm2(c%gpos - slave(loc, 0.d0)) < 1d-9)
   call check('normal', norm2(c%direction - n) < 1d-8)
+  call project_Point2Element(slave(loc, -0.05d0), fe_quad4n, 4, face, 1.d0, c, isin, 0.1d0, loc + 0.05d0)
+  call check('from the position before', isin .and. maxval(abs(c%lpos(1:2) - loc)) < 1d-9)
   c%state = CONTACTSLIP
   call project_Point2Element(slave(loc, -0.05d0), fe_quad4n, 4, face, 1.d0, c, isin, 0.1d0, loc, 1d-3)
   call check('state of before', isin .and. c%state == CONTACTSLIP)
