@@ -29,20 +29,24 @@ FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *nam
     return name(VECTOR_ROWS, loc, gap);
 }
 
-/* An element of arrays of last answers in place; not inlined, as it is seldom called. */
+/* An element of arrays of last answers in place, from which loops over arrays have led to (u,v); not inlined, as it is
+ * seldom called. */
 FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name *name,
                                                      const REAL *const *x, REAL promise, REAL least,
-                                                     REAL *xi, REAL *eta, REAL *gap, int *status)
+                                                     REAL u, REAL v, REAL *xi, REAL *eta, REAL *gap,
+                                                     int *status)
 {
     REAL loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_KIND_further(name, x, promise, least, loc[0], loc[1], loc, gap);
+    *status = footpoint_detail_KIND_further(name, x, promise, least, u, v, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
-/* As many steps for all in the loop, where answers take their places if they are proved. */
+/* Arrays are followed in parts: all of a part in a loop, and once more if many are not proved then. */
+enum { footpoint_detail_KIND_span = 64, footpoint_detail_KIND_few = 8 };
+
 FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *name, size_t n,
                                                  const REAL *const *x, REAL promise, REAL least,
                                                  REAL *FOOTPOINT_RESTRICT xi,
@@ -50,26 +54,54 @@ FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *nam
                                                  REAL *FOOTPOINT_RESTRICT gap,
                                                  int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const REAL p[VECTORS][3] = {COLUMNS};
-        const REAL *const row[VECTORS] = {ROWS};
-        REAL u = xi[i], v = eta[i], g;
-        const int doubt =
-            (int)(footpoint_detail_KIND_from(row, promise, least, 1, &u, &v, &g) >> REAL_TOP);
-        status[i] = FOOTPOINT_UNPROVED * doubt;
-        xi[i] = doubt ? xi[i] : u;
-        eta[i] = doubt ? eta[i] : v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
+    REAL u[footpoint_detail_KIND_span], v[footpoint_detail_KIND_span];
+    size_t first, i;
+    for (first = 0; first < n; first += footpoint_detail_KIND_span) {
+        const size_t m =
+            n - first < footpoint_detail_KIND_span ? n - first : footpoint_detail_KIND_span;
+        int open = 0;
+        FOOTPOINT_EACH
+        for (i = first; i < first + m; i++) {
             const REAL p[VECTORS][3] = {COLUMNS};
             const REAL *const row[VECTORS] = {ROWS};
-            footpoint_detail_KIND_follow_one(name, row, promise, least, &xi[i], &eta[i], &gap[i],
-                                             &status[i]);
+            REAL a = xi[i], b = eta[i], g;
+            const int doubt =
+                (int)(footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) >> REAL_TOP);
+            u[i - first] = a;
+            v[i - first] = b;
+            gap[i] = g;
+            status[i] = FOOTPOINT_UNPROVED * doubt;
+            open += doubt;
         }
+        if (open > footpoint_detail_KIND_few) {
+            FOOTPOINT_EACH
+            for (i = first; i < first + m; i++) {
+                const REAL p[VECTORS][3] = {COLUMNS};
+                const REAL *const row[VECTORS] = {ROWS};
+                const REAL last[2] = {xi[i], eta[i]};
+                REAL a = u[i - first], b = v[i - first], g;
+                const int good = status[i] == FOOTPOINT_OK;
+                const REAL_BITS doubt =
+                    footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) |
+                    footpoint_detail_KIND_strayed(last, a, b);
+                u[i - first] = good ? u[i - first] : a;
+                v[i - first] = good ? v[i - first] : b;
+                gap[i] = good ? gap[i] : g;
+                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> REAL_TOP);
+            }
+        }
+        for (i = first; i < first + m; i++)
+            if (status[i] == FOOTPOINT_OK) {
+                xi[i] = u[i - first];
+                eta[i] = v[i - first];
+            } else {
+                const REAL p[VECTORS][3] = {COLUMNS};
+                const REAL *const row[VECTORS] = {ROWS};
+                footpoint_detail_KIND_follow_one(name, row, promise, least, u[i - first],
+                                                 v[i - first], &xi[i], &eta[i], &gap[i],
+                                                 &status[i]);
+            }
+    }
 }
 
 /* The same over one segment. */
@@ -79,29 +111,56 @@ footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *
                                   REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
                                   REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    REAL c[SEGMENT_VECTORS][3];
-    size_t i;
+    REAL c[SEGMENT_VECTORS][3], u[footpoint_detail_KIND_span], v[footpoint_detail_KIND_span];
+    size_t first, i;
     int j, k;
     for (k = 0; k < SEGMENT_VECTORS; k++)
         for (j = 0; j < 3; j++)
             c[k][j] = segment[k][j];
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const REAL s[3] = {x[0][i], x[1][i], x[2][i]};
-        const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
-        REAL u = xi[i], v = eta[i], g;
-        const int doubt =
-            (int)(footpoint_detail_KIND_from(row, promise, least, 1, &u, &v, &g) >> REAL_TOP);
-        status[i] = FOOTPOINT_UNPROVED * doubt;
-        xi[i] = doubt ? xi[i] : u;
-        eta[i] = doubt ? eta[i] : v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
-            const REAL s[3] = {x[0][i], x[1][i], x[2][i]};
-            const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
-            footpoint_detail_KIND_follow_one(name, row, promise, least, &xi[i], &eta[i], &gap[i],
-                                             &status[i]);
+    for (first = 0; first < n; first += footpoint_detail_KIND_span) {
+        const size_t m =
+            n - first < footpoint_detail_KIND_span ? n - first : footpoint_detail_KIND_span;
+        int open = 0;
+        FOOTPOINT_EACH
+        for (i = first; i < first + m; i++) {
+            const REAL slave[3] = {x[0][i], x[1][i], x[2][i]};
+            const REAL *const row[VECTORS] = {SEGMENT_ROWS, slave};
+            REAL a = xi[i], b = eta[i], g;
+            const int doubt =
+                (int)(footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) >> REAL_TOP);
+            u[i - first] = a;
+            v[i - first] = b;
+            gap[i] = g;
+            status[i] = FOOTPOINT_UNPROVED * doubt;
+            open += doubt;
         }
+        if (open > footpoint_detail_KIND_few) {
+            FOOTPOINT_EACH
+            for (i = first; i < first + m; i++) {
+                const REAL slave[3] = {x[0][i], x[1][i], x[2][i]};
+                const REAL *const row[VECTORS] = {SEGMENT_ROWS, slave};
+                const REAL last[2] = {xi[i], eta[i]};
+                REAL a = u[i - first], b = v[i - first], g;
+                const int good = status[i] == FOOTPOINT_OK;
+                const REAL_BITS doubt =
+                    footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) |
+                    footpoint_detail_KIND_strayed(last, a, b);
+                u[i - first] = good ? u[i - first] : a;
+                v[i - first] = good ? v[i - first] : b;
+                gap[i] = good ? gap[i] : g;
+                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> REAL_TOP);
+            }
+        }
+        for (i = first; i < first + m; i++)
+            if (status[i] == FOOTPOINT_OK) {
+                xi[i] = u[i - first];
+                eta[i] = v[i - first];
+            } else {
+                const REAL slave[3] = {x[0][i], x[1][i], x[2][i]};
+                const REAL *const row[VECTORS] = {SEGMENT_ROWS, slave};
+                footpoint_detail_KIND_follow_one(name, row, promise, least, u[i - first],
+                                                 v[i - first], &xi[i], &eta[i], &gap[i],
+                                                 &status[i]);
+            }
+    }
 }

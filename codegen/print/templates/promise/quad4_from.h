@@ -50,81 +50,112 @@ footpoint_detail_quad4_moved(const footpoint_detail_quad4_near *r, REAL s, REAL 
     return to;
 }
 
-/* (*s,*t) + H^-1 (f,g); the length of that step in the maximum norm. */
-FOOTPOINT_PART REAL footpoint_detail_quad4_chord(const footpoint_detail_quad4_near *r, REAL per,
-                                                 REAL f, REAL g, REAL *s, REAL *t)
+/* (*x,*y) = adj H (f,g); the larger of their absolute values. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_adjoin(const footpoint_detail_quad4_near *r, REAL f,
+                                                  REAL g, REAL *x, REAL *y)
 {
-    const REAL x = (r->vv * f - r->r12 * g) * per, y = (r->uu * g - r->r12 * f) * per;
-    *s += x;
-    *t += y;
-    return footpoint_detail_greater(fabs(x), fabs(y));
+    *x = r->vv * f - r->r12 * g;
+    *y = r->uu * g - r->r12 * f;
+    return footpoint_detail_greater(fabs(*x), fabs(*y));
 }
 
-/* A bound on rounding errors of steps within `whole` of the start. */
-FOOTPOINT_PART REAL footpoint_detail_quad4_blur(const footpoint_detail_quad4_near *r, REAL per,
-                                                REAL beta, const footpoint_detail_quad4_scales *e,
+/* det H times a bound on rounding errors of steps within `whole` of the start. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_blur(const footpoint_detail_quad4_near *r, REAL row,
+                                                const footpoint_detail_quad4_scales *e,
                                                 REAL promise, REAL whole)
 {
     if (promise < 1e-9) {
         const REAL more = 4.0 * whole * e->far, mixed = fabs(r->r12);
         const REAL k = (e->u + e->w) + more, l = (e->v + e->w) + more;
-        return 3.4e-15 * e->far * per *
+        return 3.4e-15 * e->far *
                footpoint_detail_greater(r->vv * k + mixed * l, r->uu * l + mixed * k);
     }
-    return 8e-15 * (beta * e->square);
+    return 8e-15 * (row * e->square);
 }
 
-/* Newton's step from (*s,*t), and with `correct` a correction through the same matrix.  The highest bit of the result
- * is not set if the end is proved. */
+/* Newton's step with the matrix M of `at`, which is (*s,*t) from `start` and no farther from there than `before`, and
+ * with `correct` a correction through M; (*s,*t) goes along.  The highest bit of the result is not set if the end is
+ * proved, see footpoint_detail_quad4_from(). */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_stage(const footpoint_detail_quad4_near *start,
+                                                      const footpoint_detail_quad4_near *at,
                                                       const footpoint_detail_quad4_scales *e,
-                                                      REAL promise, int correct, REAL *s, REAL *t)
+                                                      REAL promise, int correct, REAL before,
+                                                      REAL *s, REAL *t)
 {
-    const footpoint_detail_quad4_near at = footpoint_detail_quad4_moved(start, *s, *t);
-    const REAL before = footpoint_detail_greater(fabs(*s), fabs(*t));
-    const REAL det = at.uu * at.vv - at.r12 * at.r12, per = 1.0 / det;
-    const REAL step = footpoint_detail_quad4_chord(&at, per, at.f, at.g, s, t);
-    const REAL beta = (footpoint_detail_greater(at.uu, at.vv) + fabs(at.r12)) * per;
-    const REAL a = fabs(at.tu), b = fabs(at.tv);
-    const REAL turn = 2.0 * ((a + b) + footpoint_detail_greater(a, b)) + at.cc;
-    REAL left = 0.5 * step, ball, off, h, error, f, g;
+    const REAL det = at->uu * at->vv - at->r12 * at->r12, per = 1.0 / det, mixed = fabs(at->r12);
+    const REAL row = footpoint_detail_greater(at->uu, at->vv) + mixed, a = 2.0 * fabs(at->tu);
+    const REAL b = 2.0 * fabs(at->tv), both = (a + b) + at->cc;
+    const REAL turn = footpoint_detail_greater(at->vv * (a + both) + mixed * (b + both),
+                                               at->uu * (b + both) + mixed * (a + both));
+    REAL x, y, left, ball, off, h, error;
+    ball = footpoint_detail_quad4_adjoin(at, at->f, at->g, &x, &y) * per;
+    *s += x * per;
+    *t += y * per;
+    left = 0.5 * ball;
     if (correct) {
-        footpoint_detail_quad4_slopes(start, *s, *t, &f, &g);
-        left = footpoint_detail_quad4_chord(&at, per, f, g, s, t);
+        footpoint_detail_quad4_slopes(start, *s, *t, &x, &y);
+        left = footpoint_detail_quad4_adjoin(at, x, y, &x, &y) * per;
+        *s += x * per;
+        *t += y * per;
     }
-    ball = step + 2.0 * left;
-    off = footpoint_detail_quad4_blur(&at, per, beta, e, promise, before + ball);
+    ball += 2.0 * left;
+    off = footpoint_detail_quad4_blur(at, row, e, promise, before + ball) * per;
     ball += 16.0 * off;
-    h = beta * (ball * turn + 3e-14 * e->square);
+    h = (ball * turn + 3e-14 * (row * e->square)) * per;
     error = 2.61 * (h * left + off);
     h = footpoint_detail_greater(h, 0.6 * (before + ball));
     return footpoint_detail_above(error, promise) | footpoint_detail_above(h, 0.2) |
-           footpoint_detail_bits(at.uu) | footpoint_detail_bits(det) |
+           footpoint_detail_bits(at->uu) | footpoint_detail_bits(det) |
            footpoint_detail_outside(det);
 }
 
-/* From (*xi,*eta) to the foot point, and the gap there, by Newton's step and then up to `stages`, 1 in a loop over
- * arrays.  The highest bit of the result is not set if a minimum of the distance is proved to lie within `promise` of
- * the answer, which is 2/3 away at most.  Any start will do, NaN too.
+/* From (*s,*t) up to two such steps, each with a matrix of its own, until one is proved; seldom needed. */
+FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
+                                                       const footpoint_detail_quad4_scales *e,
+                                                       REAL promise, REAL *s, REAL *t)
+{
+    REAL_BITS doubt = footpoint_detail_infinite(*s + *t);
+    int k;
+    for (k = 0; k < 2 && !(doubt >> REAL_TOP); k++) {
+        const footpoint_detail_quad4_near at = footpoint_detail_quad4_moved(start, *s, *t);
+        const REAL before = footpoint_detail_greater(fabs(*s), fabs(*t));
+        doubt = footpoint_detail_quad4_stage(start, &at, e, promise, 1, before, s, t);
+        if (!(doubt >> REAL_TOP))
+            return doubt;
+        doubt = footpoint_detail_infinite(*s + *t);
+    }
+    return (REAL_BITS)1 << REAL_TOP;
+}
+
+/* From (*xi,*eta) to the foot point, and the gap there; stages: 1 in a loop over arrays, otherwise more.  The highest
+ * bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the answer, which is
+ * 2/3 away at most.  Any start will do, NaN too.
+ *
+ * Newton's step and a correction through the same matrix are proved at once, which takes one quotient; fine promises
+ * take a step before, as corrections through the first matrix would be many.  Where moves are large that costs a loop
+ * over arrays less than doing all of it again.
  *
  * With the slopes F and M near H^-1, z + M F(z) contracts by q = |1 - M H(z)|.  A ball about the point that M is of,
  * in which q <= h <= 0.2, holds the iterates, a root within (q |x| + R) / (1 - q) of the last one, x being the last
- * correction and R the rounding errors of |M F|, and no zero of det H.  |H(z) - H| <= |z| (4 |tu| + 2 |tv| + cc) in
- * row s, where |z| <= 1/3.  Newton's step is the first iterate; as q grows from 0 with |z|, half of it stands for
- * |x|.  2.61 is twice 1.3, as xi = 2 s - 1; 1 / (1 - q) <= 1.25.
+ * correction and R the rounding errors of |M F|, and no zero of det H.  |H(z) - H| has rows of at most |z| times
+ * 4 |tu| + 2 |tv| + cc and 2 |tu| + 4 |tv| + cc, where |z| <= 1/3; `turn` bounds det |M| times these.  Newton's step is
+ * the first iterate; without a correction half of it stands for |x|, as q grows from 0 with |z|.  2.61 is twice 1.3, as
+ * xi = 2 s - 1; 1 / (1 - q) <= 1.25.
  *
  * With the lengths U, V, C, W of u, v, c, w and S >= |ab| + |ad| + |c|, let far = W + (1 + |s|) (1 + |t|) S.  In
  * units of rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its
  * changes within 1/3 by 27 far^2, so that slopes at z are by 24 far (U + W + 4 |z| far), for which 30 stand, the sum
  * for xi included, and with |z| <= 1/3 70 far^2.  M differs from H^-1, and what it multiplies, by 25 far^2 |M|: q is
  * larger by |M| 3e-14 far^2 at most.  Sums of any order.  Where det is well within the range of numbers, what
- * underflows is below these bounds. */
+ * underflows is below these bounds.
+ *
+ * The normal at a step is u x v + s (u x c) + t (c x v), the last two of which are normal to c. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL promise, REAL least,
                                                      int stages, REAL *xi, REAL *eta, REAL *gap)
 {
     const REAL p = 0.5 + 0.5 * *xi, q = 0.5 + 0.5 * *eta, reach = 1.0 + p * p + q * q;
-    const int correct = promise < (stages > 1 ? 1e-9 : 1e-6);
-    REAL u[3], v[3], c[3], w[3], n[3], s = 0.0, t = 0.0, size, nn;
+    const int fine = promise < 1e-9;
+    REAL u[3], v[3], c[3], w[3], n[3], by_s[3], by_t[3], s, t, size, nn, mixed;
     REAL_BITS doubt;
     footpoint_detail_quad4_near r;
     footpoint_detail_quad4_scales e;
@@ -140,7 +171,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
     r.g = footpoint_detail_dot(v, w);
     size = reach * reach * ((r.uu + r.vv) + 3.0 * reach * r.cc);
     e.far = e.u = e.v = e.w = 0.0;
-    if (promise < 1e-9) {
+    if (fine) {
         const REAL twist = footpoint_detail_root_bound(r.cc);
         e.u = footpoint_detail_root_bound(r.uu);
         e.v = footpoint_detail_root_bound(r.vv);
@@ -150,34 +181,51 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
         e.square = e.far * e.far;
     } else
         e.square = 2.0 * footpoint_detail_dot(w, w) + 24.0 * size;
-    {
-        const REAL per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
-        REAL f, g;
-        (void)footpoint_detail_quad4_chord(&r, per, r.f, r.g, &s, &t);
-        if (stages == 1 && promise < 1e-9) {
-            footpoint_detail_quad4_slopes(&r, s, t, &f, &g);
-            (void)footpoint_detail_quad4_chord(&r, per, f, g, &s, &t);
-        }
-    }
     (void)least;
-    if (stages > 1 && footpoint_detail_infinite(s + t) >> REAL_TOP) {
-        *xi = *eta = *gap = s + t;
+    if (stages > 1 && footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> REAL_TOP) {
+        *gap = 0.0;
         return (REAL_BITS)1 << REAL_TOP; /* compilers' maxima of NaN raise exceptions */
     }
-    do
-        doubt = footpoint_detail_quad4_stage(&r, &e, promise, correct, &s, &t);
-    while (--stages > 0 && doubt >> REAL_TOP);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        w[i] += s * t * c[i];
-        u[i] += t * c[i];
-        v[i] += s * c[i];
-    }
     footpoint_detail_cross(u, v, n);
+    footpoint_detail_cross(u, c, by_s);
+    footpoint_detail_cross(c, v, by_t);
+    mixed = footpoint_detail_dot(c, n);
+    if (promise < (stages > 1 ? 1e-6 : 1e-4)) {
+        const REAL per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
+        footpoint_detail_quad4_near at;
+        REAL before, ds, dt;
+        (void)footpoint_detail_quad4_adjoin(&r, r.f, r.g, &s, &t);
+        s *= per;
+        t *= per;
+        if (fine && stages == 1) {
+            footpoint_detail_quad4_slopes(&r, s, t, &ds, &dt);
+            (void)footpoint_detail_quad4_adjoin(&r, ds, dt, &ds, &dt);
+            s += ds * per;
+            t += dt * per;
+        }
+        before = footpoint_detail_greater(fabs(s), fabs(t));
+        at = footpoint_detail_quad4_moved(&r, s, t);
+        doubt = footpoint_detail_quad4_stage(
+            &r, &at, &e, promise, fine || (stages == 1 && promise < 1e-6), before, &s, &t);
+    } else {
+        s = t = 0.0;
+        doubt = footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, 0.0, &s, &t);
+    }
+    if (stages > 1 && !fine && doubt >> REAL_TOP) {
+        const footpoint_detail_quad4_near start = r;
+        const footpoint_detail_quad4_scales scales = e;
+        REAL to_s = s, to_t = t;
+        doubt = footpoint_detail_quad4_stages(&start, &scales, promise, &to_s, &to_t);
+        s = to_s;
+        t = to_t;
+    }
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        n[i] = (n[i] + s * by_s[i]) + t * by_t[i];
     nn = footpoint_detail_dot(n, n);
     *xi += 2.0 * s;
     *eta += 2.0 * t;
-    *gap = footpoint_detail_dot(w, n) / sqrt(nn);
+    *gap = (footpoint_detail_dot(w, n) + s * t * mixed) / sqrt(nn);
     return doubt | footpoint_detail_bits(nn - 1e4 * REAL_FLAT * (size * size)) |
            footpoint_detail_fast();
 }
