@@ -187,6 +187,9 @@ GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
 # Derivatives at a foot point, by kind of face and patch.
 FACES   := bezier gregory quad4 quad8 quad9 tri3 tri6
 DERIVATIVES := $(FACES:%=generated/footpoint_%_derivatives.h)
+# Edges, for contact in the plane: templates, nothing is evolved.
+EDGES   := edge2 edge3
+PLANE   := $(EDGES:%=generated/footpoint_%.h)
 # Those in double, and one's own where SCENE names it, are what the bench and its tests call.
 beside  = $(or $(out),$(patsubst %/,%,$(dir $(1))))/$(notdir $(call header_of,$(basename $(notdir $(1)))))
 header_for = $(if $(call is_own,$(1)),$(call beside,$(1)),$(call header_of,$(basename $(notdir $(1)))))
@@ -357,6 +360,7 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) ISLANDS=$(ISLANDS) SEED=$(SEED) FROM=$(FROM) OUT='$(out)' \
 	    sh evolve/regenerate.sh $(or $(SCENE),$(SCENES))
 	$(if $(SCENE),,$(Q)BIN=$(BIN) GENERATIONS=$(GENERATIONS) sh evolve/regenerate.sh --derivatives $(FACES))
+	$(if $(SCENE),,$(Q)$(foreach edge,$(EDGES),$(BIN)/footpoint-codegen --edge $(edge) -o $(edge:%=generated/footpoint_%.h) &&) :)
 	$(if $(SCENE),,$(Q)$(emit_perceptrons))
 	$(if $(SCENE),,$(Q)BIN=$(BIN) sh evolve/regenerate.sh --table)
 
@@ -486,7 +490,7 @@ DATADIR    := $(BINDIR)/../share/footpoint
 
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base/base.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h runtime/footpoint_face.h runtime/footpoint_patch.h
-HEADERS := $(GENERATED) $(DERIVATIVES) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
+HEADERS := $(GENERATED) $(DERIVATIVES) $(PLANE) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve)
 PAGES_1 := evolve/man/footpoint-evolve.1 $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1)
 PAGES_3 := runtime/package/footpoint.3

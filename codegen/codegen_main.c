@@ -5,6 +5,7 @@
 #include "print/fortran.h"
 #include "print/header/header.h"
 #include "print/header/header_along.h"
+#include "print/header/header_edge.h"
 #include "print/header/header_place.h"
 #include "print/points.h"
 
@@ -67,6 +68,15 @@ static bool read_samples(const struct codegen_options *o, const struct genome_fi
     return measure_read(o->samples, f, samples, d);
 }
 
+static bool write_edge(const struct codegen_options *o, struct diag *d)
+{
+    struct outfile out;
+    if (!outfile_open(&out, o->output, d))
+        return false;
+    edge_print(edge_find(o->edge), o->prefix, out.stream);
+    return outfile_commit(&out, d);
+}
+
 static bool run(const struct codegen_options *o, struct diag *d)
 {
     const struct file_use file[] = {{"the output", o->output, true, 0},
@@ -108,5 +118,7 @@ int main(int argc, char **argv)
     struct codegen_options o;
     struct diag d;
     const enum options_outcome outcome = codegen_options_read(argc, argv, &o, &d);
+    if (outcome == OPTIONS_READ && o.edge)
+        return exit_status(write_edge(&o, &d), &d);
     return outcome == OPTIONS_READ ? exit_status(run(&o, &d), &d) : options_end(&codegen_option_table, outcome, &d);
 }

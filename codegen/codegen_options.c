@@ -2,6 +2,7 @@
 #include "codegen_options.h"
 
 #include "compile/explain.h"
+#include "print/header/header_edge.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -72,6 +73,8 @@ static const struct option_row rows[] = {
      .help = "write test points to FILE, a C header for your tests: inputs, exact outputs and allowed errors"},
     {"allow-poles", 0, OPTION_FLAG, AT(unit.allow_poles),
      .help = "accept genomes that may divide by 0: functions of scalars then return a status"},
+    {"edge", 0, OPTION_TEXT, AT(edge), "KIND",
+     .help = "instead of genomes: write the header of edge2 or edge3, for contact in the plane"},
     {"count", 0, OPTION_FLAG, AT(count), .help = "operation counts to standard output"},
     {.kind = OPTION_TITLE, .help = "search for the cheapest form"},
     {"cost", 0, OPTION_TEXT, AT(cost), "MODEL",
@@ -96,6 +99,7 @@ const struct option_table codegen_option_table = {
     .program = "footpoint-codegen",
     .usage =
         "usage: footpoint-codegen GENOMES -o FILE       write code: a header of static inline C functions\n"
+        "       footpoint-codegen --edge KIND -o FILE   write the header of an edge\n"
         "       footpoint-codegen --count GENOMES       print genome,mul,div,add,sqrt,compare of each genome as CSV\n",
     .notes =
         "Every function is checked to equal its genome in exact rational arithmetic before anything is written.\n"
@@ -115,11 +119,30 @@ static const char *ending_of(enum language language)
     return language == LANGUAGE_FORTRAN ? ".f90" : ".h";
 }
 
+/* A header of an edge has no genomes, and no choice but its names. */
+static bool complete_edge(struct codegen_options *o, const bool *given, struct diag *d)
+{
+    const struct option_table *t = &codegen_option_table;
+    for (size_t i = 0; i < t->rows; i++)
+        if (given[i] && strcmp(t->row[i].name, "edge") != 0 && strcmp(t->row[i].name, "output") != 0 &&
+            strcmp(t->row[i].name, "prefix") != 0 && strcmp(t->row[i].name, "quiet") != 0)
+            return options_refuse(t, d, "--edge goes with -o FILE, --prefix and --quiet only (try --help)");
+    if (o->genomes || !o->output)
+        return options_refuse(t, d, "--edge goes with -o FILE, and no genome file (try --help)");
+    if (!edge_find(o->edge))
+        return options_refuse(t, d, "unknown edge: %s; there are edge2 and edge3", o->edge);
+    if (!*o->prefix)
+        prefix_from_path(o->output, ".h", o->prefix);
+    return true;
+}
+
 /* What options tell of each other. */
 static bool complete(struct codegen_options *o, const bool *given, struct diag *d)
 {
     const struct option_table *t = &codegen_option_table;
     struct compile_options *compile = &o->unit.compile;
+    if (o->edge)
+        return complete_edge(o, given, d);
     if (!o->genomes)
         return options_refuse(t, d, "one genome file, please (try --help)");
     if (o->count == (o->output != NULL))

@@ -13,6 +13,7 @@ enum language { LANGUAGE_C, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
 struct codegen_options {
     const char *genomes, *output;        /* files, not owned; output NULL: --count */
     const char *points, *samples, *cost; /* files, not owned; NULL: none */
+    const char *edge;                    /* not owned: a kind of edge_find; NULL: genomes */
     bool count;
     const char *explain;  /* not owned: a pass, "" for the counts alone; NULL: not asked for */
     bool precision_given; /* else the genomes' note `precision` counts */

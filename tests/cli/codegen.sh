@@ -31,7 +31,7 @@ misused '--points goes with -o FILE' --points "$work/points.h" --count
 misused 'the seed is a number from 0 to 18446744073709551615, not 18446744073709551616' --seed 18446744073709551616 --count
 expect 'an option without its value' 2 '' 'footpoint-codegen: unknown option or missing value: --cost (try --help)' \
     "$codegen" --count "$g" --cost
-for option in output prefix language precision samples points allow-poles count cost effort seed explain help version; do
+for option in output prefix language precision samples points allow-poles edge count cost effort seed explain help version; do
     "$codegen" --help | grep -q -e "--$option"; report $((! $?)) "help tells of --$option"
 done
 
@@ -231,6 +231,17 @@ awk '/rounding: .* proved/ { good = $5 > 1e-8 } END { exit !good }' "$work/h.h"
 report $((! $?)) 'bounds where an input is one of the block'
 
 # ---- names that a header has ----
+# ---- headers of edges, which have no genomes ----
+expect 'an edge and genomes' 2 '' 'footpoint-codegen: --edge goes with -o FILE, and no genome file (try --help)' \
+    "$BIN/footpoint-codegen" --edge edge2 "$g"
+misused '--edge goes with -o FILE, --prefix and --quiet only' --edge edge2 --seed 1 -o "$work/h.h"
+expect 'an edge that there is not' 2 '' 'footpoint-codegen: unknown edge: edge4; there are edge2 and edge3' \
+    "$BIN/footpoint-codegen" --edge edge4 -o "$work/h.h"
+for edge in edge2 edge3; do
+    "$BIN/footpoint-codegen" --edge $edge -o "$work/footpoint_$edge.h" && cmp "$work/footpoint_$edge.h" generated/footpoint_$edge.h
+    report $((! $?)) "the header of $edge is what is written now"
+done
+
 genome 'input g' 'genome g' 'r = g' end; header 'a function called as its input' 3:1 "genome 'g' conflicts with a name of the header itself, with prefix in" '--prefix in'
 genome 'input x' 'genome detail_bits' 'r = x' end
 header 'a function called as a helper' 3:1 "genome 'detail_bits' conflicts with a name of the header itself, with prefix footpoint" '--prefix footpoint'

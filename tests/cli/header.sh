@@ -21,6 +21,7 @@ later 'header: second headers of quad4 and gregory, most compilers and standards
 for header in generated/*.h; do
     name=$(basename "$header")
     case $name in
+    *_edge*) continue ;;
     *_quad4.h | *paper*) [ $name = footpoint_quad4.h ] || [ -n "$FOOTPOINT_LONG" ] || continue ;;
     esac
     mkdir -p "$work/alone"

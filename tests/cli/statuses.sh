@@ -3,7 +3,7 @@
 # tri3 and quad8 each with a C compiler as it is, and those of quad4 and tri3 with a C++ compiler that forgets.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
-HEADERS=${HEADERS:-$(ls "$PWD"/generated/*.h | grep -v _derivatives)}
+HEADERS=${HEADERS:-$(ls "$PWD"/generated/*.h | grep -v -e _derivatives -e _edge)}
 
 # places KIND: numbers of the places in tests/generated/statuses.h
 places() {

@@ -8,7 +8,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     for function in atan2 copysign fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
-    for name in macros bits power scale products weighted relative height; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in macros bits power scale products weighted relative height bounds; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for name in again side corner lesser closest edge curve along curved_domain place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: face:4:4:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
@@ -39,7 +39,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         [ "$kind" = quad4 ] || files="$files gap"
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in
-        quad4) files="$files bounds quad4_proof quad4_step:quad4_vector_step quad4_steps quad4_repair answer_proved quad4_box quad4_from from" ;;
+        quad4) files="$files quad4_proof quad4_step:quad4_vector_step quad4_steps quad4_repair answer_proved quad4_box quad4_from from" ;;
         tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
@@ -98,7 +98,27 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    # Edges have nodes of two coordinates.
+    echo "#include \"$PWD/$folder/edge/plane.h\""
+    for row in edge2:2:'edge2' edge3:3:'edge3 edge3_repair edge3_closest'; do
+        kind=${row%%:*} row=${row#*:} nodes=${row%%:*} files="${row#*:} edge_answers edge_calls edge_place"
+        columns= rows= names= parameters= segment=
+        for k in $(seq 0 "$nodes"); do
+            columns="$columns${columns:+, }{x[$((2 * k))][i], x[$((2 * k + 1))][i]}"
+            rows="$rows${rows:+, }p[$k]" names="$names${names:+, }x$k" parameters="$parameters${parameters:+, }const REAL x$k[2]"
+            [ "$k" = "$nodes" ] || segment="$segment${segment:+, }c[$k]"
+        done
+        printf '#define %s\n' "VECTORS $((nodes + 1))" "NODES $nodes" "COORDINATES $((2 * nodes + 2))" "COLUMNS $columns" "ROWS $rows" \
+            "SEGMENT_ROWS $segment" "NODE_NAMES $names" "NODE_PARAMETERS $parameters" 'PROMISE 1e-7'
+        words='VECTORS NODES COORDINATES COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS PROMISE'
+        for name in $(grep -oh '[a-zA-Z_]*\(KIND\|NAME\|PREFIX\)[a-z_]*' $folder/edge/*.h | sort -u); do
+            echo "#define $name $(echo "$name" | sed "s/KIND/$kind/; s/^NAME/${kind}_name/; s/PREFIX/$kind/")"
+            words="$words $name"
+        done
+        for name in $files; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
+        for name in $words; do echo "#undef $name"; done
+    done
+    for name in contract_edge contract_edge_place contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

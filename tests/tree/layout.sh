@@ -22,6 +22,7 @@ codegen/print/templates/promise:
 codegen/print/templates/triangle:
 codegen/print/templates/place:
 codegen/print/templates/gap:
+codegen/print/templates/edge:
 codegen/print:      codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base
 codegen/print/header: codegen/print codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base
 codegen:            codegen/* codegen/print/header
