@@ -60,6 +60,7 @@ tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runt
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/plane:        tests/hard generated runtime
 tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated
 tests/replace:      runtime/replace runtime generated
