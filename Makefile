@@ -117,7 +117,7 @@ include_dirs = $(filter -I%,$(1))
 
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
 CFLAGS_batch_lanes := -fno-math-errno -fno-trapping-math
-$(foreach kind,tri3 tri6 quad4 quad8 quad9,$(eval CFLAGS_face_$(kind) := $(CFLAGS_batch_lanes)))
+$(foreach kind,tri3 tri6 quad4 quad8 quad9 edge2 edge3,$(eval CFLAGS_face_$(kind) := $(CFLAGS_batch_lanes)))
 $(foreach kind,bezier gregory,$(eval CFLAGS_patch_$(kind) := $(CFLAGS_batch_lanes)))
 # Square roots are instructions.
 CFLAGS_fit_lines := -fno-math-errno
@@ -383,7 +383,7 @@ $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsu
 $(foreach test,curved patches,$(eval $(BIN)/tests/test_promise_$(test): $(OBJ)/tests/generated/header_functions.o $(OBJ)/tests/hard/draw.o))
 $(foreach test,promise_curved closest_curved from,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,generated/curved_cases hard/draw)))
 $(BIN)/tests/test_promise_curved $(BIN)/tests/test_from: $(OBJ)/tests/generated/judged_faces.o
-$(BIN)/tests/test_edge $(BIN)/tests/test_edge_place: $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)
+$(BIN)/tests/test_edge $(BIN)/tests/test_edge_place $(BIN)/tests/test_edge_faces: $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_queries: $(OBJ)/tests/queries/query_text.o

@@ -320,6 +320,14 @@ FOOTPOINT_PART void footpoint_detail_edge2_tangent(const double *const *x, doubl
     t[1] = x[1][1] - x[0][1];
 }
 
+/* Nothing bounds distances that no place is proved for. */
+FOOTPOINT_FN int footpoint_detail_edge2_at_least(const double *const *x, double dist)
+{
+    (void)x;
+    (void)dist;
+    return 0;
+}
+
 /* Shape functions, their derivatives and second derivatives. */
 FOOTPOINT_PART void footpoint_detail_edge2_shape(double xi, double *phi, double *slope, double *bend)
 {
@@ -397,36 +405,51 @@ FOOTPOINT_PART int footpoint_detail_edge2_closest(const double *const *x, double
     return FOOTPOINT_OK;
 }
 
+/* Adds the unit tangent of an edge whose end is r to sum. */
+FOOTPOINT_FN void footpoint_detail_edge2_add_tangents(const double *const *segment, const double *r,
+                                                      double *sum)
+{
+    double y[3][2], t[2], length;
+    const double *row[3], *z[3];
+    int j, k, exponent = 0;
+    for (j = 0; j < 2; j++)
+        row[j] = segment[j];
+    row[2] = r;
+    for (k = 0; k < 2; k++) {
+        if (segment[k][0] != r[0] || segment[k][1] != r[1] ||
+            footpoint_detail_edge2_unit(row, y, z, &exponent) != FOOTPOINT_OK)
+            continue;
+        footpoint_detail_edge2_tangent(z, k ? 1.0 : -1.0, t);
+        length = sqrt(footpoint_detail_plane_dot(t, t));
+        if (length > 0.0) {
+            sum[0] += t[0] / length;
+            sum[1] += t[1] / length;
+        }
+    }
+}
+
 /* Whether xS lies behind the edges that meet at the end r of one of n: behind the sum of their unit normals. */
 FOOTPOINT_FN int footpoint_detail_edge2_corner(size_t n, const double *const *x, const double *xS,
                                                const double *r)
 {
-    double d[2], t[2], sum[2] = {0.0, 0.0};
+    double d[2], sum[2] = {0.0, 0.0};
     size_t i;
-    int k;
     for (i = 0; i < n; i++)
-        for (k = 0; k < 2; k++) {
-            const double *const *const segment = x + 2 * i;
-            double y[3][2], length;
-            const double *row[3], *z[3];
-            int j, exponent = 0;
-            if (segment[k][0] != r[0] || segment[k][1] != r[1])
-                continue;
-            for (j = 0; j < 2; j++)
-                row[j] = segment[j];
-            row[2] = r;
-            if (footpoint_detail_edge2_unit(row, y, z, &exponent) != FOOTPOINT_OK)
-                continue;
-            footpoint_detail_edge2_tangent(z, k ? 1.0 : -1.0, t);
-            length = sqrt(footpoint_detail_plane_dot(t, t));
-            if (length > 0.0) {
-                sum[0] += t[0] / length;
-                sum[1] += t[1] / length;
-            }
-        }
+        footpoint_detail_edge2_add_tangents(x + 2 * i, r, sum);
     d[0] = xS[0] - r[0];
     d[1] = xS[1] - r[1];
     return footpoint_detail_plane_behind(d, sum, 4.0);
+}
+
+/* Whether no point of the edge is nearer than that by more than 1e-10 of the largest difference of coordinates. */
+FOOTPOINT_COLD int footpoint_detail_edge2_is_nearest(const double *const *x, double dist)
+{
+    double y[3][2];
+    const double *z[3];
+    int exponent = 0;
+    if (footpoint_detail_edge2_unit(x, y, z, &exponent) != FOOTPOINT_OK)
+        return 0;
+    return footpoint_detail_edge2_at_least(z, ldexp(dist, -exponent));
 }
 
 /* The nearest of n edges. */

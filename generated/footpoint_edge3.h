@@ -714,6 +714,16 @@ FOOTPOINT_PART void footpoint_detail_edge3_tangent(const double *const *x, doubl
     footpoint_detail_edge3_side(&e, xi, t);
 }
 
+/* Whether no point of the edge is nearer than dist by more than 1e-10. */
+FOOTPOINT_FN int footpoint_detail_edge3_at_least(const double *const *x, double dist)
+{
+    struct footpoint_detail_parabola e;
+    const double least = dist - 0.9 * 1e-10;
+    footpoint_detail_edge3_parabola(x, &e);
+    return !(footpoint_detail_fast() >> 63) &&
+           footpoint_detail_edge3_above(&e, least > 0.0 ? 4.0 * least * least : -1.0, -1.0, 1.0);
+}
+
 /* Nodes and slave node in a unit of length in which the edge is about 1 long; FOOTPOINT_ERR_DOMAIN if xS is farther away than
  * is good for products. */
 FOOTPOINT_FN int footpoint_detail_edge3_unit(const double *const *x, double (*y)[2], const double **z,
@@ -781,36 +791,51 @@ FOOTPOINT_PART int footpoint_detail_edge3_closest(const double *const *x, double
     return FOOTPOINT_OK;
 }
 
+/* Adds the unit tangent of an edge whose end is r to sum. */
+FOOTPOINT_FN void footpoint_detail_edge3_add_tangents(const double *const *segment, const double *r,
+                                                      double *sum)
+{
+    double y[4][2], t[2], length;
+    const double *row[4], *z[4];
+    int j, k, exponent = 0;
+    for (j = 0; j < 3; j++)
+        row[j] = segment[j];
+    row[3] = r;
+    for (k = 0; k < 2; k++) {
+        if (segment[k][0] != r[0] || segment[k][1] != r[1] ||
+            footpoint_detail_edge3_unit(row, y, z, &exponent) != FOOTPOINT_OK)
+            continue;
+        footpoint_detail_edge3_tangent(z, k ? 1.0 : -1.0, t);
+        length = sqrt(footpoint_detail_plane_dot(t, t));
+        if (length > 0.0) {
+            sum[0] += t[0] / length;
+            sum[1] += t[1] / length;
+        }
+    }
+}
+
 /* Whether xS lies behind the edges that meet at the end r of one of n: behind the sum of their unit normals. */
 FOOTPOINT_FN int footpoint_detail_edge3_corner(size_t n, const double *const *x, const double *xS,
                                                const double *r)
 {
-    double d[2], t[2], sum[2] = {0.0, 0.0};
+    double d[2], sum[2] = {0.0, 0.0};
     size_t i;
-    int k;
     for (i = 0; i < n; i++)
-        for (k = 0; k < 2; k++) {
-            const double *const *const segment = x + 3 * i;
-            double y[4][2], length;
-            const double *row[4], *z[4];
-            int j, exponent = 0;
-            if (segment[k][0] != r[0] || segment[k][1] != r[1])
-                continue;
-            for (j = 0; j < 3; j++)
-                row[j] = segment[j];
-            row[3] = r;
-            if (footpoint_detail_edge3_unit(row, y, z, &exponent) != FOOTPOINT_OK)
-                continue;
-            footpoint_detail_edge3_tangent(z, k ? 1.0 : -1.0, t);
-            length = sqrt(footpoint_detail_plane_dot(t, t));
-            if (length > 0.0) {
-                sum[0] += t[0] / length;
-                sum[1] += t[1] / length;
-            }
-        }
+        footpoint_detail_edge3_add_tangents(x + 3 * i, r, sum);
     d[0] = xS[0] - r[0];
     d[1] = xS[1] - r[1];
     return footpoint_detail_plane_behind(d, sum, 4.0);
+}
+
+/* Whether no point of the edge is nearer than that by more than 1e-10 of the largest difference of coordinates. */
+FOOTPOINT_COLD int footpoint_detail_edge3_is_nearest(const double *const *x, double dist)
+{
+    double y[4][2];
+    const double *z[4];
+    int exponent = 0;
+    if (footpoint_detail_edge3_unit(x, y, z, &exponent) != FOOTPOINT_OK)
+        return 0;
+    return footpoint_detail_edge3_at_least(z, ldexp(dist, -exponent));
 }
 
 /* The nearest of n edges. */

@@ -23,13 +23,19 @@ enum footpoint_face {
     FOOTPOINT_QUAD4,
     FOOTPOINT_QUAD8,
     FOOTPOINT_QUAD9,
-    FOOTPOINT_FACES
+    FOOTPOINT_FACES, /* how many kinds of faces */
+    FOOTPOINT_EDGE2, /* for contact in the plane: an edge A B, or A B C with C in the middle */
+    FOOTPOINT_EDGE3
 };
+
+/* On edges xi lies in [-1,1], A at -1, and eta = 0.  All functions take them as faces: x and y of each vector count, z may be
+ * any number, such as 0, and derivatives by it are 0.  The body lies to the left of A -> B, so that the normal is
+ * (t_y, -t_x, 0) for the tangent r_xi = t; r_eta is (0, 0, 1).  Regions are 0 inside, 1 end A, 2 end B. */
 
 /* Below, N is the number of nodes.  x holds the coordinates of the nodes and, last, of the slave node: 3 (N + 1), mesh length.
  * Derivatives by coordinates are in the same order.  FOOTPOINT_ERR_ARGUMENT: no such face. */
 
-/** Returns the number of nodes, 3, 6, 4, 8 or 9, or 0 if there is no such face. */
+/** Returns the number of nodes, 3, 6, 4, 8, 9, 2 or 3, or 0 if there is no such face. */
 int footpoint_face_nodes(enum footpoint_face face);
 
 /** Finds the foot point of a slave node, with proof.  FOOTPOINT_OK: a minimum of the distance to the whole surface lies within

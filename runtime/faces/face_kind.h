@@ -96,6 +96,7 @@
                                                add_face,                                                               \
                                                place,                                                                  \
                                                differentiate,                                                          \
-                                               hessian};
+                                               hessian,                                                                \
+                                               NULL};
 
 #endif

@@ -26,6 +26,8 @@ struct face {
                          double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta, double *d_gap);
     int (*hessian)(const double *const *x, const double *s, const double *loc, double *gap, double *d_xi, double *d_eta,
                    double *d_gap, double *d_normal, double *hessian);
+    /* footpoint_face_robust of an edge; NULL: it is a face. */
+    int (*robust)(const double *const *x, const double *s, double *loc, double *distance, int *region);
 };
 
 /* Only for files of the library. */
@@ -33,7 +35,7 @@ struct face {
 #pragma GCC visibility push(hidden)
 #endif
 extern const struct face footpoint_face_tri3, footpoint_face_tri6, footpoint_face_quad4, footpoint_face_quad8,
-    footpoint_face_quad9;
+    footpoint_face_quad9, footpoint_face_edge2, footpoint_face_edge3;
 #ifdef __GNUC__
 #pragma GCC visibility pop
 #endif

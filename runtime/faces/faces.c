@@ -19,6 +19,10 @@ static const struct face *face_of(enum footpoint_face face)
         return &footpoint_face_quad8;
     case FOOTPOINT_QUAD9:
         return &footpoint_face_quad9;
+    case FOOTPOINT_EDGE2:
+        return &footpoint_face_edge2;
+    case FOOTPOINT_EDGE3:
+        return &footpoint_face_edge3;
     default:
         return NULL;
     }
@@ -158,6 +162,8 @@ static int robust_from(const struct face *f, const double *x, const struct robus
     const struct rows r = rows_of(f, x);
     const int nodes = f->pairs.nodes, corners = nodes == 3 || nodes == 6 ? 3 : 4;
     const double *const all[] = {x, x + 3, x + 6, x + 9, x + 12};
+    if (f->robust)
+        return f->robust(r.x, r.s, loc, distance, region);
     const int status = nodes == 3   ? closest_of_triangle(f, x, start, loc, distance)
                        : nodes == 4 ? footpoint_robust_from(all, start, loc, distance)
                                     : closest_of_curved(f, x, start, loc, distance);
@@ -181,7 +187,7 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
         *region = status >= FOOTPOINT_OK ? region_of(4, loc) : *region;
         return status;
     }
-    if (face != FOOTPOINT_TRI3 || f->promise > 0.0)
+    if (!f->robust && (face != FOOTPOINT_TRI3 || f->promise > 0.0))
         start.status = f->start.locate(r.x, r.s, start.loc, &start.distance);
     return robust_from(f, x, &start, loc, distance, region);
 }

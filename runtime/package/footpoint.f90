@@ -31,6 +31,8 @@ module footpoint
   integer(c_int), parameter :: FOOTPOINT_QUAD4 = 2
   integer(c_int), parameter :: FOOTPOINT_QUAD8 = 3
   integer(c_int), parameter :: FOOTPOINT_QUAD9 = 4
+  integer(c_int), parameter :: FOOTPOINT_EDGE2 = 6
+  integer(c_int), parameter :: FOOTPOINT_EDGE3 = 7
 
   ! Kinds of patches.
   integer(c_int), parameter :: FOOTPOINT_BEZIER = 0

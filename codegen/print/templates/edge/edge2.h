@@ -92,6 +92,14 @@ FOOTPOINT_PART void footpoint_detail_edge2_tangent(const REAL *const *x, REAL xi
     t[1] = x[1][1] - x[0][1];
 }
 
+/* Nothing bounds distances that no place is proved for. */
+FOOTPOINT_FN int footpoint_detail_edge2_at_least(const REAL *const *x, REAL dist)
+{
+    (void)x;
+    (void)dist;
+    return 0;
+}
+
 /* Shape functions, their derivatives and second derivatives. */
 FOOTPOINT_PART void footpoint_detail_edge2_shape(REAL xi, REAL *phi, REAL *slope, REAL *bend)
 {

@@ -67,36 +67,51 @@ FOOTPOINT_PART int footpoint_detail_KIND_closest(const REAL *const *x, REAL prom
     return FOOTPOINT_OK;
 }
 
+/* Adds the unit tangent of an edge whose end is r to sum. */
+FOOTPOINT_FN void footpoint_detail_KIND_add_tangents(const REAL *const *segment, const REAL *r,
+                                                     REAL *sum)
+{
+    REAL y[VECTORS][2], t[2], length;
+    const REAL *row[VECTORS], *z[VECTORS];
+    int j, k, exponent = 0;
+    for (j = 0; j < NODES; j++)
+        row[j] = segment[j];
+    row[NODES] = r;
+    for (k = 0; k < 2; k++) {
+        if (segment[k][0] != r[0] || segment[k][1] != r[1] ||
+            footpoint_detail_KIND_unit(row, y, z, &exponent) != FOOTPOINT_OK)
+            continue;
+        footpoint_detail_KIND_tangent(z, k ? 1.0 : -1.0, t);
+        length = sqrt(footpoint_detail_plane_dot(t, t));
+        if (length > 0.0) {
+            sum[0] += t[0] / length;
+            sum[1] += t[1] / length;
+        }
+    }
+}
+
 /* Whether xS lies behind the edges that meet at the end r of one of n: behind the sum of their unit normals. */
 FOOTPOINT_FN int footpoint_detail_KIND_corner(size_t n, const REAL *const *x, const REAL *xS,
                                               const REAL *r)
 {
-    REAL d[2], t[2], sum[2] = {0.0, 0.0};
+    REAL d[2], sum[2] = {0.0, 0.0};
     size_t i;
-    int k;
     for (i = 0; i < n; i++)
-        for (k = 0; k < 2; k++) {
-            const REAL *const *const segment = x + NODES * i;
-            REAL y[VECTORS][2], length;
-            const REAL *row[VECTORS], *z[VECTORS];
-            int j, exponent = 0;
-            if (segment[k][0] != r[0] || segment[k][1] != r[1])
-                continue;
-            for (j = 0; j < NODES; j++)
-                row[j] = segment[j];
-            row[NODES] = r;
-            if (footpoint_detail_KIND_unit(row, y, z, &exponent) != FOOTPOINT_OK)
-                continue;
-            footpoint_detail_KIND_tangent(z, k ? 1.0 : -1.0, t);
-            length = sqrt(footpoint_detail_plane_dot(t, t));
-            if (length > 0.0) {
-                sum[0] += t[0] / length;
-                sum[1] += t[1] / length;
-            }
-        }
+        footpoint_detail_KIND_add_tangents(x + NODES * i, r, sum);
     d[0] = xS[0] - r[0];
     d[1] = xS[1] - r[1];
     return footpoint_detail_plane_behind(d, sum, 4.0);
+}
+
+/* Whether no point of the edge is nearer than that by more than 1e-10 of the largest difference of coordinates. */
+FOOTPOINT_COLD int footpoint_detail_KIND_is_nearest(const REAL *const *x, REAL dist)
+{
+    REAL y[VECTORS][2];
+    const REAL *z[VECTORS];
+    int exponent = 0;
+    if (footpoint_detail_KIND_unit(x, y, z, &exponent) != FOOTPOINT_OK)
+        return 0;
+    return footpoint_detail_KIND_at_least(z, ldexp(dist, -exponent));
 }
 
 /* The nearest of n edges. */
