@@ -164,7 +164,7 @@ enum inp_face_label { INP_FACE_NONE = -1, INP_FACE_SNEG = INP_MAX_FACES, INP_FAC
 struct inp_shape {
     int faces;
     struct {
-        int corners;
+        int corners; /* 2: an edge of a plane element */
         /* from 1: corners counter-clockwise seen from outside, then mid-side nodes, then the middle */
         unsigned char node[9];
     } face[INP_MAX_FACES];

@@ -29,8 +29,22 @@ static const struct inp_shape triangle = {2, {{3, {1, 3, 2, 6, 5, 4}}, {3, {1, 2
 
 static const struct inp_shape quadrilateral = {2, {{4, {1, 4, 3, 2, 8, 7, 6, 5, 9}}, {4, {1, 2, 3, 4, 5, 6, 7, 8, 9}}}};
 
+/* Plane elements, whose faces are edges; the element lies to the left of each. */
+static const struct inp_shape plane_triangle = {3, {{2, {1, 2, 4}}, {2, {2, 3, 5}}, {2, {3, 1, 6}}}};
+
+static const struct inp_shape plane_quadrilateral = {4,
+                                                     {{2, {1, 2, 5}}, {2, {2, 3, 6}}, {2, {3, 4, 7}}, {2, {4, 1, 8}}}};
+
+#define PLANE(family)                                                                                                  \
+    {family "3", 3, false, INP_LINEAR, &plane_triangle}, {family "6", 6, false, INP_QUADRATIC, &plane_triangle},       \
+        {family "4", 4, false, INP_LINEAR, &plane_quadrilateral},                                                      \
+    {                                                                                                                  \
+        family "8", 8, false, INP_QUADRATIC, &plane_quadrilateral                                                      \
+    }
+
 /* Names without the letters for integration, coupling or modification: solids for stress, heat, sound and electric
- * currents, cohesive and continuum shell elements; shells, membranes, surface and rigid elements. */
+ * currents, cohesive and continuum shell elements; shells, membranes, surface and rigid elements; plane and axisymmetric
+ * solids for stress, heat and sound. */
 static const struct inp_type types[] = {
     {"C3D4", 4, false, INP_LINEAR, &tetrahedron},
     {"C3D10", 10, false, INP_QUADRATIC, &tetrahedron},
@@ -84,6 +98,15 @@ static const struct inp_type types[] = {
     {"R3D4", 4, true, INP_LINEAR, &quadrilateral},
     {"STRI3", 3, true, INP_LINEAR, &triangle},
     {"STRI65", 6, true, INP_QUADRATIC, &triangle},
+    PLANE("CPE"),
+    PLANE("CPS"),
+    PLANE("CPEG"),
+    PLANE("CAX"),
+    PLANE("CGAX"),
+    PLANE("DC2D"),
+    PLANE("DCAX"),
+    PLANE("AC2D"),
+    PLANE("ACAX"),
 };
 
 const struct inp_type *inp_type_find(struct inp_text name)

@@ -170,7 +170,8 @@ int inp_face_nodes(const struct inp_model *m, size_t face, int node[9])
     const struct inp_element *e = &m->element[m->elements.entry[face / INP_MAX_FACES].order];
     const struct inp_shape *shape = e->type->shape;
     const int corners = shape->face[face % INP_MAX_FACES].corners;
-    const int n = e->type->order == INP_LINEAR ? corners : 2 * corners + (e->type->order == INP_BIQUADRATIC);
+    const int sides = corners > 2 ? corners : 1;
+    const int n = e->type->order == INP_LINEAR ? corners : corners + sides + (e->type->order == INP_BIQUADRATIC);
     for (int i = 0; i < n; i++)
         node[i] = m->connectivity[e->first + shape->face[face % INP_MAX_FACES].node[i] - 1];
     return n;

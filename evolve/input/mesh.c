@@ -24,6 +24,12 @@ static void mark_faces(const struct inp_list *faces, unsigned char *carries)
         carries[faces->index[i] / INP_MAX_FACES] = 1;
 }
 
+static bool is_edge(const struct inp_model *m, size_t face)
+{
+    const struct inp_element *e = &m->element[m->elements.entry[face / INP_MAX_FACES].order];
+    return e->type->shape->face[0].corners == 2;
+}
+
 /* Copies a pair. carries: 1 for elements with a face of the pair, by position. */
 static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct mesh_pair *to, unsigned char *carries)
 {
@@ -39,6 +45,7 @@ static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct m
         for (to->masters = 0; to->masters < masters.n; to->masters++) {
             struct mesh_face *face = &to->master[to->masters];
             face->nodes = inp_face_nodes(m, masters.index[to->masters], face->node);
+            face->edge = is_edge(m, masters.index[to->masters]);
         }
     }
     free(slaves.index);
@@ -127,20 +134,33 @@ struct mesh *mesh_read(const char *path, struct diag *d)
     return NULL;
 }
 
+bool mesh_is_plane(const struct mesh *m)
+{
+    for (size_t i = 0; i < m->pairs; i++)
+        for (size_t k = 0; k < m->pair[i].masters; k++)
+            if (!m->pair[i].master[k].edge)
+                return false;
+    return true;
+}
+
 const struct segment_kind *mesh_segment(const struct mesh *m, char *text, size_t size)
 {
-    size_t count[SEGMENT_VECTORS + 1] = {0}, kinds = 0, used = 0;
+    size_t count[2][SEGMENT_VECTORS + 1] = {{0}}, kinds = 0, used = 0;
     const struct segment_kind *kind = NULL;
     for (size_t i = 0; i < m->pairs; i++)
         for (size_t k = 0; k < m->pair[i].masters; k++)
-            count[m->pair[i].master[k].nodes]++;
+            count[m->pair[i].master[k].edge][m->pair[i].master[k].nodes]++;
     *text = '\0';
-    for (size_t nodes = 0; nodes <= SEGMENT_VECTORS; nodes++)
-        if (count[nodes] > 0 && used < size) {
-            kind = segment_of_face(nodes);
-            used += (size_t)snprintf(text + used, size - used, "%s%zu of %s", kinds++ ? ", " : "", count[nodes],
-                                     kind->name);
-        }
+    for (int edge = 0; edge <= 1; edge++)
+        for (size_t nodes = 0; nodes <= SEGMENT_VECTORS; nodes++)
+            if (count[edge][nodes] > 0 && used < size) {
+                kind = edge ? NULL : segment_of_face(nodes);
+                used +=
+                    (size_t)snprintf(text + used, size - used, "%s%zu of %s", kinds++ ? ", " : "", count[edge][nodes],
+                                     kind         ? kind->name
+                                     : nodes == 2 ? "edge2"
+                                                  : "edge3");
+            }
     return kinds == 1 ? kind : NULL;
 }
 
@@ -152,7 +172,7 @@ size_t mesh_keep_faces(struct mesh *m, const struct segment_kind *kind)
         const size_t all = p->masters;
         p->masters = 0;
         for (size_t k = 0; k < all; k++)
-            if (segment_of_face((size_t)p->master[k].nodes) == kind)
+            if (!p->master[k].edge && segment_of_face((size_t)p->master[k].nodes) == kind)
                 p->master[p->masters++] = p->master[k];
         kept += p->masters;
     }
@@ -165,7 +185,7 @@ double mesh_shortest_edge(const struct mesh *m)
     for (const struct mesh_pair *p = m->pair; p < m->pair + m->pairs; p++)
         for (size_t k = 0; k < p->masters; k++) {
             const struct mesh_face *f = &p->master[k];
-            const size_t corners = segment_of_face((size_t)f->nodes)->corners;
+            const size_t corners = f->edge ? 2 : segment_of_face((size_t)f->nodes)->corners;
             for (size_t i = 0; i < corners; i++) {
                 const double *a = m->xyz[f->node[i]], *b = m->xyz[f->node[(i + 1) % corners]];
                 const double edge = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);

@@ -6,10 +6,11 @@
 #include "../../codegen/genome/segment_kind.h"
 
 /** Corner nodes of an element face, counter-clockwise seen from outside, then mid-side nodes and the middle if it has
- *  them (Abaqus order). */
+ *  them (Abaqus order). Of a plane element it is an edge: its ends, with the element to the left, and its middle. */
 struct mesh_face {
-    int nodes;   /* 3, 4, 6, 8 or 9 */
+    int nodes;   /* 3, 4, 6, 8 or 9; of an edge 2 or 3 */
     int node[9]; /* indices into xyz */
+    bool edge;
 };
 
 enum { MESH_ELEMENT_NODES = 27 };
@@ -47,9 +48,12 @@ void mesh_free(struct mesh *m);
 /** Returns the shortest edge between corners of master faces, ignoring collapsed edges, or INFINITY. */
 double mesh_shortest_edge(const struct mesh *m);
 
-/** Returns the kind of segment of all master faces, or NULL if there are several. text: the number of each, "7 of
- *  quad4, 2 of tri3". */
+/** Returns the kind of segment of all master faces, or NULL if there are several, or edges. text: the number of each,
+ *  "7 of quad4, 2 of tri3", "5 of edge3". */
 const struct segment_kind *mesh_segment(const struct mesh *m, char *text, size_t size);
+
+/** Returns true if all master faces are edges. */
+bool mesh_is_plane(const struct mesh *m);
 
 /** Removes all master faces of other kinds; returns the number left. */
 size_t mesh_keep_faces(struct mesh *m, const struct segment_kind *kind);

@@ -40,6 +40,11 @@ static bool choose_segment(const struct scene_reader *r, const config_setting_t 
         return mesh_keep_faces(m, scene->segment) > 0 ||
                key_fail(r, group, "no master face has segment '%s'; there are %s", scene->segment->name, faces);
     scene->segment = kind;
+    if (!kind && mesh_is_plane(m))
+        return key_fail(r, group,
+                        "master faces are edges of plane elements, %s; their headers need no scene: "
+                        "footpoint-codegen --edge",
+                        faces);
     return kind ||
            key_fail(r, group, "master faces are of several kinds: %s; choose one with segment = \"...\";", faces);
 }

@@ -26,6 +26,7 @@ static const struct {
     {"self", 20, 2, {6, 6}, {2, 2}, {NULL}},
     {"assembly", 25, 2, {11, 6}, {2, 2}, {NULL}},
     {"carriage", 20, 1, {4}, {2}, {NULL}},
+    {"plane", 16, 2, {3, 5}, {2, 5}, {NULL}},
 };
 
 static struct mesh *read_deck(const char *name, char path[64])
@@ -82,11 +83,37 @@ static void instances_are_placed(void **state)
     mesh_free(m);
 }
 
+/* Edges of plane elements, with their bodies to the left, and middle nodes last. */
+static void plane_elements_have_edges(void **state)
+{
+    char path[64], faces[100];
+    (void)state;
+    struct mesh *m = read_deck("plane", path);
+    const struct mesh_face *const top = m->pair[0].master;
+    const int quadratic[2][3] = {{3, 4, 7}, {9, 3, 11}};
+    for (int k = 0; k < 2; k++) {
+        assert_true(top[k].edge && top[k].nodes == 3);
+        for (int i = 0; i < 3; i++)
+            assert_int_equal(m->label[top[k].node[i]], quadratic[k][i]);
+    }
+    for (size_t k = 0; k < m->pair[1].masters; k++) {
+        const struct mesh_face *const f = &m->pair[1].master[k];
+        const double *const a = m->xyz[f->node[0]], *const b = m->xyz[f->node[1]];
+        assert_true(f->edge && f->nodes == 2);
+        assert_true((b[0] - a[0]) * (3.4 - a[1]) - (b[1] - a[1]) * (0.9 - a[0]) > 0);
+    }
+    assert_null(mesh_segment(m, faces, sizeof faces));
+    assert_string_equal(faces, "5 of edge2, 2 of edge3");
+    assert_true(mesh_is_plane(m) && mesh_shortest_edge(m) == 1);
+    mesh_free(m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(decks_are_read),
         cmocka_unit_test(instances_are_placed),
+        cmocka_unit_test(plane_elements_have_edges),
     };
     return cmocka_run_group_tests_name("mesh decks", tests, make_folder, remove_folder);
 }

@@ -45,9 +45,9 @@ static const struct {
     {NODES "*ELEMENT, TYPE=CAX8\none, 1, 2\n", "model.inp:7: error: 'one' must be a whole number from 1 to 2147483647"},
     {NODES SLAVE "*ELEMENT, TYPE=C3D80\n1, 1, 2\n*SURFACE, NAME=M\n1, S1\n" PAIR,
      "model.inp:11: error: element 1 of a master surface has type C3D80" KNOWN},
-    {MODEL SLAVE "*ELEMENT, TYPE=CPS8R, ELSET=P\n7, 1, 2,\n3, 4, 1, 2, 3, 4\n*SURFACE, NAME=B\n1, S1\nP, S2\n"
+    {MODEL SLAVE "*ELEMENT, TYPE=CAXA8R, ELSET=P\n7, 1, 2,\n3, 4, 1, 2, 3, 4\n*SURFACE, NAME=B\n1, S1\nP, S2\n"
                  "*CONTACT PAIR\nS, B\n",
-     "model.inp:17: error: element 7 of a master surface has type CPS8R" KNOWN},
+     "model.inp:17: error: element 7 of a master surface has type CAXA8R" KNOWN},
     {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3\n2, 1, 2, 3, 4\n",
      "model.inp:7: error: element 1 has 3 nodes, but type C3D4 has 4"},
     {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2,\n3,\n*NSET, NSET=X\n",
