@@ -383,7 +383,7 @@ $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsu
 $(foreach test,curved patches,$(eval $(BIN)/tests/test_promise_$(test): $(OBJ)/tests/generated/header_functions.o $(OBJ)/tests/hard/draw.o))
 $(foreach test,promise_curved closest_curved from,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,generated/curved_cases hard/draw)))
 $(BIN)/tests/test_promise_curved $(BIN)/tests/test_from: $(OBJ)/tests/generated/judged_faces.o
-$(BIN)/tests/test_edge $(BIN)/tests/test_edge_place $(BIN)/tests/test_edge_faces: $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)
+$(foreach test,edge edge_place edge_faces edge_along,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)))
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_queries: $(OBJ)/tests/queries/query_text.o

@@ -226,6 +226,82 @@ FOOTPOINT_PART int footpoint_detail_plane_behind(const double d[2], const double
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_LINE
+#define FOOTPOINT_DETAIL_LINE
+/* The largest error of xi behind FOOTPOINT_OK. */
+#ifndef FOOTPOINT_ALONG_PROMISE
+#define FOOTPOINT_ALONG_PROMISE 1e-9
+#endif
+
+/* A line against an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0.  By rounding a[0] is off by 3 units
+ * of far, a[1] by 3 and a[2] by 4 of wide, which bound their absolute values, too. */
+struct footpoint_detail_line {
+    double a[3], far, wide;
+};
+
+/* The sum of absolute values of the products of a cross product. */
+FOOTPOINT_PART double footpoint_detail_plane_across(const double p[2], double x, double y)
+{
+    return fabs(p[0]) * fabs(y) + fabs(p[1]) * fabs(x);
+}
+
+/* If no root is proved to lie within the promise of xi, where it is at most 2 from the edge.  The slope is off by 8 (1 + x)
+ * units of wide, and changes by 2 a[2] on 1. */
+FOOTPOINT_PART unsigned long long footpoint_detail_plane_root(const struct footpoint_detail_line *l, double xi)
+{
+    const double x = fabs(xi), promise = 0.99 * FOOTPOINT_ALONG_PROMISE * (1.0 + x) * 0.5;
+    const double g = fabs(l->a[0] + xi * (l->a[1] + xi * l->a[2]));
+    const double slope =
+        fabs(l->a[1] + 2.0 * xi * l->a[2]) - 2.0 * FOOTPOINT_ALONG_PROMISE * (1.0 + x) * l->wide;
+    const double left =
+        promise * slope - g - 1.12e-16 * (5.0 * l->far + x * (7.0 + 9.0 * x) * l->wide);
+    return footpoint_detail_bits(slope) | footpoint_detail_bits(left) |
+           footpoint_detail_infinite(left) | footpoint_detail_fast();
+}
+
+/* If the line may meet the edge elsewhere: g / (t - xi) is linear, and its signs at both ends are not the same beyond doubt. */
+FOOTPOINT_PART unsigned long long footpoint_detail_plane_elsewhere(const struct footpoint_detail_line *l,
+                                                                   double xi)
+{
+    const double left = l->a[1] + (xi - 1.0) * l->a[2], right = l->a[1] + (xi + 1.0) * l->a[2];
+    const double off = 4.0 * FOOTPOINT_ALONG_PROMISE * (1.0 + fabs(xi)) * l->wide;
+    return footpoint_detail_bits(fabs(left) - off) | footpoint_detail_bits(fabs(right) - off) |
+           (footpoint_detail_bits(left) ^ footpoint_detail_bits(right));
+}
+
+/* Both roots, the one that is nearer to 0 first; 0 if they are not real. */
+FOOTPOINT_FN int footpoint_detail_plane_roots(const struct footpoint_detail_line *l, double root[2])
+{
+    const double under = l->a[1] * l->a[1] - 4.0 * l->a[2] * l->a[0];
+    const double q = -0.5 * (l->a[1] + copysign(sqrt(under > 0.0 ? under : 0.0), l->a[1]));
+    root[0] = q != 0.0 ? l->a[0] / q : 0.0;
+    root[1] = l->a[2] != 0.0 ? q / l->a[2] : 1.0 / 2.2250738585072014e-308;
+    return under >= 0.0;
+}
+
+/* A status of roots that are not far: see the contract.  xi is the root that counts, of two on the edge root[0]. */
+FOOTPOINT_FN int footpoint_detail_plane_meet(const struct footpoint_detail_line *l, double root[2],
+                                             double *xi)
+{
+    const int real = footpoint_detail_plane_roots(l, root);
+    const double under = l->a[1] * l->a[1] - 4.0 * l->a[2] * l->a[0];
+    const double off = 1.12e-16 * l->wide * (12.0 * l->wide + 40.0 * l->far);
+    *xi = root[0];
+    if (footpoint_detail_fast() >> 63)
+        return FOOTPOINT_UNPROVED;
+    if (!real)
+        return under < -off ? FOOTPOINT_ERR_DOMAIN : FOOTPOINT_UNPROVED;
+    if (footpoint_detail_plane_root(l, root[0]) >> 63)
+        return FOOTPOINT_UNPROVED;
+    if (!(footpoint_detail_plane_elsewhere(l, root[0]) >> 63))
+        return fabs(root[0]) > 1.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+    return fabs(root[0]) < 1.0 - FOOTPOINT_ALONG_PROMISE && fabs(root[1]) < 1.0 - FOOTPOINT_ALONG_PROMISE &&
+                   !(footpoint_detail_plane_root(l, root[1]) >> 63)
+               ? FOOTPOINT_NOT_UNIQUE
+               : FOOTPOINT_UNPROVED;
+}
+#endif
+
 #ifndef FOOTPOINT_EDGE3_SEARCH
 #define FOOTPOINT_EDGE3_SEARCH
 /* An edge is r = C + xi h / 2 + xi^2 k / 2 with h = B - A and k = (A - C) + (B - C).  With s = S - C the derivative of
@@ -390,6 +466,27 @@ FOOTPOINT_PART void footpoint_detail_edge3_shape(double xi, double *phi, double 
     slope[2] = -2.0 * xi;
     bend[0] = bend[1] = 1.0;
     bend[2] = -2.0;
+}
+
+/* The line through the slave node in the direction p, and S - r. */
+FOOTPOINT_PART void footpoint_detail_edge3_line(const double *const *x, const double p[2],
+                                                struct footpoint_detail_line *l)
+{
+    struct footpoint_detail_parabola e;
+    footpoint_detail_edge3_parabola(x, &e);
+    l->a[0] = -2.0 * footpoint_detail_plane_cross(p, e.s);
+    l->a[1] = footpoint_detail_plane_cross(p, e.h);
+    l->a[2] = footpoint_detail_plane_cross(p, e.k);
+    l->far = 2.0 * footpoint_detail_plane_across(p, e.s[0], e.s[1]);
+    l->wide = footpoint_detail_plane_across(p, e.wide[0], e.wide[1]);
+}
+
+FOOTPOINT_PART void footpoint_detail_edge3_way(const double *const *x, double xi, double d[2])
+{
+    struct footpoint_detail_parabola e;
+    double t[2];
+    footpoint_detail_edge3_parabola(x, &e);
+    footpoint_detail_edge3_frame(&e, xi, t, d);
 }
 
 /* A root of the cubic between low, where it is < 0, and high, where it is > 0: steps of Newton's, or halves where these
@@ -1209,6 +1306,82 @@ FOOTPOINT_FN int footpoint_edge3_hessian(const double xA[2], const double xB[2],
             hessian[i * (i + 1) / 2 + j] =
                 -e.phi[i / 2] * turn[j] * e.t[i % 2] - e.slope[i / 2] * along[j] * e.n[i % 2];
     return FOOTPOINT_OK;
+}
+
+/* footpoint_edge3_along:  where the line through xS in the direction `along`, of any length but 0, meets the edge: xi, and dist with
+ *           xS = r(xi) + dist along / |along|.  FOOTPOINT_OK is proved: the line meets the curve within FOOTPOINT_ALONG_PROMISE of xi,
+ *           and the edge nowhere else; FOOTPOINT_NOT_UNIQUE, it meets the edge twice, the point that is nearer to xS is the
+ *           answer; FOOTPOINT_OUTSIDE, it meets the edge nowhere, but the curve beyond its ends within the promise of xi, times
+ *           |xi|.  FOOTPOINT_UNPROVED: any of these, as where it nearly touches the edge.  xi and dist are untouched where it
+ *           returns FOOTPOINT_ERR_DOMAIN: it does not meet the curve, or there is no number; FOOTPOINT_ERR_DEGENERATE: no
+ *           length, no direction, or that of a straight edge; and FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_edge3_along_n:  the same for n pairs, each with its status and its direction, two columns. */
+
+/* The distance at xi, times |p|. */
+FOOTPOINT_PART double footpoint_detail_edge3_away(const double *const *x, const double p[2], double xi)
+{
+    double d[2];
+    footpoint_detail_edge3_way(x, xi, d);
+    return footpoint_detail_plane_dot(d, p);
+}
+
+/* In units of length in which edge and direction are about 1 long. */
+FOOTPOINT_FN int footpoint_detail_edge3_along(const double *const *x, const double p[2], double *xi,
+                                              double *dist)
+{
+    struct footpoint_detail_line l;
+    double root[2];
+    int status;
+    footpoint_detail_edge3_line(x, p, &l);
+    if (!(fabs(l.a[1]) + fabs(l.a[2]) > 1e-9 * l.wide))
+        return FOOTPOINT_ERR_DEGENERATE;
+    status = footpoint_detail_plane_meet(&l, root, xi);
+    if (status == FOOTPOINT_NOT_UNIQUE && fabs(footpoint_detail_edge3_away(x, p, root[1])) <
+                                              fabs(footpoint_detail_edge3_away(x, p, root[0])))
+        *xi = root[1];
+    *dist = footpoint_detail_edge3_away(x, p, *xi) / sqrt(footpoint_detail_plane_dot(p, p));
+    return status;
+}
+
+FOOTPOINT_FN int footpoint_edge3_along(const double xA[2], const double xB[2], const double xC[2], const double xS[2],
+                                       const double along[2], double *xi, double *dist)
+{
+    const double *const x[4] = {xA, xB, xC, xS};
+    double y[4][2], p[2], at, away;
+    const double *z[4];
+    int exponent = 0, turn, status = footpoint_detail_edge3_unit(x, y, z, &exponent);
+    if (status == FOOTPOINT_ERR_NOT_FINITE ||
+        (footpoint_detail_infinite(along[0]) | footpoint_detail_infinite(along[1])) >> 63)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    if (status != FOOTPOINT_OK)
+        return status;
+    away = footpoint_detail_greater(fabs(along[0]), fabs(along[1]));
+    if (footpoint_detail_below(away, 2.2250738585072014e-308) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(away, &turn);
+    p[0] = ldexp(along[0], -turn);
+    p[1] = ldexp(along[1], -turn);
+    status = footpoint_detail_edge3_along(z, p, &at, &away);
+    if (status < FOOTPOINT_OK)
+        return status;
+    away = ldexp(away, exponent);
+    if (footpoint_detail_infinite(away + at) >> 63)
+        return FOOTPOINT_ERR_DOMAIN;
+    *xi = at;
+    *dist = away;
+    return status;
+}
+
+FOOTPOINT_FN void footpoint_edge3_along_n(size_t n, const double *const x[8],
+                                          const double *const along[2], double *FOOTPOINT_RESTRICT xi,
+                                          double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const double p[4][2] = {{x[0][i], x[1][i]}, {x[2][i], x[3][i]}, {x[4][i], x[5][i]}, {x[6][i], x[7][i]}};
+        const double q[2] = {along[0][i], along[1][i]};
+        status[i] = footpoint_edge3_along(p[0], p[1], p[2], p[3], q, &xi[i], &dist[i]);
+    }
 }
 
 #endif

@@ -99,9 +99,9 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         for name in $words; do echo "#undef $name"; done
     done
     # Edges have nodes of two coordinates.
-    echo "#include \"$PWD/$folder/edge/plane.h\""
+    for name in plane plane_along; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
     for row in edge2:2:'edge2' edge3:3:'edge3 edge3_repair edge3_closest'; do
-        kind=${row%%:*} row=${row#*:} nodes=${row%%:*} files="${row#*:} edge_answers edge_calls edge_place"
+        kind=${row%%:*} row=${row#*:} nodes=${row%%:*} files="${row#*:} edge_answers edge_calls edge_place edge_along"
         columns= rows= names= parameters= segment=
         for k in $(seq 0 "$nodes"); do
             columns="$columns${columns:+, }{x[$((2 * k))][i], x[$((2 * k + 1))][i]}"
@@ -118,7 +118,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         for name in $files; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract_edge contract_edge_place contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in contract_edge contract_edge_place contract_edge_along contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

@@ -95,6 +95,7 @@ static void print_helpers(const struct edge_kind *k, const struct placeholder *w
     templates_print("FOOTPOINT_DETAIL_BITS", (const char *const[]){"bits", NULL}, precision, NULL, out);
     templates_print("FOOTPOINT_DETAIL_BOUNDS", (const char *const[]){"bounds", NULL}, precision, NULL, out);
     templates_print("FOOTPOINT_DETAIL_PLANE", (const char *const[]){"plane", NULL}, precision, NULL, out);
+    templates_print("FOOTPOINT_DETAIL_LINE", (const char *const[]){"plane_along", NULL}, precision, NULL, out);
     templates_print(guard, k->templates, precision, words, out);
     free(guard);
 }
@@ -108,7 +109,9 @@ void edge_print(const struct edge_kind *k, const char *prefix, FILE *out)
     print_helpers(k, w.word, out);
     templates_print(NULL, (const char *const[]){"contract_edge", NULL}, PRECISION_DOUBLE, about.word, out);
     fprintf(out, "\n#define %s_PROMISE %s /* the largest error of xi behind FOOTPOINT_OK */\n", macro, k->promise);
-    templates_print(NULL, (const char *const[]){"edge_calls", "contract_edge_place", "edge_place", NULL},
+    templates_print(NULL,
+                    (const char *const[]){"edge_calls", "contract_edge_place", "edge_place", "contract_edge_along",
+                                          "edge_along", NULL},
                     PRECISION_DOUBLE, w.word, out);
     fputs("\n#endif\n", out);
     words_clear(&w);

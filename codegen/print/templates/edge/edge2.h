@@ -109,3 +109,25 @@ FOOTPOINT_PART void footpoint_detail_edge2_shape(REAL xi, REAL *phi, REAL *slope
     slope[1] = 0.5;
     bend[0] = bend[1] = 0.0;
 }
+
+/* The line through the slave node in the direction p, and S - r. */
+FOOTPOINT_PART void footpoint_detail_edge2_line(const REAL *const *x, const REAL p[2],
+                                                struct footpoint_detail_line *l)
+{
+    const REAL e[2] = {x[1][0] - x[0][0], x[1][1] - x[0][1]};
+    const REAL a[2] = {x[2][0] - x[0][0], x[2][1] - x[0][1]};
+    const REAL b[2] = {x[2][0] - x[1][0], x[2][1] - x[1][1]}, s[2] = {a[0] + b[0], a[1] + b[1]};
+    l->a[0] = -footpoint_detail_plane_cross(p, s);
+    l->a[1] = footpoint_detail_plane_cross(p, e);
+    l->a[2] = 0.0;
+    l->far = 2.0 * (footpoint_detail_plane_across(p, a[0], a[1]) +
+                    footpoint_detail_plane_across(p, b[0], b[1]));
+    l->wide = footpoint_detail_plane_across(p, e[0], e[1]);
+}
+
+FOOTPOINT_PART void footpoint_detail_edge2_way(const REAL *const *x, REAL xi, REAL d[2])
+{
+    const REAL t = 0.5 * (xi + 1.0);
+    d[0] = (x[2][0] - x[0][0]) - t * (x[1][0] - x[0][0]);
+    d[1] = (x[2][1] - x[0][1]) - t * (x[1][1] - x[0][1]);
+}

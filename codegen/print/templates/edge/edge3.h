@@ -163,3 +163,24 @@ FOOTPOINT_PART void footpoint_detail_edge3_shape(REAL xi, REAL *phi, REAL *slope
     bend[0] = bend[1] = 1.0;
     bend[2] = -2.0;
 }
+
+/* The line through the slave node in the direction p, and S - r. */
+FOOTPOINT_PART void footpoint_detail_edge3_line(const REAL *const *x, const REAL p[2],
+                                                struct footpoint_detail_line *l)
+{
+    struct footpoint_detail_parabola e;
+    footpoint_detail_edge3_parabola(x, &e);
+    l->a[0] = -2.0 * footpoint_detail_plane_cross(p, e.s);
+    l->a[1] = footpoint_detail_plane_cross(p, e.h);
+    l->a[2] = footpoint_detail_plane_cross(p, e.k);
+    l->far = 2.0 * footpoint_detail_plane_across(p, e.s[0], e.s[1]);
+    l->wide = footpoint_detail_plane_across(p, e.wide[0], e.wide[1]);
+}
+
+FOOTPOINT_PART void footpoint_detail_edge3_way(const REAL *const *x, REAL xi, REAL d[2])
+{
+    struct footpoint_detail_parabola e;
+    REAL t[2];
+    footpoint_detail_edge3_parabola(x, &e);
+    footpoint_detail_edge3_frame(&e, xi, t, d);
+}
