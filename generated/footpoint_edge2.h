@@ -454,18 +454,22 @@ FOOTPOINT_FN int footpoint_detail_edge2_unit(const double *const *x, double (*y)
                : FOOTPOINT_OK;
 }
 
-FOOTPOINT_COLD int footpoint_detail_edge2_answer(const double *const *x, double promise, double *xi,
-                                                 double *gap)
+/* From `at`, where the quick way ended, once more; then in full. */
+FOOTPOINT_COLD int footpoint_detail_edge2_answer(const double *const *x, double promise, double at,
+                                                 double *xi, double *gap)
 {
-    double y[3][2], at, g;
+    double y[3][2], g;
     const double *z[3];
-    int exponent = 0, status = footpoint_detail_edge2_unit(x, y, z, &exponent);
-    if (status != FOOTPOINT_OK)
-        return status == FOOTPOINT_ERR_NOT_FINITE ? status : FOOTPOINT_ERR_DEGENERATE;
-    status = footpoint_detail_edge2_repair(z, promise, &at, &g);
-    g = ldexp(g, exponent);
-    if (status < FOOTPOINT_OK || footpoint_detail_infinite(g) >> 63)
-        return FOOTPOINT_ERR_DEGENERATE;
+    int exponent = 0, status = FOOTPOINT_OK;
+    if (footpoint_detail_edge2_follow(x, promise, &at, &g) >> 63) {
+        status = footpoint_detail_edge2_unit(x, y, z, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status == FOOTPOINT_ERR_NOT_FINITE ? status : FOOTPOINT_ERR_DEGENERATE;
+        status = footpoint_detail_edge2_repair(z, promise, &at, &g);
+        g = ldexp(g, exponent);
+        if (status < FOOTPOINT_OK || footpoint_detail_infinite(g) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
     *xi = at;
     *gap = g;
     return status;
@@ -640,7 +644,7 @@ FOOTPOINT_FN int footpoint_edge2_exact(const double xA[2], const double xB[2], c
     const double *const x[3] = {xA, xB, xS};
     double at, g;
     if (footpoint_detail_edge2_locate(x, FOOTPOINT_EDGE2_EXACT_PROMISE, &at, &g) >> 63)
-        return footpoint_detail_edge2_answer(x, FOOTPOINT_EDGE2_EXACT_PROMISE, xi, gap);
+        return footpoint_detail_edge2_answer(x, FOOTPOINT_EDGE2_EXACT_PROMISE, at, xi, gap);
     *xi = at;
     *gap = g;
     return FOOTPOINT_OK;
@@ -702,7 +706,7 @@ FOOTPOINT_LOOP void footpoint_edge2_exact_checked_n(size_t n, const double *cons
         if (status[i]) {
             const double p[3][2] = {{x[0][i], x[1][i]}, {x[2][i], x[3][i]}, {x[4][i], x[5][i]}};
             const double *const row[3] = {p[0], p[1], p[2]};
-            status[i] = footpoint_detail_edge2_answer(row, FOOTPOINT_EDGE2_EXACT_PROMISE, &xi[i], &gap[i]);
+            status[i] = footpoint_detail_edge2_answer(row, FOOTPOINT_EDGE2_EXACT_PROMISE, xi[i], &xi[i], &gap[i]);
         }
 }
 
@@ -730,7 +734,7 @@ FOOTPOINT_LOOP void footpoint_edge2_exact_over_n(const double *const nodes[2], s
         if (status[i]) {
             const double s[2] = {x[0][i], x[1][i]};
             const double *const row[3] = {c[0], c[1], s};
-            status[i] = footpoint_detail_edge2_answer(row, FOOTPOINT_EDGE2_EXACT_PROMISE, &xi[i], &gap[i]);
+            status[i] = footpoint_detail_edge2_answer(row, FOOTPOINT_EDGE2_EXACT_PROMISE, xi[i], &xi[i], &gap[i]);
         }
 }
 

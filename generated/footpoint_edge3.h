@@ -357,24 +357,25 @@ FOOTPOINT_PART double footpoint_detail_edge3_rounding(const struct footpoint_det
            (e->size * (14.0 + x * (36.0 + x * (42.0 + x * 26.0))) + e->far * (8.0 + x * 20.0));
 }
 
-/* A step of third order. */
+/* A step of third order, back from xi. */
 FOOTPOINT_PART double footpoint_detail_edge3_step(const double f[3])
 {
-    return -f[0] * f[1] / (f[1] * f[1] - f[0] * f[2]);
+    return f[0] * f[1] / (f[1] * f[1] - f[0] * f[2]);
 }
 
-/* The highest bit of what it returns is not set if a minimum is proved to lie within the promise of xi + step: the slope
- * of the cubic about there is `slope` at least, and what the step leaves of the cubic, and rounding, are below that times the
- * promise, so that the cubic changes sign within.  What is no number makes f[1] or the step one, or is left below 0. */
+/* The highest bit of what it returns is not set if a minimum is proved to lie within the promise of xi - step: the slope
+ * of the cubic there is `slope` or more, c[3] being >= 0, and on the promise's way almost so; what the step leaves of the cubic,
+ * and rounding, are below that times the promise, so that the cubic changes sign within.  What is no number makes the
+ * tangent at xi - step none, which the gap needs, or is left below 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_prove(const struct footpoint_detail_parabola *e,
                                                                const double f[3], double xi, double step,
                                                                double promise)
 {
-    const double slope = 0.999 * f[1] - 0.0079 * fabs(f[2]);
-    const double rest = fabs(f[0] + step * (f[1] + step * (f[2] + step * e->c[3])));
+    const double bend = step * (f[2] - step * e->c[3]), mean = f[1] - bend, slope = mean - bend;
+    const double rest = fabs(f[0] - step * mean);
     const double left = 0.99 * promise * slope - rest - footpoint_detail_edge3_rounding(e, fabs(xi));
-    return footpoint_detail_bits(left) | footpoint_detail_outside(f[1]) |
-           footpoint_detail_above(step, 0.00390625) | footpoint_detail_fast();
+    return footpoint_detail_bits(left) | footpoint_detail_above(step, 0.00390625) |
+           footpoint_detail_fast();
 }
 
 /* The tangent, twice r', and S - r; the unit of both is that of the nodes. */
@@ -394,9 +395,10 @@ FOOTPOINT_PART void footpoint_detail_edge3_frame(const struct footpoint_detail_p
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_gap(const struct footpoint_detail_parabola *e,
                                                              double xi, double *gap)
 {
-    double t[2], d[2], tt;
-    footpoint_detail_edge3_frame(e, xi, t, d);
-    tt = footpoint_detail_plane_dot(t, t);
+    const double twice = xi + xi, quarter = 0.25 * xi;
+    const double t[2] = {e->h[0] + twice * e->k[0], e->h[1] + twice * e->k[1]};
+    const double d[2] = {e->s[0] - quarter * (e->h[0] + t[0]), e->s[1] - quarter * (e->h[1] + t[1])};
+    const double tt = footpoint_detail_plane_dot(t, t);
     *gap = footpoint_detail_plane_cross(d, t) / sqrt(tt);
     return footpoint_detail_bits(tt - 1e-20 * e->size) | footpoint_detail_outside(tt);
 }
@@ -414,11 +416,11 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_proceed(const struct fo
     double f[3], step;
     unsigned long long flaw;
     footpoint_detail_edge3_values(e->c, *xi, f);
-    *xi += footpoint_detail_edge3_step(f);
+    *xi -= footpoint_detail_edge3_step(f);
     footpoint_detail_edge3_values(e->c, *xi, f);
     step = footpoint_detail_edge3_step(f);
     flaw = footpoint_detail_edge3_prove(e, f, *xi, step, promise);
-    *xi += step;
+    *xi -= step;
     return flaw;
 }
 
@@ -839,18 +841,22 @@ FOOTPOINT_FN int footpoint_detail_edge3_unit(const double *const *x, double (*y)
                : FOOTPOINT_OK;
 }
 
-FOOTPOINT_COLD int footpoint_detail_edge3_answer(const double *const *x, double promise, double *xi,
-                                                 double *gap)
+/* From `at`, where the quick way ended, once more; then in full. */
+FOOTPOINT_COLD int footpoint_detail_edge3_answer(const double *const *x, double promise, double at,
+                                                 double *xi, double *gap)
 {
-    double y[4][2], at, g;
+    double y[4][2], g;
     const double *z[4];
-    int exponent = 0, status = footpoint_detail_edge3_unit(x, y, z, &exponent);
-    if (status != FOOTPOINT_OK)
-        return status == FOOTPOINT_ERR_NOT_FINITE ? status : FOOTPOINT_ERR_DEGENERATE;
-    status = footpoint_detail_edge3_repair(z, promise, &at, &g);
-    g = ldexp(g, exponent);
-    if (status < FOOTPOINT_OK || footpoint_detail_infinite(g) >> 63)
-        return FOOTPOINT_ERR_DEGENERATE;
+    int exponent = 0, status = FOOTPOINT_OK;
+    if (footpoint_detail_edge3_follow(x, promise, &at, &g) >> 63) {
+        status = footpoint_detail_edge3_unit(x, y, z, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status == FOOTPOINT_ERR_NOT_FINITE ? status : FOOTPOINT_ERR_DEGENERATE;
+        status = footpoint_detail_edge3_repair(z, promise, &at, &g);
+        g = ldexp(g, exponent);
+        if (status < FOOTPOINT_OK || footpoint_detail_infinite(g) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
     *xi = at;
     *gap = g;
     return status;
@@ -1026,7 +1032,7 @@ FOOTPOINT_FN int footpoint_edge3_accurate(const double xA[2], const double xB[2]
     const double *const x[4] = {xA, xB, xC, xS};
     double at, g;
     if (footpoint_detail_edge3_locate(x, FOOTPOINT_EDGE3_ACCURATE_PROMISE, &at, &g) >> 63)
-        return footpoint_detail_edge3_answer(x, FOOTPOINT_EDGE3_ACCURATE_PROMISE, xi, gap);
+        return footpoint_detail_edge3_answer(x, FOOTPOINT_EDGE3_ACCURATE_PROMISE, at, xi, gap);
     *xi = at;
     *gap = g;
     return FOOTPOINT_OK;
@@ -1089,7 +1095,7 @@ FOOTPOINT_LOOP void footpoint_edge3_accurate_checked_n(size_t n, const double *c
         if (status[i]) {
             const double p[4][2] = {{x[0][i], x[1][i]}, {x[2][i], x[3][i]}, {x[4][i], x[5][i]}, {x[6][i], x[7][i]}};
             const double *const row[4] = {p[0], p[1], p[2], p[3]};
-            status[i] = footpoint_detail_edge3_answer(row, FOOTPOINT_EDGE3_ACCURATE_PROMISE, &xi[i], &gap[i]);
+            status[i] = footpoint_detail_edge3_answer(row, FOOTPOINT_EDGE3_ACCURATE_PROMISE, xi[i], &xi[i], &gap[i]);
         }
 }
 
@@ -1117,7 +1123,7 @@ FOOTPOINT_LOOP void footpoint_edge3_accurate_over_n(const double *const nodes[3]
         if (status[i]) {
             const double s[2] = {x[0][i], x[1][i]};
             const double *const row[4] = {c[0], c[1], c[2], s};
-            status[i] = footpoint_detail_edge3_answer(row, FOOTPOINT_EDGE3_ACCURATE_PROMISE, &xi[i], &gap[i]);
+            status[i] = footpoint_detail_edge3_answer(row, FOOTPOINT_EDGE3_ACCURATE_PROMISE, xi[i], &xi[i], &gap[i]);
         }
 }
 

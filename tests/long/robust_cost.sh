@@ -1,4 +1,5 @@
-# What footpoint_robust costs on ordinary segments, inside and all around, in instructions (gcc 12 -O3): no more than when
+# What searches cost in instructions (gcc 12 -O3).
+# What footpoint_robust costs on ordinary segments, inside and all around: no more than when
 # its last resort was a list that nothing proved complete.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
@@ -15,3 +16,14 @@ for limit in '0 1226450 inside' '1 1456817 around'; do # of commit d5a6fb2
     echo "# $3: $count instructions a thousand calls, $2 then"
     [ -n "$count" ] && [ "$count" -le "$2" ]; report $((! $?)) "no more instructions than before: $3"
 done
+
+# A proved foot point on an edge of three nodes: no more than two steps of Newton's, which prove nothing.
+$CC -std=c11 -D_DEFAULT_SOURCE -O3 -DNDEBUG -ffp-contract=off tests/plane/cost_main.c tests/plane/edge_judge.c tests/hard/draw.c \
+    -o "$work/edge" -lm
+cost() { # cost SEARCH: instructions a thousand calls
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="counted_$1" "$work/edge" "$1" 2>&1 |
+        sed -n 's/.*Collected : \(.*\).$/\1/p'
+}
+accurate=$(cost accurate) closest=$(cost closest) newton=$(cost newton)
+echo "# edge3: $accurate instructions a thousand calls, closest point $closest, two steps of Newton's $newton"
+[ -n "$newton" ] && [ "$accurate" -le "$newton" ]; report $((! $?)) "a proved foot point costs no more than two steps of Newton's"

@@ -53,24 +53,25 @@ FOOTPOINT_PART REAL footpoint_detail_edge3_rounding(const struct footpoint_detai
            (e->size * (14.0 + x * (36.0 + x * (42.0 + x * 26.0))) + e->far * (8.0 + x * 20.0));
 }
 
-/* A step of third order. */
+/* A step of third order, back from xi. */
 FOOTPOINT_PART REAL footpoint_detail_edge3_step(const REAL f[3])
 {
-    return -f[0] * f[1] / (f[1] * f[1] - f[0] * f[2]);
+    return f[0] * f[1] / (f[1] * f[1] - f[0] * f[2]);
 }
 
-/* The highest bit of what it returns is not set if a minimum is proved to lie within the promise of xi + step: the slope
- * of the cubic about there is `slope` at least, and what the step leaves of the cubic, and rounding, are below that times the
- * promise, so that the cubic changes sign within.  What is no number makes f[1] or the step one, or is left below 0. */
+/* The highest bit of what it returns is not set if a minimum is proved to lie within the promise of xi - step: the slope
+ * of the cubic there is `slope` or more, c[3] being >= 0, and on the promise's way almost so; what the step leaves of the cubic,
+ * and rounding, are below that times the promise, so that the cubic changes sign within.  What is no number makes the
+ * tangent at xi - step none, which the gap needs, or is left below 0. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_prove(const struct footpoint_detail_parabola *e,
                                                       const REAL f[3], REAL xi, REAL step,
                                                       REAL promise)
 {
-    const REAL slope = 0.999 * f[1] - 0.0079 * fabs(f[2]);
-    const REAL rest = fabs(f[0] + step * (f[1] + step * (f[2] + step * e->c[3])));
+    const REAL bend = step * (f[2] - step * e->c[3]), mean = f[1] - bend, slope = mean - bend;
+    const REAL rest = fabs(f[0] - step * mean);
     const REAL left = 0.99 * promise * slope - rest - footpoint_detail_edge3_rounding(e, fabs(xi));
-    return footpoint_detail_bits(left) | footpoint_detail_outside(f[1]) |
-           footpoint_detail_above(step, 0.00390625) | footpoint_detail_fast();
+    return footpoint_detail_bits(left) | footpoint_detail_above(step, 0.00390625) |
+           footpoint_detail_fast();
 }
 
 /* The tangent, twice r', and S - r; the unit of both is that of the nodes. */
@@ -90,9 +91,10 @@ FOOTPOINT_PART void footpoint_detail_edge3_frame(const struct footpoint_detail_p
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_gap(const struct footpoint_detail_parabola *e,
                                                     REAL xi, REAL *gap)
 {
-    REAL t[2], d[2], tt;
-    footpoint_detail_edge3_frame(e, xi, t, d);
-    tt = footpoint_detail_plane_dot(t, t);
+    const REAL twice = xi + xi, quarter = 0.25 * xi;
+    const REAL t[2] = {e->h[0] + twice * e->k[0], e->h[1] + twice * e->k[1]};
+    const REAL d[2] = {e->s[0] - quarter * (e->h[0] + t[0]), e->s[1] - quarter * (e->h[1] + t[1])};
+    const REAL tt = footpoint_detail_plane_dot(t, t);
     *gap = footpoint_detail_plane_cross(d, t) / sqrt(tt);
     return footpoint_detail_bits(tt - REAL_FLAT * e->size) | footpoint_detail_outside(tt);
 }
@@ -110,11 +112,11 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_proceed(const struct footpoint_d
     REAL f[3], step;
     REAL_BITS flaw;
     footpoint_detail_edge3_values(e->c, *xi, f);
-    *xi += footpoint_detail_edge3_step(f);
+    *xi -= footpoint_detail_edge3_step(f);
     footpoint_detail_edge3_values(e->c, *xi, f);
     step = footpoint_detail_edge3_step(f);
     flaw = footpoint_detail_edge3_prove(e, f, *xi, step, promise);
-    *xi += step;
+    *xi -= step;
     return flaw;
 }
 

@@ -18,18 +18,22 @@ FOOTPOINT_FN int footpoint_detail_KIND_unit(const REAL *const *x, REAL (*y)[2], 
                : FOOTPOINT_OK;
 }
 
-FOOTPOINT_COLD int footpoint_detail_KIND_answer(const REAL *const *x, REAL promise, REAL *xi,
-                                                REAL *gap)
+/* From `at`, where the quick way ended, once more; then in full. */
+FOOTPOINT_COLD int footpoint_detail_KIND_answer(const REAL *const *x, REAL promise, REAL at,
+                                                REAL *xi, REAL *gap)
 {
-    REAL y[VECTORS][2], at, g;
+    REAL y[VECTORS][2], g;
     const REAL *z[VECTORS];
-    int exponent = 0, status = footpoint_detail_KIND_unit(x, y, z, &exponent);
-    if (status != FOOTPOINT_OK)
-        return status == FOOTPOINT_ERR_NOT_FINITE ? status : FOOTPOINT_ERR_DEGENERATE;
-    status = footpoint_detail_KIND_repair(z, promise, &at, &g);
-    g = ldexp(g, exponent);
-    if (status < FOOTPOINT_OK || footpoint_detail_infinite(g) >> REAL_TOP)
-        return FOOTPOINT_ERR_DEGENERATE;
+    int exponent = 0, status = FOOTPOINT_OK;
+    if (footpoint_detail_KIND_follow(x, promise, &at, &g) >> REAL_TOP) {
+        status = footpoint_detail_KIND_unit(x, y, z, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status == FOOTPOINT_ERR_NOT_FINITE ? status : FOOTPOINT_ERR_DEGENERATE;
+        status = footpoint_detail_KIND_repair(z, promise, &at, &g);
+        g = ldexp(g, exponent);
+        if (status < FOOTPOINT_OK || footpoint_detail_infinite(g) >> REAL_TOP)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
     *xi = at;
     *gap = g;
     return status;

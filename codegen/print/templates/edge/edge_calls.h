@@ -11,7 +11,7 @@ FOOTPOINT_FN int NAME(NODE_PARAMETERS, REAL *xi, REAL *gap)
     const REAL *const x[VECTORS] = {NODE_NAMES};
     REAL at, g;
     if (footpoint_detail_KIND_locate(x, PROMISE, &at, &g) >> REAL_TOP)
-        return footpoint_detail_KIND_answer(x, PROMISE, xi, gap);
+        return footpoint_detail_KIND_answer(x, PROMISE, at, xi, gap);
     *xi = at;
     *gap = g;
     return FOOTPOINT_OK;
@@ -71,7 +71,7 @@ FOOTPOINT_LOOP void NAME_checked_n(size_t n, const REAL *const x[COORDINATES],
         if (status[i]) {
             const REAL p[VECTORS][2] = {COLUMNS};
             const REAL *const row[VECTORS] = {ROWS};
-            status[i] = footpoint_detail_KIND_answer(row, PROMISE, &xi[i], &gap[i]);
+            status[i] = footpoint_detail_KIND_answer(row, PROMISE, xi[i], &xi[i], &gap[i]);
         }
 }
 
@@ -99,7 +99,7 @@ FOOTPOINT_LOOP void NAME_over_n(const REAL *const nodes[NODES], size_t n, const 
         if (status[i]) {
             const REAL s[2] = {x[0][i], x[1][i]};
             const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
-            status[i] = footpoint_detail_KIND_answer(row, PROMISE, &xi[i], &gap[i]);
+            status[i] = footpoint_detail_KIND_answer(row, PROMISE, xi[i], &xi[i], &gap[i]);
         }
 }
 
