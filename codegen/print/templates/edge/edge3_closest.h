@@ -77,11 +77,11 @@ FOOTPOINT_FN REAL footpoint_detail_edge3_lowest(const struct footpoint_detail_pa
 }
 
 /* Whether the square of the distance, times 4, is above `least` between low and high: on pieces that get narrower where bounds
- * about their middles do not suffice. */
+ * about their middles do not suffice.  The bound on a piece is off by 1200 units of size and far, squares by 104. */
 FOOTPOINT_FN int footpoint_detail_edge3_above(const struct footpoint_detail_parabola *e, REAL least,
                                               REAL low, REAL high)
 {
-    const REAL slop = 800.0 * REAL_UNIT * (e->far + e->size);
+    const REAL slop = 2000.0 * REAL_UNIT * (e->far + e->size);
     REAL width = high - low, f[3];
     int i;
     for (i = 0; i < 2000 && low < high; i++) {
