@@ -184,6 +184,8 @@ SHIPPED := bezier blocks-quad4 bricks-quad4 gregory paper-gregory paper-quad4 pa
 FRAMES  := affine bezier gregory parallelogram plane quad8 quad9 similarity similarity_gregory steps tri3 tri6
 header_of = generated/footpoint_$(subst -,_,$(1)).h
 GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
+# Templates of C++, a header for each kind of face, which `make install` takes if they have been made.
+GENERIC := $(patsubst %,build/c++/footpoint_%.hpp,quad4 quad8 quad9 tri3 tri6)
 # Derivatives at a foot point, by kind of face and patch.
 FACES   := bezier gregory quad4 quad8 quad9 tri3 tri6
 DERIVATIVES := $(FACES:%=generated/footpoint_%_derivatives.h)
@@ -267,6 +269,12 @@ $(BIN)/footpoint.mod: runtime/package/footpoint.f90
 	@touch $@
 
 $(eval $(call line,$(OBJ)/isas,ISAS))
+
+c++: $(GENERIC) ## the searches as function templates for numbers of any type, build/c++/ (minutes)
+build/c++/footpoint_%.hpp: evolve/genomes/%.gen $(BIN)/footpoint-codegen
+	@mkdir -p $(@D)
+	$(call say,GEN,$@)
+	$(Q)$(BIN)/footpoint-codegen --quiet --allow-poles --language c++ $< -o $@
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
 $(eval $(call line,$(OBJ)/methods,DOUBLES))
@@ -400,7 +408,7 @@ build-tests: $(TESTS) all bench-program paper-programs
 # A line at once, then the longest first, so that processors are busy to the end.
 LONGEST := header evolve languages checkpoint bench make example statuses programs
 LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh)
-other_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh tests/queries/queries.sh
+other_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh tests/queries/queries.sh tests/generic/generic.sh
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh) $(other_tests))
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \
@@ -540,7 +548,7 @@ install: install-runtime codegen evolve calibrate-program ## install everything:
 
 install-runtime: runtime ## the library and the headers alone, which take a C compiler: the same variables
 	$(Q)$(call put,$(LIBRARY) $(MODULE),$(INCLUDEDIR))
-	$(Q)$(call put,$(HEADERS),$(INCLUDEDIR)/footpoint)
+	$(Q)$(call put,$(HEADERS) $(shell ls $(GENERIC) 2> /dev/null),$(INCLUDEDIR)/footpoint)
 	$(Q)$(call put,$(LIB).a $(LIB)_ccx.a,$(LIBDIR))
 	$(Q)install -m 644 $(LIB).so $(call to,$(LIBDIR)/$(SHARED))
 	$(Q)ln -sf $(SHARED) $(call to,$(LIBDIR)/$(SONAME))
@@ -557,7 +565,7 @@ uninstall: ## remove what install put there, and nothing else: the same variable
 	$(Q)$(call remove,$(MESHES),$(DATADIR)/tests/meshes)
 	$(Q)$(call remove,$(PROGRAMS),$(BINDIR))
 	$(Q)$(call remove,$(LIBRARY) footpoint.mod,$(INCLUDEDIR))
-	$(Q)$(call remove,$(HEADERS),$(INCLUDEDIR)/footpoint)
+	$(Q)$(call remove,$(HEADERS) $(GENERIC),$(INCLUDEDIR)/footpoint)
 	$(Q)$(call remove,libfootpoint.a libfootpoint_ccx.a libfootpoint.so $(SONAME) $(SHARED),$(LIBDIR))
 	$(Q)$(call remove,$(PC),$(LIBDIR)/pkgconfig)
 	$(Q)$(call remove,$(CMAKE),$(LIBDIR)/cmake/footpoint)
@@ -582,8 +590,8 @@ clean: ## remove everything that was built
 	rm -rf build
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z+ -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
-.PHONY: all codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench bench-record figures calibrate report \
+.PHONY: all c++ codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench bench-record figures calibrate report \
         perceptrons paper rivals queries build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

@@ -6,6 +6,7 @@
 #include "print/header/header.h"
 #include "print/header/header_along.h"
 #include "print/header/header_edge.h"
+#include "print/header/header_generic.h"
 #include "print/header/header_place.h"
 #include "print/points.h"
 
@@ -40,6 +41,8 @@ static bool write_code(const struct unit *u, const struct codegen_options *o, st
         return false;
     if (o->language == LANGUAGE_C)
         header_print(u, out.stream);
+    else if (o->language == LANGUAGE_GENERIC)
+        good = generic_print(u, out.stream, d);
     else if (o->language == LANGUAGE_FORTRAN)
         good = fortran_print(u, out.stream, d);
     else

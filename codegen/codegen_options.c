@@ -51,18 +51,19 @@ static bool read_without(const struct option_table *t, const struct option_row *
     return *without >= 0 || options_refuse(t, d, r->refusal, text);
 }
 
-static const char *const languages[] = {"c", "fortran", "infix", "latex", NULL};
+static const char *const languages[] = {"c", "c++", "fortran", "infix", "latex", NULL};
 static const char *const precisions[] = {"double", "float", NULL};
 
 #define AT(member) offsetof(struct codegen_options, member)
 static const struct option_row rows[] = {
     {.kind = OPTION_OPERAND, .at = AT(genomes), .refusal = "one genome file, please (try --help)"},
     {"output", 'o', OPTION_TEXT, AT(output), "FILE",
-     .help = "file to write; its name without .h (.f90) begins every function's name"},
+     .help = "file to write; its name without .h (.hpp, .f90) begins every function's name"},
     {"prefix", 0, OPTION_OWN, AT(prefix), "NAME", .read = read_prefix, .refusal = "not a C identifier: %s (try --help)",
      .help = "begin the names with NAME instead"},
     {"language", 0, OPTION_CHOICE, AT(language), .choice = languages, .refusal = "unknown language: %s (try --help)",
-     .help = "fortran: a module; infix, latex: a formula a line (default: c)"},
+     .help = "c++: function templates for numbers of any type; fortran: a module; infix, latex: a formula a line "
+             "(default: c)"},
     {"precision", 0, OPTION_CHOICE, AT(unit.precision), .choice = precisions,
      .refusal = "unknown precision: %s (try --help)",
      .help = "of the code (default: what the genomes' scene says, or double)"},
@@ -116,7 +117,7 @@ const struct option_table codegen_option_table = {
 
 static const char *ending_of(enum language language)
 {
-    return language == LANGUAGE_FORTRAN ? ".f90" : ".h";
+    return language == LANGUAGE_FORTRAN ? ".f90" : language == LANGUAGE_GENERIC ? ".hpp" : ".h";
 }
 
 /* A header of an edge has no genomes, and no choice but its names. */
@@ -162,7 +163,7 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     compile->explained = o->explain;
     o->unit.prefix = o->prefix;
     o->unit.face_prefix = given[option_find(t, "prefix")] ? o->prefix : NULL;
-    o->unit.evidence = !o->count;
+    o->unit.evidence = !o->count && o->language != LANGUAGE_GENERIC;
     return true;
 }
 

@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 enum { CODEGEN_PREFIX = 160 };
-enum language { LANGUAGE_C, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
+enum language { LANGUAGE_C, LANGUAGE_GENERIC, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
 
 struct codegen_options {
     const char *genomes, *output;        /* files, not owned; output NULL: --count */

@@ -94,14 +94,18 @@ static void print_text(const char *text, enum precision precision, const struct 
         n = token_length(text);
         const bool number = isdigit((unsigned char)*text), name = isalpha((unsigned char)*text);
         const char *instead = name ? find_text(text, n, precision, own) : NULL;
+        const bool ends = n > 0 && text[n - 1] == '.'; /* a sentence */
+        const bool real_number = number && !ends && strcspn(text, ".e") < n;
+        const char *type = real_number && own ? find_text("REAL_NUMBER", strlen("REAL_NUMBER"), precision, own) : NULL;
         if (instead)
             fputs(instead, out);
+        else if (type)
+            fprintf(out, "%s(%.*s)", type, (int)n, text);
         else if (name)
             print_parts(text, n, precision, own, out);
         else
             fwrite(text, 1, n, out);
-        const bool ends = n > 0 && text[n - 1] == '.'; /* end of a sentence */
-        if (number && !ends && precision == PRECISION_FLOAT && strcspn(text, ".e") < n && text[n] != 'f')
+        if (real_number && precision == PRECISION_FLOAT && text[n] != 'f')
             fputc('f', out);
     }
 }
@@ -109,6 +113,11 @@ static void print_text(const char *text, enum precision precision, const struct 
 void c_print(const char *text, enum precision precision, FILE *out)
 {
     print_text(text, precision, NULL, out);
+}
+
+void c_print_words(const char *text, const struct placeholder *own, FILE *out)
+{
+    print_text(text, PRECISION_DOUBLE, own, out);
 }
 
 /* Returns the column after the last parenthesis that the line leaves open, or 0. */

@@ -13,9 +13,13 @@ struct placeholder {
  *  properties.  In float, constants and functions of math.h get their f, and names of helpers another beginning. */
 void c_print(const char *text, enum precision precision, FILE *out);
 
+/** Prints `text` in double with one's own words, as templates_print does. */
+void c_print_words(const char *text, const struct placeholder *own, FILE *out);
+
 /** Prints templates/NAME.h for each name, without its first paragraph.  Names end with NULL.  The include guard around them is
  *  `guard` in capitals, in float with _F at its end, unless it is NULL.  `own`, or NULL, ends with a word NULL; a part of an
- *  identifier between underscores is a word, too. */
+ *  identifier between underscores is a word, too.  The text of REAL_NUMBER, if there is this word, converts numbers with a
+ *  fraction: T makes T(0.5) of 0.5. */
 void templates_print(const char *guard, const char *const *name, enum precision precision,
                      const struct placeholder *own, FILE *out);
 

@@ -300,6 +300,7 @@ expect 'which double has' 0 '' '' codegen "$g" -o "$work/c.h"
 command -v clang++ > /dev/null || { report 1 'skipped: device code (no clang++)'; exit 0; }
 mkdir -p "$work/device/include"
 cat > "$work/device/include/math.h" <<'END'
+#pragma once
 #define FOR_BOTH __attribute__((host, device))
 FOR_BOTH static inline double fabs(double x) { return __builtin_fabs(x); }
 FOR_BOTH static inline float fabsf(float x) { return __builtin_fabsf(x); }
@@ -328,6 +329,26 @@ for header in "${HEADERS:-$PWD/generated}"/*.h; do
     esac
     device_kernel "$header" > "$work/device/$(basename "$header" .h).cu"
 done
+# Templates of C++, called with double and float.
+printf '#include "math.h"\nnamespace std {\nusing ::fabs;\nusing ::sqrt;\n}\n' > "$work/device/include/cmath"
+for ending in h hpp; do
+    [ $ending = h ] && language=c || language=c++
+    codegen evolve/genomes/tri3.gen --allow-poles --language $language -o "$work/device/include/footpoint_tri3.$ending"
+done
+cat > "$work/device/templates.cu" <<'END'
+#include "footpoint_tri3.hpp"
+template <class T> static __device__ void search(const T *x, T *loc, T *gap)
+{
+    footpoint_tri3_exact_at(x, x + 3, x + 6, x + 9, loc, loc + 1);
+    (void)footpoint_tri3_exact(x, x + 3, x + 6, x + 9, loc, gap);
+    (void)footpoint_tri3_exact<T>(x, x + 3, x + 6, x + 9, loc, gap);
+}
+__global__ void kernel(const double *x, double *a, const float *y, float *b)
+{
+    search(x, a, a + 2);
+    search(y, b, b + 2);
+}
+END
 code=-fsyntax-only # which reports host functions that a kernel calls
 [ -z "$FOOTPOINT_LONG" ] || code='-S -o /dev/null'
 for target in 'hip gfx90a -nogpuinc -nogpulib' 'cuda sm_70 -nocudainc -nocudalib -D__CUDACC__'; do

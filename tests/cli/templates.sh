@@ -37,6 +37,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         [ "$kind" != tri3 ] || closest="inward tri3_nearest tri3_found ${closest#* * } tri3_sure proved_closest_arrays"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
+        [ "$kind" != tri3 ] || files="tri3 tri3_over gap"
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in
         quad4) files="$files quad4_proof quad4_step:quad4_vector_step quad4_steps quad4_repair answer_proved quad4_box quad4_from from" ;;
@@ -54,6 +55,17 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             files="$files ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls"
             ;;
         *) files="$files $closest ${nearest}_along along_again along_calls" ;;
+        esac
+        case $nearest in
+        '') ;;
+        *)
+            files="$files generic_step generic_search generic_float"
+            printf '#define %s\n' "FLOAT_PARAMETERS $(echo "$parameters" | sed 's/REAL/float/g')" "GENERIC ${kind}_generic" "GENERIC_at ${kind}_generic_at" \
+                "ROUNDED ${kind}_rounded" "IN_DOUBLE ${kind}_in_double" 'FLOAT_MAX 3.4e38'
+            echo "void ${kind}_generic_at($parameters, REAL *xi, REAL *eta);"
+            echo "int ${kind}_in_double($(echo "$parameters" | sed 's/REAL/double/g'), double loc[2], double *gap);"
+            words="$words FLOAT_PARAMETERS GENERIC GENERIC_at ROUNDED IN_DOUBLE FLOAT_MAX"
+            ;;
         esac
         files="straight $files" calls='at checked arrays_calls over_calls'
         case $nearest in

@@ -23,6 +23,7 @@ codegen/print/templates/triangle:
 codegen/print/templates/place:
 codegen/print/templates/gap:
 codegen/print/templates/edge:
+codegen/print/templates/generic:
 codegen/print:      codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base
 codegen/print/header: codegen/print codegen/compile codegen/rounding codegen/region codegen/program codegen/graph codegen/genome codegen/base
 codegen:            codegen/* codegen/print/header
@@ -61,6 +62,7 @@ tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/plane:        tests/hard generated runtime
+tests/generic:      generated
 tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated
 tests/replace:      runtime/replace runtime generated

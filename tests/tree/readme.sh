@@ -50,7 +50,7 @@ done < "$work/lines"
 
 # ---- names ---------------------------------------------------------------------------------------------------------
 
-awk -F ':.*## ' '/^[a-z -]+:.*## / { gsub(" ", "\n", $1); print $1 }' Makefile | sort > "$work/targets"
+awk -F ':.*## ' '/^[a-z+ -]+:.*## / { gsub(" ", "\n", $1); print $1 }' Makefile | sort > "$work/targets"
 for document in $documents; do
     blocks $document sh | sed 's/#.*//'
     quoted $document

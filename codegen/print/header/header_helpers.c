@@ -23,7 +23,11 @@ static void print_kind(const struct unit *u, FILE *out)
         templates_print("FOOTPOINT_DETAIL_WEIGHTED", (const char *const[]){"weighted", NULL}, precision, NULL, out);
     if (lines_straight(u))
         templates_print("FOOTPOINT_DETAIL_HEIGHT", (const char *const[]){"height", NULL}, precision, NULL, out);
-    lines_print_templates(u, "SEARCH", (const char *const[]){k->name, k->bilinear ? NULL : "gap", NULL}, out);
+    lines_print_templates(u, "SEARCH",
+                          k->bilinear         ? (const char *const[]){k->name, NULL}
+                          : lines_straight(u) ? (const char *const[]){k->name, "tri3_over", "gap", NULL}
+                                              : (const char *const[]){k->name, "gap", NULL},
+                          out);
 }
 
 /* Proofs, and answers where the quick way does not tell. */
