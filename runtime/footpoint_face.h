@@ -115,7 +115,9 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
 size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                                    const int *slave, double *loc, double *distance, int *region, int *status);
 
-/** Chooses the closest of several faces.
+/** Finds the closest of any number of faces, at any distance.  Faces whose bounding spheres are farther away than an answer are
+ *  skipped.  Beyond a face's longest edge, and if footpoint_face_closest proves nothing, the closest point is that of
+ *  footpoint_face_robust.
  *  @param[in]  xyz     coordinates by node index, mesh length
  *  @param[in]  seg     candidates x N node indices, from 0
  *  @param[out] chosen  index of the chosen candidate, from 0
@@ -125,8 +127,10 @@ size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const dou
  *                      side of a closed surface if all faces at that edge or corner are candidates.  A call takes a single
  *                      kind of face; in a mesh of several kinds the side is the candidates'.  Nodes with equal coordinates
  *                      are the same node.
- *  @return as footpoint_face_closest.  Faces without an answer are skipped.  If no face has an answer, the status is the
- *          last face's, or FOOTPOINT_ERR_DOMAIN if there are no candidates */
+ *  @return FOOTPOINT_OK; with all written FOOTPOINT_NOT_UNIQUE (another point of the chosen face is as near) and
+ *          FOOTPOINT_UNPROVED (the nearest point found; a nearer one is not excluded).  Faces without an answer or an area are
+ *          skipped.  If no face has an answer, the status is the last face's, or FOOTPOINT_ERR_DOMAIN if there are no
+ *          candidates */
 int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
                           const double xS[3], size_t *chosen, double loc[2], double *distance, int *region);
 

@@ -3,6 +3,7 @@
 #ifndef FOOTPOINT_FACE_TABLE_H
 #define FOOTPOINT_FACE_TABLE_H
 
+#include "../footpoint_face.h"
 #include "pairs.h"
 
 struct face {
@@ -30,12 +31,20 @@ struct face {
     int (*robust)(const double *const *x, const double *s, double *loc, double *distance, int *region);
 };
 
+/* Pointers to the nodes and the slave node. */
+struct rows {
+    const double *x[PAIRS_MOST_VECTORS], *s;
+};
+
 /* Only for files of the library. */
 #ifdef __GNUC__
 #pragma GCC visibility push(hidden)
 #endif
 extern const struct face footpoint_face_tri3, footpoint_face_tri6, footpoint_face_quad4, footpoint_face_quad8,
     footpoint_face_quad9, footpoint_face_edge2, footpoint_face_edge3;
+
+/* Returns the functions of a kind, or NULL if there is no such face. */
+const struct face *footpoint_face_of(enum footpoint_face face);
 #ifdef __GNUC__
 #pragma GCC visibility pop
 #endif

@@ -5,8 +5,7 @@
 #include "../footpoint_face.h"
 #include "face_table.h"
 
-/* Returns NULL if there is no such face. */
-static const struct face *face_of(enum footpoint_face face)
+const struct face *footpoint_face_of(enum footpoint_face face)
 {
     switch (face) {
     case FOOTPOINT_TRI3:
@@ -28,11 +27,6 @@ static const struct face *face_of(enum footpoint_face face)
     }
 }
 
-/* Pointers to the nodes and the slave node. */
-struct rows {
-    const double *x[PAIRS_MOST_VECTORS], *s;
-};
-
 static struct rows rows_of(const struct face *f, const double *x)
 {
     struct rows r;
@@ -44,13 +38,13 @@ static struct rows rows_of(const struct face *f, const double *x)
 
 int footpoint_face_nodes(enum footpoint_face face)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     return f ? f->pairs.nodes : 0;
 }
 
 int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[2], double *gap)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
@@ -59,7 +53,7 @@ int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[
 
 int footpoint_track(enum footpoint_face face, const double *x, double loc[2], double *gap)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
@@ -68,7 +62,7 @@ int footpoint_track(enum footpoint_face face, const double *x, double loc[2], do
 
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
@@ -177,7 +171,7 @@ static int robust_from(const struct face *f, const double *x, const struct robus
 
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     struct robust_start start = {FOOTPOINT_UNPROVED, {0.0, 0.0}, 0.0};
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
@@ -195,7 +189,7 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
 int footpoint_face_place(enum footpoint_face face, const double *x, const double loc[2], double *phi, double *r_xi,
                          double *r_eta, double *normal, double *gap)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
@@ -206,7 +200,7 @@ int footpoint_face_differentiate(enum footpoint_face face, const double *x, cons
                                  double *r_xi, double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta,
                                  double *d_gap)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
@@ -216,75 +210,11 @@ int footpoint_face_differentiate(enum footpoint_face face, const double *x, cons
 int footpoint_face_hessian(enum footpoint_face face, const double *x, const double loc[2], double *gap, double *d_xi,
                            double *d_eta, double *d_gap, double *d_normal, double *hessian)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     if (!f)
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
     return f->hessian(r.x, r.s, loc, gap, d_xi, d_eta, d_gap, d_normal, hessian);
-}
-
-/* ---- one slave node, many faces ---- */
-
-/* Returns the nodes of a candidate. */
-static struct rows candidate_of(const struct face *f, const double *xyz, const int *seg, size_t candidate,
-                                const double xS[3])
-{
-    struct rows r = {.s = xS};
-    for (int k = 0; k < f->pairs.nodes; k++)
-        r.x[k] = xyz + 3 * (size_t)seg[candidate * (size_t)f->pairs.nodes + (size_t)k];
-    return r;
-}
-
-/* Returns 1 if xS lies behind the surface of all candidates at loc, on an edge or a corner of the chosen face. */
-static int is_behind_all(const struct face *f, const double *xyz, size_t candidates, const int *seg,
-                         const struct rows *chosen, const double loc[2], int region)
-{
-    const double *end[2], t = f->feature(chosen->x, loc, region, end);
-    double fan[3] = {0.0, 0.0, 0.0};
-    for (size_t i = 0; i < candidates; i++) {
-        const struct rows r = candidate_of(f, xyz, seg, i, chosen->s);
-        f->add_face(r.x, r.s, end, t, fan);
-    }
-    return f->behind(chosen->x, chosen->s, loc, 1, fan);
-}
-
-/* Searches in groups.  Each group begins with the best face so far, which may have to be searched again. */
-int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
-                          const double xS[3], size_t *chosen, double loc[2], double *distance, int *region)
-{
-    enum { GROUP = 16 };
-    const struct face *const f = face_of(face);
-    const double *x[GROUP * PAIRS_MOST_VECTORS];
-    size_t best = 0, next = 0;
-    int found = 0, status = f ? FOOTPOINT_ERR_DOMAIN : FOOTPOINT_ERR_ARGUMENT;
-    const size_t nodes = f ? (size_t)f->pairs.nodes : 0;
-    for (size_t i = 0; i < candidates * nodes; i++)
-        if (seg[i] < 0)
-            return FOOTPOINT_ERR_ARGUMENT;
-    while (f && next < candidates) {
-        size_t member[GROUP], n = 0, which;
-        if (found)
-            member[n++] = best;
-        while (n < GROUP && next < candidates)
-            member[n++] = next++;
-        for (size_t i = 0; i < n * nodes; i++)
-            x[i] = xyz + 3 * (size_t)seg[member[i / nodes] * nodes + i % nodes];
-        const int one = f->nearest(n, x, xS, loc, distance, region, &which);
-        if (one >= FOOTPOINT_OK) {
-            best = member[which];
-            found = 1;
-        }
-        if (one >= FOOTPOINT_OK || !found)
-            status = one;
-    }
-    if (!found)
-        return status;
-    *chosen = best;
-    if (*region > 0) {
-        const struct rows r = candidate_of(f, xyz, seg, best, xS);
-        *distance = copysign(*distance, is_behind_all(f, xyz, candidates, seg, &r, loc, *region) ? -1.0 : 1.0);
-    }
-    return status;
 }
 
 /* ---- many pairs ---- */
@@ -292,7 +222,7 @@ int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t ca
 size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                                    const int *slave, double *loc, double *gap, int *status)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
     return footpoint_pairs_locate(f ? &f->pairs : NULL, &pairs, loc, gap, status);
 }
@@ -300,7 +230,7 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
 size_t footpoint_track_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                              const int *slave, double *loc, double *gap, int *status)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
     return footpoint_pairs_locate(f ? &f->track : NULL, &pairs, loc, gap, status);
 }
@@ -326,7 +256,7 @@ static int finish_robust(const void *of, size_t pair, const double *x, int statu
 size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                                    const int *slave, double *loc, double *distance, int *region, int *status)
 {
-    const struct face *const f = face_of(face);
+    const struct face *const f = footpoint_face_of(face);
     const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
     const struct robust_answers to = {f, loc, distance, region};
     return footpoint_pairs_finish(f ? &f->start : NULL, &pairs, finish_robust, &to, status);

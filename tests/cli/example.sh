@@ -1,6 +1,6 @@
 # The examples to copy.  Impact: it compiles alone, keeps momentum to rounding and energy nearly, and both
 # searches agree.  Slide: contact with Gregory patches makes forces smoother, and is never lost.  Press: Newton's residuals
-# fall quadratically, on every kind of face, without friction and with it, and in Fortran it is the same.
+# fall quadratically, on every kind of face, without friction and with it, and in Fortran it is the same.  Grid: nearest faces of a large sheet.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
@@ -103,3 +103,14 @@ expect 'usage of press' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, t
     "$work/press" quad5
 expect 'and of its friction' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1' \
     "$work/press" quad4 -1
+
+# ---- grid ----
+$CC $strict -Iruntime -O1 tests/example/grid.c "$BIN/libfootpoint.a" -o "$work/grid" -lm > "$work/log" 2>&1
+good=$?
+[ $good = 0 ] || sed 's/^/# /' "$work/log"
+report $((!good)) 'grid compiles'
+"$work/grid" $([ -n "$FOOTPOINT_LONG" ] && echo 100000 || echo 1000) > "$work/log"
+good=$?
+sed 's/^/# /' "$work/log"
+report $((!good)) 'the grid finds the faces that a search of all finds'
+expect 'usage of grid' 2 '' 'usage: grid [FACES]       from 4 to 10000000' "$work/grid" 1
