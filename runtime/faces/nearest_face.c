@@ -99,7 +99,7 @@ static double least_distance(const double (*y)[3], int nodes, double size)
 static size_t with_nearest_node(const struct face *f, const double *xyz, size_t candidates, const int *seg,
                                 const double xS[3])
 {
-    double nearest = HUGE_VAL;
+    double nearest = DBL_MAX;
     size_t which = 0;
     for (size_t i = 0; i < candidates; i++) {
         const struct rows r = candidate_of(f, xyz, seg, i, xS);
@@ -197,7 +197,8 @@ static void visit(struct search *s, const double *xyz, const int *seg, const dou
     struct candidate c = {.which = which};
     if (is_finite(&r, nodes)) {
         c.size = seen_from(&r, nodes, y);
-        c.least = s->f->robust ? 0.0 : least_distance((const double(*)[3])y, nodes, c.size); /* of edges z does not count */
+        /* z of edges does not count: none is passed over */
+        c.least = s->f->robust ? 0.0 : least_distance((const double(*)[3])y, nodes, c.size);
     }
     if (found && c.least > fabs(s->best.distance) + DISTANCE_ERROR * s->best.size)
         return;
@@ -217,7 +218,7 @@ static void visit(struct search *s, const double *xyz, const int *seg, const dou
 int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
                           const double xS[3], size_t *chosen, double loc[2], double *distance, int *region)
 {
-    struct search s = {face, footpoint_face_of(face), {.status = FOOTPOINT_ERR_DOMAIN}, HUGE_VAL};
+    struct search s = {face, footpoint_face_of(face), {.status = FOOTPOINT_ERR_DOMAIN}, DBL_MAX};
     if (!s.f)
         return FOOTPOINT_ERR_ARGUMENT;
     for (size_t i = 0; i < candidates * (size_t)s.f->pairs.nodes; i++)

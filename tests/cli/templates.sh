@@ -9,7 +9,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
     for name in macros bits power scale products weighted relative height bounds; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for name in again side corner lesser closest edge curve along curved_domain place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in again side corner lesser closest edge curve along curved_domain place place_slopes; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: face:4:4:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
         columns= rows= names= parameters= segment=
@@ -78,15 +78,17 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         tri3) calls="$calls tri3_nearby:closest_calls proved_closest_calls:contract_closest" ;; # in float those without proof
         esac
         if [ $kind = face ]; then # functions at a place of it
-            files='answer place_detail place_calls place_joined' calls=
+            files='answer place_detail place_calls place_joined place_along place_along_joined' calls=
             for word in ROW SET_ROW REQUIRE GAP_LAST GAP_AMONG_ROWS; do echo "#define WITH_$word"; echo "#define END_$word"; done
-            printf '#define %s\n' 'VECTOR_LIST const REAL *const xS = x[4];' 'STATEMENTS' 'ROW gap' 'ROW_NUMBER 0' 'ROW_COUNT 1' \
+            printf '#define %s\n' 'VECTOR_LIST const REAL *const xS = x[4];' 'STATEMENTS' 'ROW gap' 'ROW_NUMBER 0' 'ROW_COUNT 3' \
                 'ROW_NAMES gap' 'ROW_PLACES gap + i' 'ROW_PARAMETERS REAL gap[1]' 'ROW_COLUMNS REAL *FOOTPOINT_RESTRICT gap' 'GAP xi * eta' \
                 'REQUIRED 1' 'TESTS flaw = footpoint_detail_not_above(require[0] = xi);' 'ELEMENTS gap[0 * step] = xi;' 'TANGENTS 0' \
                 'SIZES_AND_DEGREES 1, 1' 'SPACE 1' 'FIRST 0' 'DEGREE 0' 'JOINED face_joined' 'JOINED_n face_joined_n' \
-                'SEARCH face_search' 'SEARCHED_detail_checked face_search_detail_checked'
+                'SLOPES face_slopes' 'SLOPES_detail_size face_slopes_size' 'SLOPES_detail_again face_slopes_again' 'SLOPE_COUNT 18' \
+                'JOINED_SLOPES face_along_slopes' 'PROJECTION face_along_to' 'SEARCH face_search' 'SEARCHED_detail_checked face_search_detail_checked'
             echo 'REAL_BITS face_search_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi, REAL *eta, REAL *gap);'
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
+            echo "int face_along_to($parameters, const REAL along[3], REAL loc[2], REAL *distance);"
         else
             for word in PROMISE EXACT_PROMISE CURVED PATCH SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
             echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"

@@ -62,6 +62,7 @@ tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/plane:        tests/hard generated runtime
+tests/along:        tests/support generated
 tests/generic:      generated
 tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated

@@ -401,13 +401,13 @@ static void print_detail(const struct unit *u, const struct function *f, const s
         words_clear(&row[i]);
 }
 
-/* The same with the search before it, as the text of a macro. */
-static void print_joined(const struct unit *u, const struct function *f, const struct words *w, FILE *out)
+/* A template as the text of a macro PREFIX_NAME_OF(search), in capitals. */
+static void print_macro(const struct unit *u, const char *name, const char *template, const struct words *w, FILE *out)
 {
     char *prefix = unit_face_prefix(u->file, &u->options);
-    char *upper = new_capitals(prefix), *genome = new_capitals(f->genome->name);
+    char *upper = new_capitals(prefix), *genome = new_capitals(name);
     struct memory *m = memory_open();
-    templates_print(NULL, (const char *const[]){"place_joined", NULL}, PRECISION_DOUBLE, w->word, m->stream);
+    templates_print(NULL, (const char *const[]){template, NULL}, PRECISION_DOUBLE, w->word, m->stream);
     char *text = memory_close(m);
     fprintf(out, "\n#define %s_%s_OF(search)", upper, genome);
     for (const char *t = text, *end; *t; t = end + 1) {
@@ -422,6 +422,39 @@ static void print_joined(const struct unit *u, const struct function *f, const s
     free(prefix);
 }
 
+/* Whether f gives what derivatives along a direction are made of: its first rows are shape functions and tangents. */
+static bool gives_slopes(const struct unit *u, const struct function *f)
+{
+    const struct rows r = find_rows(u, f);
+    return !*u->file->segment->normals && r.n >= 3 && row_is(&r.row[0], "phi") && row_is(&r.row[1], "r_xi") &&
+           row_is(&r.row[2], "r_eta");
+}
+
+/* The first of these functions; NULL: none. */
+static const struct function *slopes_of(const struct unit *u)
+{
+    for (size_t k = 0; k < u->file->genomes; k++)
+        if (gives_slopes(u, &u->function[k]))
+            return &u->function[k];
+    return NULL;
+}
+
+/* Prints PREFIX_gradients_along, and the macro that joins it with PREFIX_along. */
+static void print_slopes(const struct unit *u, struct words *w, FILE *out)
+{
+    char *prefix = unit_face_prefix(u->file, &u->options);
+    words_add(w, "UPPER", new_capitals(prefix));
+    words_add(w, "SLOPES", new_format("%s_gradients_along", prefix));
+    words_add(w, "SLOPE_COUNT", new_format("%zu", 3 * segment_vectors(u->file->segment) + 6));
+    words_add(w, "SLOPES_detail_size", new_format("%s_gradients_along_detail_size", prefix));
+    words_add(w, "SLOPES_detail_again", new_format("%s_gradients_along_detail_again", prefix));
+    words_add(w, "JOINED_SLOPES", new_format("search##_gradients"));
+    words_add(w, "PROJECTION", new_format("search"));
+    templates_print(NULL, (const char *const[]){"place_along", NULL}, PRECISION_DOUBLE, w->word, out);
+    print_macro(u, "gradients_along", "place_along_joined", w, out);
+    free(prefix);
+}
+
 void place_print_helpers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
@@ -430,6 +463,10 @@ void place_print_helpers(const struct unit *u, FILE *out)
     const struct placeholder own[] = {{"VECTORS", vectors}, {"UPPER", upper}, {"KIND", kind}, {NULL, NULL}};
     templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
     templates_print("FOOTPOINT_DETAIL_PLACE", (const char *const[]){"place", NULL}, precision, NULL, out);
+    if (slopes_of(u)) {
+        templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
+        templates_print("FOOTPOINT_DETAIL_SLOPES", (const char *const[]){"place_slopes", NULL}, precision, NULL, out);
+    }
     templates_print(NULL, (const char *const[]){"contract_place", NULL}, precision, own, out);
     free(upper);
     free(prefix);
@@ -443,7 +480,9 @@ void place_print(const struct unit *u, const struct function *f, FILE *out)
     struct words w = words_of(u, f, &r, &c);
     print_detail(u, f, &r, &c, &w, out);
     templates_print(NULL, (const char *const[]){"place_calls", NULL}, PRECISION_DOUBLE, w.word, out);
-    print_joined(u, f, &w, out);
+    print_macro(u, f->genome->name, "place_joined", &w, out);
+    if (f == slopes_of(u))
+        print_slopes(u, &w, out);
     words_clear(&w);
     printer_free(c_code_clear(&c));
 }

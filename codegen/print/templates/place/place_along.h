@@ -1,0 +1,63 @@
+/* What callers have of derivatives along a direction. */
+
+/* The sum of the squares of edges that tangents at loc are sums of, or more. */
+FOOTPOINT_PART REAL SLOPES_detail_size(const REAL *const *x, const REAL loc[2])
+{
+    const REAL reach = 1.0 + loc[0] * loc[0] + loc[1] * loc[1], growth = REACH_TO_GROWTH;
+    REAL size = 0.0;
+    int i, k;
+    FOOTPOINT_UNROLL
+    for (k = 1; k < NODES; k++)
+        for (i = 0; i < 3; i++)
+            size += (x[k][i] - x[0][i]) * (x[k][i] - x[0][i]);
+    return growth * size;
+}
+
+/* The same in a unit of length in which the face is about 1 long. */
+FOOTPOINT_COLD int SLOPES_detail_again(const REAL *const *x, const REAL along[3], const REAL loc[2],
+                                       REAL *const *row)
+{
+    const REAL *y[VECTORS];
+    REAL phi[NODES] = {0.0}, a[3] = {0.0}, b[3] = {0.0}, z[VECTORS][3], q[3], over;
+    REAL *const found[ROW_COUNT] = {phi, a, b};
+    int exponent = 0, status = footpoint_detail_scale(x, NODES, VECTORS, z, &exponent), k;
+    if (status == FOOTPOINT_OK)
+        status = footpoint_detail_direction(along, q, &over);
+    if (status != FOOTPOINT_OK)
+        return status;
+    if ((footpoint_detail_infinite(loc[0]) | footpoint_detail_infinite(loc[1])) >> REAL_TOP)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (k = 0; k < VECTORS; k++)
+        y[k] = z[k];
+    if (NAME_detail(y, loc[0], loc[1], found, 1, 0, 1) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
+    return footpoint_detail_slopes(y, NODES, ldexp(1.0, exponent), phi, a, b,
+                                   SLOPES_detail_size(y, loc), q, over, row);
+}
+
+/* footpoint_KIND_gradients_along: dist, with xS = r + dist along / |along|, and the derivatives of xi, eta and dist where the
+ *         line through xS in the direction `along` meets the face, at loc = {xi, eta} as a projection found it: element
+ *         3 k + i by coordinate i of node k, the slave node behind the nodes, `along` last.  A row that is NULL is not
+ *         wanted.  Returns FOOTPOINT_OK; FOOTPOINT_ERR_DEGENERATE: no direction, no area, or the line is so nearly parallel
+ *         to the face that derivatives may not be right to 1e-9; or FOOTPOINT_ERR_NOT_FINITE: an input, or a result.  Rows
+ *         are untouched on error.
+ * UPPER_GRADIENTS_ALONG_OF(footpoint_KIND_along), at file scope, defines footpoint_KIND_along_gradients(..., along, loc,
+ *         dist, d_xi, d_eta, d_dist), the projection and its derivatives.  The status is the projection's, or, where
+ *         derivatives cannot be had, theirs; with FOOTPOINT_UNPROVED they are written. */
+FOOTPOINT_FN int SLOPES(NODE_PARAMETERS, const REAL along[3], const REAL loc[2], REAL dist[1],
+                        REAL d_xi[SLOPE_COUNT], REAL d_eta[SLOPE_COUNT], REAL d_dist[SLOPE_COUNT])
+{
+    const REAL *const x[VECTORS] = {NODE_NAMES};
+    const REAL square = footpoint_detail_dot(along, along);
+    REAL phi[NODES] = {0.0}, a[3] = {0.0}, b[3] = {0.0};
+    REAL *const found[ROW_COUNT] = {phi, a, b}, *const row[4] = {dist, d_xi, d_eta, d_dist};
+    const REAL_BITS flaw = NAME_detail(x, loc[0], loc[1], found, 1, 0, 0);
+    if (!((flaw | footpoint_detail_outside(square)) >> REAL_TOP)) {
+        const REAL over = 1.0 / sqrt(square);
+        const REAL q[3] = {over * along[0], over * along[1], over * along[2]};
+        if (footpoint_detail_slopes(x, NODES, 1.0, phi, a, b, SLOPES_detail_size(x, loc), q, over,
+                                    row) == FOOTPOINT_OK)
+            return FOOTPOINT_OK;
+    }
+    return SLOPES_detail_again(x, along, loc, row);
+}

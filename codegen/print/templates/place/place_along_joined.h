@@ -1,0 +1,12 @@
+/* A projection along a direction and its derivatives at once: the text of a macro. */
+
+FOOTPOINT_UNUSED
+FOOTPOINT_FN int JOINED_SLOPES(NODE_PARAMETERS, const REAL along[3], REAL loc[2], REAL dist[1],
+                               REAL d_xi[SLOPE_COUNT], REAL d_eta[SLOPE_COUNT],
+                               REAL d_dist[SLOPE_COUNT])
+{
+    const int searched = PROJECTION(NODE_NAMES, along, loc, dist);
+    const int status =
+        searched < 0 ? searched : SLOPES(NODE_NAMES, along, loc, 0, d_xi, d_eta, d_dist);
+    return status == FOOTPOINT_OK ? searched : status;
+}

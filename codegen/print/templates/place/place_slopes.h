@@ -1,0 +1,86 @@
+/* Derivatives of projection along a direction, out of shape functions and tangents. */
+
+/* Rows v, with v . (d xS - sum phi_k d xk - t dq) = d xi, d eta and dt where r(xi,eta) + t q = xS: by Cramer's rule with the
+ * tangents a and b.  a and b are sums of edges, whose squares add up to `size` at most, so that they are right to 40
+ * rounding errors (of 2^-53) of its root, and their products to that times the root of size (a . a + b . b).  The highest bit
+ * of what it returns is set if (a x b) . q is not 1.2e-5 times as large: then v is right to 1e-9. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_solve_along(const REAL a[3], const REAL b[3],
+                                                      const REAL q[3], REAL size, REAL v[3][3])
+{
+    const REAL most = size * (footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b));
+    REAL det, over;
+    int i, k;
+    footpoint_detail_cross(b, q, v[0]);
+    footpoint_detail_cross(q, a, v[1]);
+    footpoint_detail_cross(a, b, v[2]);
+    det = footpoint_detail_dot(v[2], q);
+    over = 1.0 / det;
+    for (k = 0; k < 3; k++)
+        for (i = 0; i < 3; i++)
+            v[k][i] *= over;
+    return footpoint_detail_not_above(det * det - 1.6e-10 * most);
+}
+
+/* The distance and, by nodes, slave node and direction, the derivatives of xi, eta and distance: row[0] to row[3], those that
+ * are not NULL; a status.  y: nodes and slave node, in units of `unit`; q: unit vector, over: 1 over the length of
+ * the direction; phi: shape functions.  As q . v is 0, 0 and 1, derivatives by the direction are - t over times v, of the
+ * distance times v - q. */
+FOOTPOINT_PART int footpoint_detail_slopes(const REAL *const *y, int nodes, REAL unit,
+                                           const REAL *phi, const REAL a[3], const REAL b[3],
+                                           REAL size, const REAL q[3], REAL over, REAL *const *row)
+{
+    REAL v[3][3], t = 0.0, turn, all = 0.0, shapes = 1.0;
+    int i, j, k;
+    if (footpoint_detail_solve_along(a, b, q, size, v) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < nodes; k++) {
+        shapes += fabs(phi[k]);
+        for (i = 0; i < 3; i++)
+            t += phi[k] * (y[nodes][i] - y[k][i]) * q[i];
+    }
+    for (i = 0; i < 3; i++) {
+        v[0][i] /= unit;
+        v[1][i] /= unit;
+        all += fabs(v[0][i]) + fabs(v[1][i]) + fabs(v[2][i]) + 1.0;
+    }
+    t *= unit;
+    turn = -t * over;
+    if ((footpoint_detail_infinite(all * shapes) | footpoint_detail_infinite(t) |
+         footpoint_detail_infinite(all * turn)) >>
+        REAL_TOP)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    if (row[0])
+        row[0][0] = t;
+    for (j = 0; j < 3; j++)
+        for (i = 0; row[j + 1] && i < 3; i++) {
+            FOOTPOINT_UNROLL
+            for (k = 0; k < nodes; k++)
+                row[j + 1][3 * k + i] = -phi[k] * v[j][i];
+            row[j + 1][3 * nodes + i] = v[j][i];
+            row[j + 1][3 * nodes + 3 + i] = turn * (j < 2 ? v[j][i] : v[j][i] - q[i]);
+        }
+    return FOOTPOINT_OK;
+}
+
+/* The unit vector q along a direction and 1 over the length of that; a status. */
+FOOTPOINT_COLD int footpoint_detail_direction(const REAL along[3], REAL q[3], REAL *over)
+{
+    REAL most = 0.0, length;
+    int i, exponent;
+    for (i = 0; i < 3; i++) {
+        if (footpoint_detail_infinite(along[i]) >> REAL_TOP)
+            return FOOTPOINT_ERR_NOT_FINITE;
+        most = fabs(along[i]) > most ? fabs(along[i]) : most;
+    }
+    if (footpoint_detail_below(most, REAL_MIN) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, &exponent);
+    for (i = 0; i < 3; i++)
+        q[i] = ldexp(along[i], -exponent);
+    length = 1.0 / sqrt(footpoint_detail_dot(q, q));
+    for (i = 0; i < 3; i++)
+        q[i] *= length;
+    *over = ldexp(length, -exponent);
+    return FOOTPOINT_OK;
+}

@@ -1,0 +1,261 @@
+/* Derivatives of projection along a direction, FOOTPOINT_KIND_GRADIENTS_ALONG_OF(footpoint_KIND_along): with ordinary faces and
+ * lines, and with slim faces and lines that are nearly parallel to them, against differences of two solutions by Newton's
+ * method in quadruple precision.  What has status FOOTPOINT_OK is right to 1e-9 of the row's sum.  Some hundred lines a kind;
+ * FOOTPOINT_LONG=1: 1e5. */
+#include "../../generated/footpoint_quad4.h"
+#include "../../generated/footpoint_quad4_derivatives.h"
+#include "../../generated/footpoint_quad8.h"
+#include "../../generated/footpoint_quad8_derivatives.h"
+#include "../../generated/footpoint_quad9.h"
+#include "../../generated/footpoint_quad9_derivatives.h"
+#include "../../generated/footpoint_tri3.h"
+#include "../../generated/footpoint_tri3_derivatives.h"
+#include "../../generated/footpoint_tri6.h"
+#include "../../generated/footpoint_tri6_derivatives.h"
+#include "../support/kind_arguments.h"
+#include "../support/quad_precision.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+enum { SHORT = 120, LONG = 100000, ALL = MOST_COORDINATES + 3 };
+
+/* Nodes, slave node, direction. */
+typedef double vectors[MOST_NODES + 2][3];
+
+struct answer {
+    double loc[2], dist, d[3][ALL];
+};
+
+typedef int call(vectors x, struct answer *a);
+
+#define KIND(kind, KIND)                                                                                               \
+    FOOTPOINT_##KIND##_GRADIENTS_ALONG_OF(footpoint_##kind##_along) static int call_##kind(vectors x,                  \
+                                                                                           struct answer *a)           \
+    {                                                                                                                  \
+        return footpoint_##kind##_along_gradients(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), x[VECTORS_OF_##kind],  \
+                                                  a->loc, &a->dist, a->d[0], a->d[1], a->d[2]);                        \
+    }                                                                                                                  \
+    static int place_##kind(vectors x, struct answer *a)                                                               \
+    {                                                                                                                  \
+        return footpoint_##kind##_gradients_along(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), x[VECTORS_OF_##kind],  \
+                                                  a->loc, &a->dist, a->d[0], NULL, a->d[2]);                           \
+    }
+KIND(tri3, TRI3)
+KIND(tri6, TRI6)
+KIND(quad4, QUAD4)
+KIND(quad8, QUAD8)
+KIND(quad9, QUAD9)
+
+static const struct kind {
+    const char *name;
+    int nodes;
+    call *joined, *place;
+} kind[] = {{"tri3", 3, call_tri3, place_tri3},
+            {"tri6", 6, call_tri6, place_tri6},
+            {"quad4", 4, call_quad4, place_quad4},
+            {"quad8", 8, call_quad8, place_quad8},
+            {"quad9", 9, call_quad9, place_quad9}};
+
+enum { KINDS = sizeof kind / sizeof *kind };
+
+static double uniform(uint64_t *stream)
+{
+    *stream = *stream * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*stream >> 11) * 0x1p-53;
+}
+
+/* A moved face, `slim` times longer than wide, and a line through a point of it at an angle of about `angle`. */
+static void draw(uint64_t *stream, const struct kind *k, double slim, double angle, vectors x)
+{
+    const struct exact_face f = exact_face_of(k->nodes);
+    const int triangle = k->nodes == 3 || k->nodes == 6;
+    const double u = uniform(stream), v = uniform(stream), t = uniform(stream) - 0.5, turn = 6.28 * uniform(stream);
+    const double xi = triangle ? u : 2.0 * u - 1.0, eta = triangle ? v * (1.0 - u) : 2.0 * v - 1.0;
+    const double q[3] = {cos(angle) * cos(turn), cos(angle) * sin(turn), sin(angle)};
+    quadruple y[ALL], r[3], normal[3];
+    for (int j = 0; j < k->nodes; j++)
+        for (int i = 0; i < 3; i++) {
+            x[j][i] = (i < 2 ? f.place[j][i] : 0.0) + 0.1 * (uniform(stream) - 0.5);
+            x[j][i] *= i == 0 ? slim : 1.0;
+            y[3 * j + i] = x[j][i];
+        }
+    exact_point(&f, y, xi, eta, r, normal);
+    for (int i = 0; i < 3; i++) {
+        x[k->nodes][i] = (double)r[i] + t * q[i];
+        x[k->nodes + 1][i] = q[i] * exp(turn - 3.0);
+    }
+}
+
+/* ---- the reference ---- */
+
+static quadruple determinant(const quadruple a[3], const quadruple b[3], const quadruple c[3])
+{
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/* One Newton step for {xi, eta, distance}: tangents are differences, exact for at most quadratic functions. */
+static void newton(const struct exact_face *f, const quadruple *y, const quadruple q[3], quadruple at[3])
+{
+    quadruple r[3], end[4][3], a[3], b[3], c[3], normal[3];
+    exact_point(f, y, at[0], at[1], r, normal);
+    exact_point(f, y, at[0] + 1, at[1], end[0], normal);
+    exact_point(f, y, at[0] - 1, at[1], end[1], normal);
+    exact_point(f, y, at[0], at[1] + 1, end[2], normal);
+    exact_point(f, y, at[0], at[1] - 1, end[3], normal);
+    for (int i = 0; i < 3; i++) {
+        a[i] = (end[0][i] - end[1][i]) / 2;
+        b[i] = (end[2][i] - end[3][i]) / 2;
+        c[i] = y[3 * f->nodes + i] - r[i] - at[2] * q[i];
+    }
+    const quadruple det = determinant(a, b, q);
+    at[0] += determinant(c, b, q) / det;
+    at[1] += determinant(a, c, q) / det;
+    at[2] += determinant(a, b, c) / det;
+}
+
+static void solve(const struct exact_face *f, const quadruple *y, const struct answer *a, quadruple at[3])
+{
+    quadruple q[3];
+    for (int i = 0; i < 3; i++)
+        q[i] = y[3 * f->nodes + 3 + i];
+    exact_unit(q);
+    at[0] = a->loc[0];
+    at[1] = a->loc[1];
+    at[2] = a->dist;
+    for (int step = 0; step < 5; step++)
+        newton(f, y, q, at);
+}
+
+/* The derivatives along a random change of all coordinates are the differences of two solutions. */
+static void judge(uint64_t *stream, const struct kind *k, vectors x, const struct answer *a)
+{
+    const struct exact_face f = exact_face_of(k->nodes);
+    const int all = 3 * k->nodes + 6;
+    const double step = 1e-12;
+    quadruple y[2][ALL], at[2][3];
+    double by[ALL], shorter = 1.0;
+    for (int i = 0; i < 3; i++) /* changes of the direction in its own unit */
+        shorter = fmin(shorter, hypot(hypot(x[k->nodes + 1][0], x[k->nodes + 1][1]), x[k->nodes + 1][2]));
+    for (int i = 0; i < all; i++) {
+        by[i] = (2.0 * uniform(stream) - 1.0) * (i < all - 3 ? 1.0 : shorter);
+        for (int s = 0; s < 2; s++)
+            y[s][i] = (quadruple)x[i / 3][i % 3] + (s ? -1 : 1) * (quadruple)step * by[i];
+    }
+    for (int s = 0; s < 2; s++)
+        solve(&f, y[s], a, at[s]);
+    for (int j = 0; j < 3; j++) {
+        double sum = 0.0, size = 0.0;
+        for (int i = 0; i < all; i++) {
+            sum += a->d[j][i] * by[i];
+            size += fabs(a->d[j][i]);
+        }
+        const double truth = (double)((at[0][j] - at[1][j]) / (2 * (quadruple)step));
+        if (!(fabs(sum - truth) <= 1e-9 * size))
+            fail_msg("%s, row %d: %.17g, not %.17g, of %g", k->name, j, sum, truth, size);
+    }
+}
+
+/* ---- tests ---- */
+
+static int count(void)
+{
+    return getenv("FOOTPOINT_LONG") ? LONG : SHORT;
+}
+
+static void ordinary_lines_are_right(void **state)
+{
+    uint64_t stream = 3;
+    (void)state;
+    for (int n = 0; n < KINDS * count(); n++) {
+        const struct kind *const k = &kind[n % KINDS];
+        struct answer a;
+        vectors x;
+        draw(&stream, k, 1.0, 0.5 + uniform(&stream), x);
+        const int status = k->joined(x, &a);
+        assert_true(status == FOOTPOINT_OK || status == 1); /* a point beyond an edge by rounding */
+        judge(&stream, k, x, &a);
+    }
+}
+
+static void hard_lines_are_right_or_refused(void **state)
+{
+    uint64_t stream = 5;
+    int refused = 0;
+    (void)state;
+    for (int n = 0; n < KINDS * count(); n++) {
+        const struct kind *const k = &kind[n % KINDS];
+        struct answer a;
+        vectors x;
+        draw(&stream, k, exp(9.0 * uniform(&stream)), exp(-7.0 * uniform(&stream)), x);
+        if (k->joined(x, &a) == FOOTPOINT_OK)
+            judge(&stream, k, x, &a);
+        else
+            refused++;
+    }
+    assert_true(refused < KINDS * count() / 2);
+}
+
+/* A power of 2 is another unit of length, or of the direction, to the bit. */
+static void units_do_not_matter(void **state)
+{
+    uint64_t stream = 7;
+    (void)state;
+    for (int n = 0; n < KINDS * 20; n++) {
+        const struct kind *const k = &kind[n % KINDS];
+        const int length = n % 3 * 400 - 400, turn = n % 7 * 100 - 300;
+        struct answer a, b;
+        vectors x;
+        draw(&stream, k, 1.0, 1.0, x);
+        if (k->joined(x, &a) < FOOTPOINT_OK)
+            continue;
+        for (int j = 0; j < k->nodes + 2; j++)
+            for (int i = 0; i < 3; i++)
+                x[j][i] = ldexp(x[j][i], j <= k->nodes ? length : turn);
+        b = a;
+        assert_int_equal(k->place(x, &b), FOOTPOINT_OK);
+        for (int i = 0; i < 3 * k->nodes + 6; i++) {
+            const int slave = i < 3 * k->nodes + 3;
+            assert_true(ldexp(b.d[0][i], slave ? length : turn) == a.d[0][i]);
+            assert_true(b.d[1][i] == a.d[1][i]); /* a row that is not wanted */
+            assert_true(ldexp(b.d[2][i], slave ? 0 : turn - length) == a.d[2][i]);
+        }
+    }
+}
+
+static void statuses(void **state)
+{
+    (void)state;
+    for (int n = 0; n < KINDS; n++) {
+        const struct kind *const k = &kind[n];
+        uint64_t stream = 9;
+        struct answer a;
+        vectors x;
+        draw(&stream, k, 1.0, 1.0, x);
+        assert_true(k->joined(x, &a) >= FOOTPOINT_OK);
+        double *const along = x[k->nodes + 1];
+        along[2] = (double)NAN;
+        assert_int_equal(k->place(x, &a), FOOTPOINT_ERR_NOT_FINITE);
+        along[0] = along[1] = along[2] = 0.0;
+        assert_int_equal(k->place(x, &a), FOOTPOINT_ERR_DEGENERATE);
+        for (int i = 0; i < 3; i++)
+            along[i] = x[1][i] - x[0][i];
+        a.loc[0] = k->nodes == 3 || k->nodes == 6 ? 0.5 : 0.0; /* along an edge, there */
+        a.loc[1] = k->nodes == 3 || k->nodes == 6 ? 0.0 : -1.0;
+        assert_int_equal(k->place(x, &a), FOOTPOINT_ERR_DEGENERATE);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ordinary_lines_are_right),
+                                       cmocka_unit_test(hard_lines_are_right_or_refused),
+                                       cmocka_unit_test(units_do_not_matter), cmocka_unit_test(statuses)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
