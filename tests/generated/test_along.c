@@ -1,9 +1,8 @@
 /* Projection along a direction, footpoint_KIND_along, against a solver that is certain and shares no code with it,
  * tests/support/line_points.h: a point lies within the promise of each answer, by Newton's steps in quadruple precision, and dist is that
  * of the answer; behind FOOTPOINT_OK the face has no other one; other statuses are right, and the nearest of several points is the
- * answer.  Faces are mild, strongly
- * curved, arched, half circles, with mid-side nodes at a quarter or 0.3 to 0.5 off, collapsed, folded, wavy and slim, at the origin and
- * 1e6 edges away from it, of sizes from 1e-100 to 1e100, with lines in any direction, near the normal, near chords, through nodes, along
+ * answer.  Faces are mild, strongly curved, arched, half circles, with mid-side nodes at a quarter or 0.3 to 0.5 off, collapsed,
+ * folded, wavy and slim, at the origin and 1e6 edges away from it, of sizes from 1e-100 to 1e100, with lines in any direction, near the normal, near chords, through nodes, along
  * edges, and such that touch the face or nearly do.  3,200 lines a kind, 1e6 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4.h"
