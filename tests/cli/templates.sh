@@ -8,9 +8,9 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     for function in atan2 copysign fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
-    for name in macros bits power scale products weighted relative height bounds; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in macros bits power patch_powers scale products weighted relative height bounds; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for name in again side corner lesser closest edge curve along curved_domain place place_slopes; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: face:4:4:; do
+    for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: bezier_lanes:4:8: gregory_lanes:4:8: face:4:4:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
         columns= rows= names= parameters= segment=
         for k in $(seq 0 "$others"); do
@@ -44,10 +44,10 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
-        bezier) files="$files patch_net patch_bezier patch_proof patch_repair" ;;
-        gregory) files="$files patch_gregory patch_proof patch_repair" ;;
+        bezier) files="$files patch_net patch_bezier patch_newton patch_proof patch_repair" ;;
+        gregory) files="$files patch_gregory patch_newton patch_proof patch_repair" ;;
         esac
-        files="$files arrays over"
+        files="$files arrays arrays_checked over"
         case $nearest in
         '') ;;
         curved*)
@@ -68,6 +68,10 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             ;;
         esac
         files="straight $files" calls='at checked arrays_calls over_calls'
+        case $kind in
+        *_lanes) files="patch_block:double lanes_${kind%_lanes} patch_newton patch_lane patch_lanes:double straight patch_begin:double" calls= ;;
+        bezier | gregory) calls='at checked patch_calls' ;;
+        esac
         case $nearest in
         '') ;;
         quad4)
@@ -99,14 +103,21 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST SCALED_ROWS"
             words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_PATCH END_PATCH WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
-            case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
+            case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, int near, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
+            echo "void ${kind}_run(int begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
+            case $kind in *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" ;; esac
+            printf '#define %s\n' "RUN ${kind}_run" 'START_BEGIN 0'
+            words="$words LANE LANE_BITS BLOCK NARROW ALONE_SEARCH ALONE_ANSWER RUN START_BEGIN"
             case $kind in tri6 | quad8 | quad9) ;; *) echo "REAL_BITS footpoint_detail_${kind}_curved(const REAL *const *x, REAL promise, int bare, int fixed, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
             echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"
             echo "REAL_BITS ${kind}_exact(const REAL *const *x, REAL promise, REAL *xi, REAL *eta);"
         fi
         for name in $files $calls; do
-            case $name in *:*) printf '%s\n' '#ifdef SINGLE' "#include \"$(find "$PWD/$folder" -name "${name#*:}.h")\"" '#else' ;; esac
+            case $name in
+            *:double) echo '#ifndef SINGLE' ;;
+            *:*) printf '%s\n' '#ifdef SINGLE' "#include \"$(find "$PWD/$folder" -name "${name#*:}.h")\"" '#else' ;;
+            esac
             echo "#include \"$(find "$PWD/$folder" -name "${name%:*}.h")\""
             case $name in *:*) echo '#endif' ;; esac
         done
@@ -136,8 +147,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
-double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625 -DREAL_ALONG=1e-9'
-float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f -DREAL_ALONG=1e-3f'
+double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625 -DREAL_ROOT=0x5fe6eb50c7b537a9ull -DREAL_ALONG=1e-9'
+float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f -DREAL_ROOT=0x5f3759dfu -DREAL_ALONG=1e-3f'
 float="$float -fsingle-precision-constant -DSINGLE"
 later 'templates: half of the compilers and precisions'
 for compiler in 'gcc -std=c99' 'clang -std=c99' 'g++ -std=c++11' 'clang++ -std=c++11'; do

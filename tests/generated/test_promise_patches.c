@@ -505,10 +505,31 @@ static void test_wild(void **state)
     test_group(WILD);
 }
 
-/* In arrays the same answers as alone, but for rounding where compilers fuse operations. */
+/* The answer in an array is as good as the answer alone: proved if that is, within both promises of that on ordinary
+ * patches, where the gap differs by the square of what xi and eta do, by the third power of a step, and by rounding to single precision; statuses below 0 are the same. */
+static void compare(const struct header_function *f, const struct patch *p, int status, const double found[2],
+                    double gap, bool ordinary)
+{
+    const double *y[VECTORS];
+    double loc[2] = {0, 0}, g = 0, size = 0;
+    for (int v = 0; v < VECTORS; v++)
+        y[v] = p->x[v];
+    const int alone = f->locate(y, p->x[8], loc, &g);
+    if (status != alone && !(status == FOOTPOINT_OK && alone > FOOTPOINT_OK))
+        fail_msg("%s: status %d in an array, %d alone", f->name, status, alone);
+    if (!ordinary || alone != FOOTPOINT_OK)
+        return;
+    for (int i = 0; i < 3; i++)
+        size += fabs(p->x[1][i] - p->x[0][i]) + fabs(p->x[2][i] - p->x[1][i]);
+    const double away = fmax(fabs(loc[0] - found[0]), fabs(loc[1] - found[1]));
+    const double off = (away * away + (f->promise < 9e-4 ? 1e-14 + 1e-6 * f->promise : 1e-6)) * size;
+    if (!(away <= 2 * f->promise && fabs(gap - g) <= off))
+        fail_msg("%s: %g away from the answer alone, gaps by %g", f->name, away, fabs(gap - g));
+}
+
 static void test_arrays(void **state)
 {
-    enum { PAIRS = 60, ROWS = 3 * VECTORS };
+    enum { PAIRS = 75, ROWS = 3 * VECTORS };
     static double column[ROWS][PAIRS], xi[PAIRS], eta[PAIRS], gap[PAIRS];
     static struct patch patch[PAIRS];
     static int status[PAIRS];
@@ -531,24 +552,15 @@ static void test_arrays(void **state)
             f->checked_n(PAIRS, x, xi, eta, gap, status);
             for (int i = 0; i < PAIRS; i++) {
                 const struct patch scaled = unit_patch(&patch[i]);
-                const double *y[VECTORS], found[2] = {xi[i], eta[i]};
-                double loc[2] = {0, 0}, g = 0;
+                const double found[2] = {xi[i], eta[i]};
                 struct net t;
                 wide known[2] = {0, 0};
                 bool is_known = false;
                 make_net(&scaled, &t);
-                for (int v = 0; v < VECTORS; v++)
-                    y[v] = patch[i].x[v];
                 if ((status[i] == FOOTPOINT_OK || status[i] == FOOTPOINT_OUTSIDE) &&
                     !is_right(&scaled, &t, status[i], found, f->promise, known, &is_known))
                     fail_on(&patch[i], f->name, "arrays", status[i], found);
-#ifndef __FMA__
-                assert_int_equal(status[i], f->locate(y, patch[i].x[8], loc, &g));
-                if (status[i] >= FOOTPOINT_OK)
-                    assert_true(loc[0] == xi[i] && loc[1] == eta[i] && g == gap[i]);
-#else
-                (void)y, (void)loc, (void)g;
-#endif
+                compare(f, &patch[i], status[i], found, gap[i], i % GROUPS == ORDINARY);
             }
         }
     }

@@ -4,6 +4,7 @@
 
 #include "../../base/text.h"
 #include "../templates.h"
+#include "header_lanes.h"
 #include "header_promise.h"
 
 #include <stdlib.h>
@@ -16,12 +17,22 @@ static bool prepares(const struct unit *u)
 
 void arrays_print_helpers(const struct unit *u, FILE *out)
 {
-    lines_print_kind(u, promise_answers(u), "ARRAYS", (const char *const[]){"arrays", "over", NULL}, out);
+    const bool patch = promise_kind_of(u) == PROMISE_PATCH;
+    lines_print_kind(u, promise_answers(u), "ARRAYS",
+                     patch ? (const char *const[]){"arrays", NULL}
+                           : (const char *const[]){"arrays", "arrays_checked", "over", NULL},
+                     out);
+    if (patch)
+        lanes_print_helpers(u, out);
 }
 
 void arrays_print(const struct unit *u, const struct function *f, FILE *out)
 {
     const char *const calls[] = {"arrays_calls", prepares(u) ? "over_calls" : NULL, NULL};
+    if (promise_kind_of(u) == PROMISE_PATCH) {
+        lanes_print_calls(u, f, out);
+        return;
+    }
     struct words w = promise_words(u, f);
     templates_print(NULL, calls, u->options.precision, w.word, out);
     if (promise_follows(u))

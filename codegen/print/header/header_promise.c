@@ -213,11 +213,11 @@ static int promise_steps(const struct unit *u, const struct function *f)
     }
 }
 
-static bool is_start(const struct unit *u, const struct function *f)
+bool promise_starts(const struct unit *u, const struct function *f)
 {
     bool is = false;
     for (size_t i = 0; i < u->file->genomes; i++)
-        is = is || start_of(u, &u->function[i]) == f;
+        is = is || promise_start(u, &u->function[i]) == f;
     return is;
 }
 
@@ -246,7 +246,7 @@ static char *products_text(const struct unit *u, const struct vectors_found *w, 
 
 void promise_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    if (promise_kind_of(u) != PROMISE_BILINEAR || !is_start(u, f))
+    if (promise_kind_of(u) != PROMISE_BILINEAR || !promise_starts(u, f))
         return;
     struct vectors_found v;
     struct words w = lines_words(u, f, f);

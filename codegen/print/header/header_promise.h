@@ -28,6 +28,9 @@ void promise_define(const struct unit *u, const struct function *f, FILE *out);
 /** The function that NAME begins with, itself or a cheaper one: steps that are proved do the rest. */
 const struct function *promise_start(const struct unit *u, const struct function *f);
 
+/** Whether the checked function of any genome begins with f. */
+bool promise_starts(const struct unit *u, const struct function *f);
+
 /** lines_words() with KIND of promise_answers(), and PROMISE, the macro, or 0.0, in float -1.0; START, the function that NAME begins with; STEPS, those of it in loops over
  *  arrays. */
 struct words promise_words(const struct unit *u, const struct function *f);

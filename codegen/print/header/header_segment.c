@@ -11,6 +11,7 @@
 #include "header_closest.h"
 #include "header_float.h"
 #include "header_gap.h"
+#include "header_lanes.h"
 #include "header_lines.h"
 #include "header_promise.h"
 #include "header_vectors.h"
@@ -90,14 +91,34 @@ void search_print_contract(const struct unit *u, FILE *out)
         closest_print_contract(u, out);
 }
 
-void search_print_bare(const struct unit *u, const struct function *f, FILE *out)
+/* The search by straight-line code.  Takes the text of the denominators' tests. */
+static void print_straight(const struct unit *u, const struct function *f, char *denominators, FILE *out)
 {
     struct words w = lines_words(u, f, f);
     words_add(&w, "STATEMENTS", statements_text(u, f));
-    words_add(&w, "DENOMINATORS", denominators_text(u, f));
+    words_add(&w, "DENOMINATORS", denominators);
     fputc('\n', out);
     templates_print_blocks("straight", u->options.precision, w.word, NULL, out);
     words_clear(&w);
+}
+
+/* Where loops over arrays of patches begin, in both precisions.  Proofs follow, so that nothing is tested. */
+static void print_begin(const struct unit *u, const struct function *f, FILE *out)
+{
+    struct unit single = *u;
+    struct function named = lanes_single(f);
+    single.options.precision = PRECISION_FLOAT;
+    print_straight(&single, &named, new_format("0"), out);
+    lanes_print_begin(u, &named, true, out);
+    lanes_print_begin(u, f, false, out);
+    free(named.name);
+}
+
+void search_print_bare(const struct unit *u, const struct function *f, FILE *out)
+{
+    print_straight(u, f, denominators_text(u, f), out);
+    if (promise_kind_of(u) == PROMISE_PATCH && promise_starts(u, f))
+        print_begin(u, f, out);
     promise_print(u, f, out);
 }
 

@@ -11,7 +11,8 @@ FOOTPOINT_PART REAL_BITS NAME_detail_checked(const REAL *const *x, int way, REAL
     flaw = SEARCH_CALL;
     WITH_PATCH
     if (way != 1)
-        return footpoint_detail_KIND_patch(x, PROMISE, STEPS, LEAST_SIZE, xi, eta, gap);
+        return footpoint_detail_KIND_patch(x, PROMISE, STEPS, PROMISE < 1e-6, LEAST_SIZE, xi, eta,
+                                           gap);
     return flaw | footpoint_detail_KIND_gap(x, *xi, *eta, LEAST_SIZE, gap);
     END_PATCH
     WITH_EXACT_PROMISE

@@ -19,9 +19,16 @@
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_APART static __attribute__((noinline, unused))
+#else
+#define FOOTPOINT_APART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
+#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif

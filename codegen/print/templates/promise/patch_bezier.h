@@ -4,11 +4,11 @@ typedef struct {
     footpoint_detail_net net;
 } footpoint_detail_bezier_terms;
 
-FOOTPOINT_PART void footpoint_detail_bezier_expand(const REAL *const *x,
-                                                   footpoint_detail_bezier_terms *t)
+FOOTPOINT_PART void footpoint_detail_bezier_shape(const REAL *const *n,
+                                                  footpoint_detail_bent bent[4],
+                                                  footpoint_detail_bezier_terms *t)
 {
-    footpoint_detail_bent bent[4];
-    footpoint_detail_net_expand(x, bent, &t->net);
+    footpoint_detail_net_expand(n, bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_bezier_local(const footpoint_detail_bezier_terms *t, REAL p,

@@ -36,7 +36,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent
 
 /* Of unit normals handle b[c][1 - m] is k[c][m] n x b[c][m] + l[c][m] b[c][m].  turn: n x b.  The largest square of an edge
  * over that of a handle along it. */
-FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *x,
+FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
                                                    const footpoint_detail_bent bent[4],
                                                    REAL b[4][2][3], REAL turn[4][2][3],
                                                    REAL k[4][2], REAL l[4][2])
@@ -54,7 +54,7 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *x,
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const REAL inverse = per * (m ? s : t);
-            footpoint_detail_cross(x[4 + c], b[c][m], turn[c][m]);
+            footpoint_detail_cross(n[c], b[c][m], turn[c][m]);
             k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
             l[c][m] = along * inverse;
             most = footpoint_detail_greater(most,
@@ -70,25 +70,26 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *x,
  * with the sum.  In d the four corners weigh 1 / 16 of that, in tangents 1 / 8 and 0.06 of twice that for x / (x + y), in second derivatives
  * 3 / 8 and 0.6 of twice that: 5, 12 and 100 u w^2 d*.  Weights are off by some 20 u of themselves, those of second derivatives by
  * 0.5 (3 u / (x + y) / 2 + 20 u) of twist <= 3.8 w^2 d*, 330 u w^2 d* where x + y is 0.01.  18, 60 and 280 2.5 allow for both. */
-FOOTPOINT_PART void footpoint_detail_gregory_expand(const REAL *const *x,
-                                                    footpoint_detail_gregory_terms *t)
+FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
+                                                   footpoint_detail_bent bent[4],
+                                                   footpoint_detail_gregory_terms *t)
 {
-    footpoint_detail_bent bent[4];
     REAL b[4][2][3], turn[4][2][3], k[4][2], l[4][2], most, longest = 0.0;
     int c, m, i;
-    footpoint_detail_net_expand(x, bent, &t->net);
+    footpoint_detail_net_expand(n, bent, &t->net);
     footpoint_detail_gregory_handles(bent, b);
-    most = footpoint_detail_gregory_parts(x, bent, b, turn, k, l);
+    most = footpoint_detail_gregory_parts(n, bent, b, turn, k, l);
     FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
         REAL made[2][3], sides;
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
-            const int o = m ? 3 - c : c ^ 1;
+            const int o = m ? 3 - c : c ^ 1, ends = m ? c > 1 : c == 1 || c == 2;
+            const REAL *const edge = bent[footpoint_detail_gregory_edge(c, m)].edge;
             const REAL sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m];
             FOOTPOINT_UNROLL
             for (i = 0; i < 3; i++) {
-                const REAL middle = (x[o][i] - x[c][i]) + (b[o][m][i] - b[c][m][i]);
+                const REAL middle = (ends ? -edge[i] : edge[i]) + (b[o][m][i] - b[c][m][i]);
                 made[m][i] = 3.0 * (sum * turn[c][m][i] - k[c][m] * turn[o][m][i] +
                                     (twice * middle - l[o][m] * b[c][m][i])) -
                              9.0 * b[c][1 - m][i];

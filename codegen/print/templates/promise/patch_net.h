@@ -16,19 +16,17 @@ typedef struct {
     REAL third[2], base, tilt, place, turn, far;
 } footpoint_detail_net;
 
-/* An edge, and an eighth of its parts along the normals at its ends. */
+/* An edge, and an eighth of its parts along the normals m and n at its ends. */
 typedef struct {
     REAL edge[3], begin[3], end[3];
 } footpoint_detail_bent;
 
-FOOTPOINT_PART void footpoint_detail_bend(const REAL a[3], const REAL b[3], const REAL m[3],
-                                          const REAL n[3], footpoint_detail_bent *t)
+FOOTPOINT_PART void footpoint_detail_bend(const REAL m[3], const REAL n[3],
+                                          footpoint_detail_bent *t)
 {
-    REAL first, second;
+    const REAL first = 0.125 * footpoint_detail_dot(t->edge, m);
+    const REAL second = 0.125 * footpoint_detail_dot(t->edge, n);
     int i;
-    footpoint_detail_from(a, b, t->edge);
-    first = 0.125 * footpoint_detail_dot(t->edge, m);
-    second = 0.125 * footpoint_detail_dot(t->edge, n);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         t->begin[i] = first * m[i];
@@ -36,10 +34,10 @@ FOOTPOINT_PART void footpoint_detail_bend(const REAL a[3], const REAL b[3], cons
     }
 }
 
-/* The bounds of a net with its vectors.  Where |p| <= 1.125, a, w and b, and their first and second derivatives, are 0.385, 2.8, 6.75; 1, 2.25,
+/* The bounds of a net with its vectors; n: normals.  Where |p| <= 1.125, a, w and b, and their first and second derivatives, are 0.385, 2.8, 6.75; 1, 2.25,
  * 2; 0.5, 0.75, 1.69 at most, the third 6, 0, 1.5.  Thus of X1 in third[0] 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9, X0 2 0.75 2 + 1.69 2.25 =
  * 6.9; of Y1 1.5 0.385 + 2 1.69 2.8 + 0.75 6.75 = 15.2, Y0 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7, m 1.69; in third[1] m 1.5 1.125 + 2 1.69. */
-FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *x, footpoint_detail_net *t)
+FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *n, footpoint_detail_net *t)
 {
     const REAL X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
     const REAL Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
@@ -48,26 +46,41 @@ FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *x, footpoint_
         6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
     t->third[1] =
         6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
-    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(x[4], x[4]),
-                                                                footpoint_detail_dot(x[5], x[5])),
-                                       footpoint_detail_greater(footpoint_detail_dot(x[6], x[6]),
-                                                                footpoint_detail_dot(x[7], x[7])));
+    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(n[0], n[0]),
+                                                                footpoint_detail_dot(n[1], n[1])),
+                                       footpoint_detail_greater(footpoint_detail_dot(n[2], n[2]),
+                                                                footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;
 }
 
-/* bent: AB, DC, AD, BC. */
-FOOTPOINT_PART void footpoint_detail_net_expand(const REAL *const *x, footpoint_detail_bent bent[4],
+/* The edges AB, DC, AD and BC, and d. */
+FOOTPOINT_PART void footpoint_detail_net_edges(const REAL *const *x, footpoint_detail_bent bent[4],
+                                               footpoint_detail_net *t)
+{
+    int i;
+    footpoint_detail_from(x[0], x[1], bent[0].edge);
+    footpoint_detail_from(x[3], x[2], bent[1].edge);
+    footpoint_detail_from(x[0], x[3], bent[2].edge);
+    footpoint_detail_from(x[1], x[2], bent[3].edge);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        t->d[i] = 0.25 * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
+                          ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
+}
+
+/* What edges and the normals n make. */
+FOOTPOINT_PART void footpoint_detail_net_expand(const REAL *const *n, footpoint_detail_bent bent[4],
                                                 footpoint_detail_net *t)
 {
     const footpoint_detail_bent *const ab = &bent[0], *const dc = &bent[1], *const ad = &bent[2],
                                        *const bc = &bent[3];
     int i;
-    footpoint_detail_bend(x[0], x[1], x[4], x[5], &bent[0]);
-    footpoint_detail_bend(x[3], x[2], x[7], x[6], &bent[1]);
-    footpoint_detail_bend(x[0], x[3], x[4], x[7], &bent[2]);
-    footpoint_detail_bend(x[1], x[2], x[5], x[6], &bent[3]);
+    footpoint_detail_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         const REAL s = ab->begin[i] + ab->end[i], l = ab->begin[i] - ab->end[i];
@@ -85,12 +98,10 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const REAL *const *x, footpoint_
         t->y0[i] = 0.5 * (k + K);
         t->Y1[i] = (O - o) - 0.5 * t->m[i];
         t->Y0[i] = K - k;
-        t->d[i] = 0.25 * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
-                          ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
     }
     t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
               (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
-    footpoint_detail_net_bounds(x, t);
+    footpoint_detail_net_bounds(n, t);
 }
 
 /* Tangents and second derivatives at (p,q), and d = xS - r. */

@@ -1,11 +1,4 @@
-/* Newton's steps on patches, and the proof of the last. */
-
-/* Kept in the patch. */
-FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
-{
-    const REAL most = p < 1.0 ? p : 1.0;
-    return most > -1.0 ? most : -1.0;
-}
+/* The proof of a step on a patch. */
 
 /* By how much rounding may change (r_xi . D, r_eta . D), and per step, see footpoint_detail_net; dot products and Cramer's rule count
  * as 3 + 4 of 9 u |r_i| |D|, and a step as much more as both entries of a row of the Hessian are off by, 1820 u far^2, and its determinant,
@@ -17,29 +10,6 @@ FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REA
     const REAL turn = unit * (t->turn * d + 2000.0 * step * (far * far));
     off[0] = place * u + turn;
     off[1] = place * v + turn;
-}
-
-/* A step from (*p,*q) to the foot point, kept in the patch, without a proof: Newton's, and what the same Hessian makes of the slopes that
- * it leaves if third derivatives are nothing, so that its error falls by the third power until these tell. */
-FOOTPOINT_PART void footpoint_detail_KIND_bare(const footpoint_detail_KIND_terms *of, REAL *p,
-                                               REAL *q)
-{
-    footpoint_detail_local r;
-    footpoint_detail_newton n;
-    REAL f = 0.0, g = 0.0;
-    int k;
-    footpoint_detail_KIND_local(of, *p, *q, &r);
-    footpoint_detail_newton_of(&r, &n);
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const REAL u = r.u[k] + (n.s * r.uu[k] + n.t * r.uv[k]);
-        const REAL v = r.v[k] + (n.s * r.uv[k] + n.t * r.vv[k]);
-        const REAL d = r.d[k] - 0.5 * (n.s * (r.u[k] + u) + n.t * (r.v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_KIND_kept(*p + (n.s + (n.r22 * f - n.r12 * g) * n.per));
-    *q = footpoint_detail_KIND_kept(*q + (n.t + (n.r11 * g - n.r12 * f) * n.per));
 }
 
 /* Newton's step from a point in the patch, where r is the surface.  The highest bit of the result is not set if a minimum of the distance is
@@ -99,14 +69,15 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
 }
 
 /* xi, eta and the gap (9) from where a search ended, by `bare` steps and one that is proved.  The gap, and the normal along which it is, follow
- * from the values of the last step, to its second order, where that is short. */
+ * from the values of the last step, to its second order, if the step is short: `near`. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL promise, int bare,
-                                                     REAL least, REAL *xi, REAL *eta, REAL *gap)
+                                                     int near, REAL least, REAL *xi, REAL *eta,
+                                                     REAL *gap)
 {
     footpoint_detail_KIND_terms of;
     footpoint_detail_local r;
     REAL_BITS doubt;
-    REAL p = *xi, q = *eta, s, t, size;
+    REAL p = *xi, q = *eta, size;
     int k;
     footpoint_detail_KIND_expand(x, &of);
     FOOTPOINT_UNROLL
@@ -116,19 +87,10 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL 
     *xi = p;
     *eta = q;
     doubt = footpoint_detail_KIND_step(&of, &r, promise, xi, eta);
-    s = *xi - p;
-    t = *eta - q;
-    if (promise > 1e-6)
+    if (near)
+        footpoint_detail_KIND_follow(*xi - p, *eta - q, &r);
+    else
         footpoint_detail_KIND_local(&of, *xi, *eta, &r);
-    else {
-        FOOTPOINT_UNROLL
-        for (k = 0; k < 3; k++) {
-            const REAL u = s * r.uu[k] + t * r.uv[k], v = s * r.uv[k] + t * r.vv[k];
-            r.d[k] -= s * (r.u[k] + 0.5 * u) + t * (r.v[k] + 0.5 * v);
-            r.u[k] += u;
-            r.v[k] += v;
-        }
-    }
     size = of.net.base * of.net.base;
     return doubt | footpoint_detail_normal_gap(r.u, r.v, r.d, size, size, 0.0625 * size, least,
                                                *xi + *eta, gap);

@@ -1,0 +1,181 @@
+/* Patches in loops over arrays: steps, their proof, and repair for what is not proved. */
+
+/* What the patches are, by number of the value. */
+enum { footpoint_detail_KIND_count = (sizeof(footpoint_detail_KIND_terms) / sizeof(REAL) + 2) / 3 };
+typedef struct {
+    REAL v[footpoint_detail_KIND_count][3][FOOTPOINT_LANES];
+} footpoint_detail_KIND_lanes;
+typedef union {
+    footpoint_detail_KIND_terms of;
+    REAL v[footpoint_detail_KIND_count][3];
+} footpoint_detail_KIND_one;
+
+FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRICT b,
+                                                  footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t)
+{
+    int l, k, i;
+    FOOTPOINT_EACH
+    for (l = 0; l < FOOTPOINT_LANES; l++) {
+        footpoint_detail_KIND_one one;
+        footpoint_detail_bent bent[4];
+        REAL n[4][3];
+        const REAL *const normal[4] = {n[0], n[1], n[2], n[3]};
+        FOOTPOINT_UNROLL
+        for (k = 0; k < 4; k++) {
+            FOOTPOINT_UNROLL
+            for (i = 0; i < 3; i++) {
+                bent[k].edge[i] = b->edge[k][i][l];
+                n[k][i] = b->normal[k][i][l];
+            }
+        }
+        footpoint_detail_KIND_shape(normal, bent, &one.of);
+        FOOTPOINT_UNROLL
+        for (k = 0; k < footpoint_detail_KIND_count; k++) {
+            FOOTPOINT_UNROLL
+            for (i = 0; i < 3; i++)
+                t->v[k][i][l] = one.v[k][i];
+        }
+    }
+}
+
+/* The patch of a lane, with xS of another. */
+FOOTPOINT_PART void footpoint_detail_KIND_take(const BLOCK *b, const footpoint_detail_KIND_lanes *t,
+                                               int l, footpoint_detail_KIND_one *one)
+{
+    int k, i;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < footpoint_detail_KIND_count; k++) {
+        FOOTPOINT_UNROLL
+        for (i = 0; i < 3; i++)
+            one->v[k][i] = t->v[k][i][l];
+    }
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        one->of.net.d[i] = b->d[i][l];
+}
+
+FOOTPOINT_APART void
+footpoint_detail_KIND_bares(BLOCK *FOOTPOINT_RESTRICT b,
+                            const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < FOOTPOINT_LANES; l++) {
+        footpoint_detail_KIND_one one;
+        footpoint_detail_KIND_take(b, t, l, &one);
+        footpoint_detail_KIND_bare(&one.of, &b->p[l], &b->q[l]);
+    }
+}
+
+FOOTPOINT_APART void
+footpoint_detail_KIND_proofs(BLOCK *FOOTPOINT_RESTRICT b,
+                             const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t, REAL promise)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < FOOTPOINT_LANES; l++) {
+        const REAL p = b->p[l], q = b->q[l], size = b->size[l];
+        footpoint_detail_KIND_one one;
+        footpoint_detail_local r;
+        REAL_BITS doubt = footpoint_detail_bits(size - 1.0) | footpoint_detail_infinite(size);
+        REAL xi = p, eta = q, gap;
+        footpoint_detail_KIND_take(b, t, l, &one);
+        footpoint_detail_KIND_local(&one.of, p, q, &r);
+        doubt |= footpoint_detail_KIND_lane(&one.of, &r, promise, &xi, &eta);
+        footpoint_detail_KIND_follow(xi - p, eta - q, &r);
+        doubt |= footpoint_detail_KIND_rise(&r, &gap);
+        b->p[l] = xi;
+        b->q[l] = eta;
+        b->gap[l] = gap;
+        b->doubt[l] = doubt;
+    }
+}
+
+/* Where a search begins. */
+typedef void footpoint_detail_KIND_begin(BLOCK *b);
+
+/* Columns of pairs, or of slave nodes, from `first` on; the last of them instead of those that lack. */
+FOOTPOINT_PART void footpoint_detail_KIND_load(BLOCK *b, const double *const *column, int begin,
+                                               size_t first, size_t n)
+{
+    int k, l;
+    for (k = begin; k < 27; k++) {
+        double *const to = b->x[k / 3][k % 3];
+        const double *const from = column[k - begin] + first;
+        if (n - first >= FOOTPOINT_LANES)
+            for (l = 0; l < FOOTPOINT_LANES; l++)
+                to[l] = from[l];
+        else
+            for (l = 0; l < FOOTPOINT_LANES; l++)
+                to[l] = from[(size_t)l < n - first ? (size_t)l : n - first - 1];
+    }
+}
+
+/* Results of `count` lanes; the highest bit is set if any of them is not proved. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_store(const BLOCK *b, int count,
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    REAL_BITS doubt = 0;
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < count; l++) {
+        xi[l] = b->p[l];
+        eta[l] = b->q[l];
+        gap[l] = b->gap[l] * b->unit[l];
+        status[l] = FOOTPOINT_OK;
+        doubt |= b->doubt[l];
+    }
+    return doubt;
+}
+
+/* The answers of pairs that are not proved, by a search of each. */
+FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK *b, int count,
+                                               double promise, double *xi, double *eta, double *gap,
+                                               int *status)
+{
+    int l, k;
+    for (l = 0; l < count; l++)
+        if (b->doubt[l] >> REAL_TOP) {
+            double x[9][3], loc[2] = {0.0, 0.0};
+            const double *const row[9] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]};
+            for (k = 0; k < 27; k++)
+                x[k / 3][k % 3] = b->x[k / 3][k % 3][l];
+            status[l] = ALONE_ANSWER(search, row, 4, promise, loc, &gap[l]);
+            xi[l] = loc[0];
+            eta[l] = loc[1];
+        }
+}
+
+/* n pairs, or n slave nodes over one segment unless that is NULL; column: of their coordinates. */
+FOOTPOINT_APART void footpoint_detail_KIND_run(footpoint_detail_KIND_begin *begin, int bare,
+                                               ALONE_SEARCH *search, const double *const *segment,
+                                               size_t n, const double *const *column,
+                                               double promise, double *xi, double *eta, double *gap,
+                                               int *status)
+{
+    BLOCK b;
+    footpoint_detail_KIND_lanes t;
+    size_t i;
+    int l, k;
+    for (k = 0; segment && k < 24; k++)
+        for (l = 0; l < FOOTPOINT_LANES; l++)
+            b.x[k / 3][k % 3][l] = segment[k / 3][k % 3];
+    for (i = 0; i < n; i += FOOTPOINT_LANES) {
+        const int count = n - i < FOOTPOINT_LANES ? (int)(n - i) : FOOTPOINT_LANES;
+        footpoint_detail_KIND_load(&b, column, segment ? 24 : 0, i, n);
+        NARROW(&b);
+        if (i == 0 || !segment)
+            footpoint_detail_KIND_shapes(&b, &t);
+        begin(&b);
+        for (k = 0; k < bare; k++)
+            footpoint_detail_KIND_bares(&b, &t);
+        footpoint_detail_KIND_proofs(&b, &t, (REAL)promise);
+        if (footpoint_detail_KIND_store(&b, count, xi + i, eta + i, gap + i, status + i) >>
+            REAL_TOP)
+            footpoint_detail_KIND_mend(search, &b, count, promise, xi + i, eta + i, gap + i,
+                                       status + i);
+    }
+}

@@ -1,0 +1,52 @@
+/* Newton's steps on patches. */
+
+FOOTPOINT_PART void footpoint_detail_KIND_expand(const REAL *const *x,
+                                                 footpoint_detail_KIND_terms *t)
+{
+    footpoint_detail_bent bent[4];
+    footpoint_detail_net_edges(x, bent, &t->net);
+    footpoint_detail_KIND_shape(x + 4, bent, t);
+}
+
+/* Kept in the patch. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
+{
+    const REAL most = p < 1.0 ? p : 1.0;
+    return most > -1.0 ? most : -1.0;
+}
+
+/* A step from (*p,*q) to the foot point, kept in the patch, without a proof: Newton's, and what the same Hessian makes of the slopes that
+ * it leaves if third derivatives are nothing, so that its error falls by the third power until these tell. */
+FOOTPOINT_PART void footpoint_detail_KIND_bare(const footpoint_detail_KIND_terms *of, REAL *p,
+                                               REAL *q)
+{
+    footpoint_detail_local r;
+    footpoint_detail_newton n;
+    REAL f = 0.0, g = 0.0;
+    int k;
+    footpoint_detail_KIND_local(of, *p, *q, &r);
+    footpoint_detail_newton_of(&r, &n);
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 3; k++) {
+        const REAL u = r.u[k] + (n.s * r.uu[k] + n.t * r.uv[k]);
+        const REAL v = r.v[k] + (n.s * r.uv[k] + n.t * r.vv[k]);
+        const REAL d = r.d[k] - 0.5 * (n.s * (r.u[k] + u) + n.t * (r.v[k] + v));
+        f += u * d;
+        g += v * d;
+    }
+    *p = footpoint_detail_KIND_kept(*p + (n.s + (n.r22 * f - n.r12 * g) * n.per));
+    *q = footpoint_detail_KIND_kept(*q + (n.t + (n.r11 * g - n.r12 * f) * n.per));
+}
+
+/* d, u and v after a step (s,t), to its second order. */
+FOOTPOINT_PART void footpoint_detail_KIND_follow(REAL s, REAL t, footpoint_detail_local *r)
+{
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 3; k++) {
+        const REAL u = s * r->uu[k] + t * r->uv[k], v = s * r->uv[k] + t * r->vv[k];
+        r->d[k] -= s * (r->u[k] + 0.5 * u) + t * (r->v[k] + 0.5 * v);
+        r->u[k] += u;
+        r->v[k] += v;
+    }
+}
