@@ -55,6 +55,13 @@
 #define FOOTPOINT_UNROLL
 #endif
 #endif
+#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
+#else
+#define FOOTPOINT_WHOLE FOOTPOINT_UNROLL
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_RESTRICT __restrict

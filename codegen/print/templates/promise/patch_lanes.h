@@ -20,18 +20,18 @@ FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRIC
         footpoint_detail_bent bent[4];
         REAL n[4][3];
         const REAL *const normal[4] = {n[0], n[1], n[2], n[3]};
-        FOOTPOINT_UNROLL
+        FOOTPOINT_WHOLE
         for (k = 0; k < 4; k++) {
-            FOOTPOINT_UNROLL
+            FOOTPOINT_WHOLE
             for (i = 0; i < 3; i++) {
                 bent[k].edge[i] = b->edge[k][i][l];
                 n[k][i] = b->normal[k][i][l];
             }
         }
         footpoint_detail_KIND_shape(normal, bent, &one.of);
-        FOOTPOINT_UNROLL
+        FOOTPOINT_WHOLE
         for (k = 0; k < footpoint_detail_KIND_count; k++) {
-            FOOTPOINT_UNROLL
+            FOOTPOINT_WHOLE
             for (i = 0; i < 3; i++)
                 t->v[k][i][l] = one.v[k][i];
         }
@@ -43,13 +43,13 @@ FOOTPOINT_PART void footpoint_detail_KIND_take(const BLOCK *b, const footpoint_d
                                                int l, footpoint_detail_KIND_one *one)
 {
     int k, i;
-    FOOTPOINT_UNROLL
+    FOOTPOINT_WHOLE
     for (k = 0; k < footpoint_detail_KIND_count; k++) {
-        FOOTPOINT_UNROLL
+        FOOTPOINT_WHOLE
         for (i = 0; i < 3; i++)
             one->v[k][i] = t->v[k][i][l];
     }
-    FOOTPOINT_UNROLL
+    FOOTPOINT_WHOLE
     for (i = 0; i < 3; i++)
         one->of.net.d[i] = b->d[i][l];
 }
