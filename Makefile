@@ -408,7 +408,7 @@ build-tests: $(TESTS) all bench-program paper-programs
 # A line at once, then the longest first, so that processors are busy to the end.
 LONGEST := header evolve languages checkpoint bench make example statuses programs
 LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh)
-other_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh tests/queries/queries.sh tests/generic/generic.sh
+other_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh tests/queries/queries.sh tests/generic/generic.sh tests/generic/lanes.sh
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh) $(other_tests))
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \

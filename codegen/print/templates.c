@@ -139,12 +139,12 @@ static void print_line(const char *rest, bool goes_on, FILE *out)
 {
     const int indent = (int)(goes_on ? strspn(rest, " ") : strcspn(rest, "(") + 1);
     const char *end = rest + strlen(rest);
-    const bool breaks = strncmp(rest, "/*", 2) != 0 && (goes_on || *rest != ' ');
+    const bool breaks = strncmp(rest, "/*", 2) != 0 && *rest != '#' && (goes_on || *rest != ' ');
     for (int before = 0; breaks && end - rest + before > WIDTH; before = indent) {
         const char *comma = rest + WIDTH - before;
         while (comma > rest && memcmp(comma, ", ", 2) != 0)
             comma--;
-        if (comma == rest)
+        if (comma <= rest)
             break;
         fprintf(out, "%.*s\n%*s", (int)(comma - rest) + 1, rest, indent, "");
         rest = comma + 2;

@@ -2,12 +2,12 @@
 #include "header_helpers.h"
 
 #include "../../base/text.h"
+#include "../header_sizes.h"
 #include "../templates.h"
 #include "header_arrays.h"
 #include "header_closest.h"
 #include "header_lines.h"
 #include "header_promise.h"
-#include "header_sizes.h"
 
 #include <stdlib.h>
 #include <string.h>

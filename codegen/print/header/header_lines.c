@@ -3,7 +3,7 @@
 
 #include "../../base/text.h"
 #include "../c_text.h"
-#include "header_sizes.h"
+#include "../header_sizes.h"
 
 #include <stdint.h>
 #include <stdlib.h>

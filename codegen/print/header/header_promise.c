@@ -3,10 +3,10 @@
 
 #include "../../base/text.h"
 #include "../../program/dialects.h"
+#include "../header_sizes.h"
 #include "../templates.h"
 #include "header_gap.h"
 #include "header_lines.h"
-#include "header_sizes.h"
 #include "header_vectors.h"
 
 #include <math.h>

@@ -39,7 +39,7 @@ FOOTPOINT_COLD int SLOPES_detail_again(const REAL *const *x, const REAL along[3]
  *         line through xS in the direction `along` meets the face, at loc = {xi, eta} as a projection found it: element
  *         3 k + i by coordinate i of node k, the slave node behind the nodes, `along` last.  A row that is NULL is not
  *         wanted.  Returns FOOTPOINT_OK; FOOTPOINT_ERR_DEGENERATE: no direction, no area, or the line is so nearly parallel
- *         to the face that derivatives may not be right to 1e-9; or FOOTPOINT_ERR_NOT_FINITE: an input, or a result.  Rows
+ *         to the face that rounding may cost derivatives more than about 1e-9; or FOOTPOINT_ERR_NOT_FINITE: an input, or a result.  Rows
  *         are untouched on error.
  * UPPER_GRADIENTS_ALONG_OF(footpoint_KIND_along), at file scope, defines footpoint_KIND_along_gradients(..., along, loc,
  *         dist, d_xi, d_eta, d_dist), the projection and its derivatives.  The status is the projection's, or, where

@@ -1,9 +1,9 @@
 /* Derivatives of projection along a direction, out of shape functions and tangents. */
 
 /* Rows v, with v . (d xS - sum phi_k d xk - t dq) = d xi, d eta and dt where r(xi,eta) + t q = xS: by Cramer's rule with the
- * tangents a and b.  a and b are sums of edges, whose squares add up to `size` at most, so that they are right to 40
- * rounding errors (of 2^-53) of its root, and their products to that times the root of size (a . a + b . b).  The highest bit
- * of what it returns is set if (a x b) . q is not 1.2e-5 times as large: then v is right to 1e-9. */
+ * tangents a and b.  a and b are sums of edges, whose squares add up to `size` at most.  By estimate, not proved, they are
+ * right to 40 rounding errors (of 2^-53) of its root, and their products to that times the root of size (a . a + b . b).  The
+ * highest bit of what it returns is set if (a x b) . q is not 1.2e-5 times as large, with which v is right to 1e-9. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_solve_along(const REAL a[3], const REAL b[3],
                                                       const REAL q[3], REAL size, REAL v[3][3])
 {

@@ -9,8 +9,8 @@
  * power of 2, so that nothing is rounded.  Numbers that are out of range then are so at any size. */
 #include "header_sizes.h"
 
-#include "../../base/text.h"
-#include "../../program/degree.h"
+#include "../base/text.h"
+#include "../program/degree.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_HEADER_SIZES_H
 #define FOOTPOINT_HEADER_SIZES_H
 
-#include "../../compile/compiled_file.h"
+#include "../compile/compiled_file.h"
 
 /** Returns true if a function does not depend on the unit of length, so that its nodes may be scaled. */
 bool sizes_scalable(const struct function *f, const struct segment_kind *k);
