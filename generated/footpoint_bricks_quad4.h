@@ -44,9 +44,16 @@
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_APART static __attribute__((noinline, unused))
+#else
+#define FOOTPOINT_APART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
+#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
@@ -71,6 +78,13 @@
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
+#endif
+#endif
+#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
+#else
+#define FOOTPOINT_WHOLE FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
@@ -100,8 +114,8 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
- * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
+ * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -112,33 +126,33 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
- * instructions each where it knows them, else one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
+ * four instructions each instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
     return (double)zero;
 }
 
-/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+/* Tests that not 2^-512 <= |x| < 2^512: room for products of the parts of x, and half of all exponents. */
 FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
 {
     return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
 }
 
-/* If |x| < least. */
+/* Tests |x| < least. */
 FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
 }
 
-/* If |x| > most, or NaN. */
+/* Tests |x| > most, or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_above(double x, double most)
 {
     return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1);
 }
 
-/* If x is infinite or NaN. */
+/* Tests that x is infinite or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << (53 - 1));
@@ -147,7 +161,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 
 #ifndef FOOTPOINT_DETAIL_SCALE
 #define FOOTPOINT_DETAIL_SCALE
-/* 1 if all coordinates of n vectors are finite. */
+/* Returns 1 if all coordinates of n vectors are finite. */
 FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 {
     unsigned long long infinite = 0;
@@ -158,8 +172,8 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
     return !(infinite >> 63);
 }
 
-/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
- * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+/* Scales nodes and slave node, the last of the vectors, to a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which come before the slave node, are copied.  Returns an error if they are not finite, or of no length. */
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
@@ -175,7 +189,7 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
-    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may overflow */
     second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
@@ -183,10 +197,10 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     return FOOTPOINT_OK;
 }
 
-/* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
- * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
- * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+/* Computes the gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
+ * > 0 open.  The highest bit of the result is set if u and v are parallel, so that there is no area and no normal, if size, a
+ * sum of squares of edges, is not between least and 1 / least, or if a number is not finite.
+ * uu * vv: at least the product of the squares of the terms of u and v; these cancel far outside, so that rounding makes a
  * normal of nodes on a line. */
 FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3], const double v[3],
                                                               const double d[3], double uu, double vv, double size,
@@ -227,11 +241,10 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
 
 #ifndef FOOTPOINT_DETAIL_HEIGHT
 #define FOOTPOINT_DETAIL_HEIGHT
-/* Gap (9) of tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
- * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times 4 that of edges at most.
- * The highest bit of what it returns is not set if
- * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
- * is well within limits, and so is the square of n then, which is far from 0. */
+/* Computes the gap (9) from tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
+ * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times at most 4 times the square of edges.
+ * If the highest bit of the result is not set, footpoint_detail_KIND_gap() sets it neither: (xi,eta) is near enough that
+ * the square of u is less than 66 sizes, the size is well within limits, and so is the square of n, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
                                                           double size, double per, double unit, double xi,
                                                           double eta,
@@ -251,7 +264,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], con
 
 #ifndef FOOTPOINT_QUAD4_SEARCH
 #define FOOTPOINT_QUAD4_SEARCH
-/* See footpoint_detail_normal_gap(); size is the sum of the squares of the edges. */
+/* Computes the gap; see footpoint_detail_normal_gap().  size is the sum of the squares of the edges. */
 FOOTPOINT_PART unsigned long long footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],
                                                        const double xD[3], const double xS[3], double xi, double eta,
                                                        double least, double *gap)
@@ -280,7 +293,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_gap(const double *const
     return footpoint_detail_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
 }
 
-/* The gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times one number, whose square is 4 / unit,
+/* Computes the gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times a number whose square is 4 / unit,
  * d = (xS - c0) / per, and ratio is 1 / per over that number. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3], const double b[3],
                                                               const double c[3], const double d[3], double size,
@@ -297,20 +310,19 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3],
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
- * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
- * zero: see footpoint_detail_zero. */
+/* A checked search: x has the vectors of the call.  The highest bit of the result is set if the answer fails: with way = 0, in a loop
+ * over arrays, or 2, in a single call, if it is not good beyond doubt; with way = 1, in full, if there is no answer, without a
+ * promise for xi and eta.  zero: see footpoint_detail_zero. */
 typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
-/* A status, but FOOTPOINT_UNPROVED instead of FOOTPOINT_OK of functions that prove nothing, which have promise < 0. */
+/* Returns a status, with FOOTPOINT_UNPROVED instead of FOOTPOINT_OK for functions that prove nothing, whose promise is < 0. */
 FOOTPOINT_PART int footpoint_detail_claim(int status, double promise)
 {
     return promise < 0.0 && status == FOOTPOINT_OK ? FOOTPOINT_UNPROVED : status;
 }
 
-/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
- * long; with nodes = 0 not. */
+/* Searches in full; if that fails and nodes > 0, also in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const double *const *x,
                                           int nodes, int vectors, double loc[2], double *gap)
 {
@@ -327,7 +339,7 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
             return FOOTPOINT_ERR_DEGENERATE;
     }
     g = exponent ? ldexp(g, exponent) : g;
-    if (footpoint_detail_infinite(g) >> 63) /* a distance beyond all numbers */
+    if (footpoint_detail_infinite(g) >> 63) /* the distance overflows */
         return FOOTPOINT_ERR_DEGENERATE;
     loc[0] = xi;
     loc[1] = eta;
@@ -861,81 +873,112 @@ footpoint_detail_quad4_moved(const footpoint_detail_quad4_near *r, double s, dou
     return to;
 }
 
-/* (*s,*t) + H^-1 (f,g); the length of that step in the maximum norm. */
-FOOTPOINT_PART double footpoint_detail_quad4_chord(const footpoint_detail_quad4_near *r, double per,
-                                                   double f, double g, double *s, double *t)
+/* (*x,*y) = adj H (f,g); the larger of their absolute values. */
+FOOTPOINT_PART double footpoint_detail_quad4_adjoin(const footpoint_detail_quad4_near *r, double f,
+                                                    double g, double *x, double *y)
 {
-    const double x = (r->vv * f - r->r12 * g) * per, y = (r->uu * g - r->r12 * f) * per;
-    *s += x;
-    *t += y;
-    return footpoint_detail_greater(fabs(x), fabs(y));
+    *x = r->vv * f - r->r12 * g;
+    *y = r->uu * g - r->r12 * f;
+    return footpoint_detail_greater(fabs(*x), fabs(*y));
 }
 
-/* A bound on rounding errors of steps within `whole` of the start. */
-FOOTPOINT_PART double footpoint_detail_quad4_blur(const footpoint_detail_quad4_near *r, double per,
-                                                  double beta, const footpoint_detail_quad4_scales *e,
+/* det H times a bound on rounding errors of steps within `whole` of the start. */
+FOOTPOINT_PART double footpoint_detail_quad4_blur(const footpoint_detail_quad4_near *r, double row,
+                                                  const footpoint_detail_quad4_scales *e,
                                                   double promise, double whole)
 {
     if (promise < 1e-9) {
         const double more = 4.0 * whole * e->far, mixed = fabs(r->r12);
         const double k = (e->u + e->w) + more, l = (e->v + e->w) + more;
-        return 3.4e-15 * e->far * per *
+        return 3.4e-15 * e->far *
                footpoint_detail_greater(r->vv * k + mixed * l, r->uu * l + mixed * k);
     }
-    return 8e-15 * (beta * e->square);
+    return 8e-15 * (row * e->square);
 }
 
-/* Newton's step from (*s,*t), and with `correct` a correction through the same matrix.  The highest bit of the result
- * is not set if the end is proved. */
+/* Newton's step with the matrix M of `at`, which is (*s,*t) from `start` and no farther from there than `before`, and
+ * with `correct` a correction through M; (*s,*t) goes along.  The highest bit of the result is not set if the end is
+ * proved, see footpoint_detail_quad4_from(). */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_stage(const footpoint_detail_quad4_near *start,
+                                                               const footpoint_detail_quad4_near *at,
                                                                const footpoint_detail_quad4_scales *e,
-                                                               double promise, int correct, double *s, double *t)
+                                                               double promise, int correct, double before,
+                                                               double *s, double *t)
 {
-    const footpoint_detail_quad4_near at = footpoint_detail_quad4_moved(start, *s, *t);
-    const double before = footpoint_detail_greater(fabs(*s), fabs(*t));
-    const double det = at.uu * at.vv - at.r12 * at.r12, per = 1.0 / det;
-    const double step = footpoint_detail_quad4_chord(&at, per, at.f, at.g, s, t);
-    const double beta = (footpoint_detail_greater(at.uu, at.vv) + fabs(at.r12)) * per;
-    const double a = fabs(at.tu), b = fabs(at.tv);
-    const double turn = 2.0 * ((a + b) + footpoint_detail_greater(a, b)) + at.cc;
-    double left = 0.5 * step, ball, off, h, error, f, g;
+    const double det = at->uu * at->vv - at->r12 * at->r12, per = 1.0 / det, mixed = fabs(at->r12);
+    const double row = footpoint_detail_greater(at->uu, at->vv) + mixed, a = 2.0 * fabs(at->tu);
+    const double b = 2.0 * fabs(at->tv), both = (a + b) + at->cc;
+    const double turn = footpoint_detail_greater(at->vv * (a + both) + mixed * (b + both),
+                                                 at->uu * (b + both) + mixed * (a + both));
+    double x, y, left, ball, off, h, error;
+    ball = footpoint_detail_quad4_adjoin(at, at->f, at->g, &x, &y) * per;
+    *s += x * per;
+    *t += y * per;
+    left = 0.5 * ball;
     if (correct) {
-        footpoint_detail_quad4_slopes(start, *s, *t, &f, &g);
-        left = footpoint_detail_quad4_chord(&at, per, f, g, s, t);
+        footpoint_detail_quad4_slopes(start, *s, *t, &x, &y);
+        left = footpoint_detail_quad4_adjoin(at, x, y, &x, &y) * per;
+        *s += x * per;
+        *t += y * per;
     }
-    ball = step + 2.0 * left;
-    off = footpoint_detail_quad4_blur(&at, per, beta, e, promise, before + ball);
+    ball += 2.0 * left;
+    off = footpoint_detail_quad4_blur(at, row, e, promise, before + ball) * per;
     ball += 16.0 * off;
-    h = beta * (ball * turn + 3e-14 * e->square);
+    h = (ball * turn + 3e-14 * (row * e->square)) * per;
     error = 2.61 * (h * left + off);
     h = footpoint_detail_greater(h, 0.6 * (before + ball));
     return footpoint_detail_above(error, promise) | footpoint_detail_above(h, 0.2) |
-           footpoint_detail_bits(at.uu) | footpoint_detail_bits(det) |
+           footpoint_detail_bits(at->uu) | footpoint_detail_bits(det) |
            footpoint_detail_outside(det);
 }
 
-/* From (*xi,*eta) to the foot point, and the gap there, by Newton's step and then up to `stages`, 1 in a loop over
- * arrays.  The highest bit of the result is not set if a minimum of the distance is proved to lie within `promise` of
- * the answer, which is 2/3 away at most.  Any start will do, NaN too.
+/* From (*s,*t) up to two such steps, each with a matrix of its own, until one is proved; seldom needed. */
+FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
+                                                                const footpoint_detail_quad4_scales *e,
+                                                                double promise, double *s, double *t)
+{
+    unsigned long long doubt = footpoint_detail_infinite(*s + *t);
+    int k;
+    for (k = 0; k < 2 && !(doubt >> 63); k++) {
+        const footpoint_detail_quad4_near at = footpoint_detail_quad4_moved(start, *s, *t);
+        const double before = footpoint_detail_greater(fabs(*s), fabs(*t));
+        doubt = footpoint_detail_quad4_stage(start, &at, e, promise, 1, before, s, t);
+        if (!(doubt >> 63))
+            return doubt;
+        doubt = footpoint_detail_infinite(*s + *t);
+    }
+    return (unsigned long long)1 << 63;
+}
+
+/* From (*xi,*eta) to the foot point, and the gap there; stages: 1 in a loop over arrays, otherwise more.  The highest
+ * bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the answer, which is
+ * 2/3 away at most.  Any start will do, NaN too.
+ *
+ * Newton's step and a correction through the same matrix are proved at once, which takes one quotient; fine promises
+ * take a step before, as corrections through the first matrix would be many.  Where moves are large that costs a loop
+ * over arrays less than doing all of it again.
  *
  * With the slopes F and M near H^-1, z + M F(z) contracts by q = |1 - M H(z)|.  A ball about the point that M is of,
  * in which q <= h <= 0.2, holds the iterates, a root within (q |x| + R) / (1 - q) of the last one, x being the last
- * correction and R the rounding errors of |M F|, and no zero of det H.  |H(z) - H| <= |z| (4 |tu| + 2 |tv| + cc) in
- * row s, where |z| <= 1/3.  Newton's step is the first iterate; as q grows from 0 with |z|, half of it stands for
- * |x|.  2.61 is twice 1.3, as xi = 2 s - 1; 1 / (1 - q) <= 1.25.
+ * correction and R the rounding errors of |M F|, and no zero of det H.  |H(z) - H| has rows of at most |z| times
+ * 4 |tu| + 2 |tv| + cc and 2 |tu| + 4 |tv| + cc, where |z| <= 1/3; `turn` bounds det |M| times these.  Newton's step is
+ * the first iterate; without a correction half of it stands for |x|, as q grows from 0 with |z|.  2.61 is twice 1.3, as
+ * xi = 2 s - 1; 1 / (1 - q) <= 1.25.
  *
  * With the lengths U, V, C, W of u, v, c, w and S >= |ab| + |ad| + |c|, let far = W + (1 + |s|) (1 + |t|) S.  In
  * units of rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its
  * changes within 1/3 by 27 far^2, so that slopes at z are by 24 far (U + W + 4 |z| far), for which 30 stand, the sum
  * for xi included, and with |z| <= 1/3 70 far^2.  M differs from H^-1, and what it multiplies, by 25 far^2 |M|: q is
  * larger by |M| 3e-14 far^2 at most.  Sums of any order.  Where det is well within the range of numbers, what
- * underflows is below these bounds. */
+ * underflows is below these bounds.
+ *
+ * The normal at a step is u x v + s (u x c) + t (c x v), the last two of which are normal to c. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *const *x, double promise, double least,
                                                               int stages, double *xi, double *eta, double *gap)
 {
     const double p = 0.5 + 0.5 * *xi, q = 0.5 + 0.5 * *eta, reach = 1.0 + p * p + q * q;
-    const int correct = promise < (stages > 1 ? 1e-9 : 1e-6);
-    double u[3], v[3], c[3], w[3], n[3], s = 0.0, t = 0.0, size, nn;
+    const int fine = promise < 1e-9;
+    double u[3], v[3], c[3], w[3], n[3], by_s[3], by_t[3], s, t, size, nn, mixed;
     unsigned long long doubt;
     footpoint_detail_quad4_near r;
     footpoint_detail_quad4_scales e;
@@ -951,7 +994,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *cons
     r.g = footpoint_detail_dot(v, w);
     size = reach * reach * ((r.uu + r.vv) + 3.0 * reach * r.cc);
     e.far = e.u = e.v = e.w = 0.0;
-    if (promise < 1e-9) {
+    if (fine) {
         const double twist = footpoint_detail_root_bound(r.cc);
         e.u = footpoint_detail_root_bound(r.uu);
         e.v = footpoint_detail_root_bound(r.vv);
@@ -961,34 +1004,51 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *cons
         e.square = e.far * e.far;
     } else
         e.square = 2.0 * footpoint_detail_dot(w, w) + 24.0 * size;
-    {
-        const double per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
-        double f, g;
-        (void)footpoint_detail_quad4_chord(&r, per, r.f, r.g, &s, &t);
-        if (stages == 1 && promise < 1e-9) {
-            footpoint_detail_quad4_slopes(&r, s, t, &f, &g);
-            (void)footpoint_detail_quad4_chord(&r, per, f, g, &s, &t);
-        }
-    }
     (void)least;
-    if (stages > 1 && footpoint_detail_infinite(s + t) >> 63) {
-        *xi = *eta = *gap = s + t;
+    if (stages > 1 && footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> 63) {
+        *gap = 0.0;
         return (unsigned long long)1 << 63; /* compilers' maxima of NaN raise exceptions */
     }
-    do
-        doubt = footpoint_detail_quad4_stage(&r, &e, promise, correct, &s, &t);
-    while (--stages > 0 && doubt >> 63);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        w[i] += s * t * c[i];
-        u[i] += t * c[i];
-        v[i] += s * c[i];
-    }
     footpoint_detail_cross(u, v, n);
+    footpoint_detail_cross(u, c, by_s);
+    footpoint_detail_cross(c, v, by_t);
+    mixed = footpoint_detail_dot(c, n);
+    if (promise < (stages > 1 ? 1e-6 : 1e-4)) {
+        const double per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
+        footpoint_detail_quad4_near at;
+        double before, ds, dt;
+        (void)footpoint_detail_quad4_adjoin(&r, r.f, r.g, &s, &t);
+        s *= per;
+        t *= per;
+        if (fine && stages == 1) {
+            footpoint_detail_quad4_slopes(&r, s, t, &ds, &dt);
+            (void)footpoint_detail_quad4_adjoin(&r, ds, dt, &ds, &dt);
+            s += ds * per;
+            t += dt * per;
+        }
+        before = footpoint_detail_greater(fabs(s), fabs(t));
+        at = footpoint_detail_quad4_moved(&r, s, t);
+        doubt = footpoint_detail_quad4_stage(
+            &r, &at, &e, promise, fine || (stages == 1 && promise < 1e-6), before, &s, &t);
+    } else {
+        s = t = 0.0;
+        doubt = footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, 0.0, &s, &t);
+    }
+    if (stages > 1 && !fine && doubt >> 63) {
+        const footpoint_detail_quad4_near start = r;
+        const footpoint_detail_quad4_scales scales = e;
+        double to_s = s, to_t = t;
+        doubt = footpoint_detail_quad4_stages(&start, &scales, promise, &to_s, &to_t);
+        s = to_s;
+        t = to_t;
+    }
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        n[i] = (n[i] + s * by_s[i]) + t * by_t[i];
     nn = footpoint_detail_dot(n, n);
     *xi += 2.0 * s;
     *eta += 2.0 * t;
-    *gap = footpoint_detail_dot(w, n) / sqrt(nn);
+    *gap = (footpoint_detail_dot(w, n) + s * t * mixed) / sqrt(nn);
     return doubt | footpoint_detail_bits(nn - 1e4 * 1e-20 * (size * size)) |
            footpoint_detail_fast();
 }
@@ -1023,20 +1083,24 @@ FOOTPOINT_PART int footpoint_detail_quad4_further(footpoint_detail_quad4_name *n
     return name(x[0], x[1], x[2], x[3], x[4], loc, gap);
 }
 
-/* An element of arrays of last answers in place; not inlined, as it is seldom called. */
+/* An element of arrays of last answers in place, from which loops over arrays have led to (u,v); not inlined, as it is
+ * seldom called. */
 FOOTPOINT_COLD void footpoint_detail_quad4_follow_one(footpoint_detail_quad4_name *name,
                                                       const double *const *x, double promise, double least,
-                                                      double *xi, double *eta, double *gap, int *status)
+                                                      double u, double v, double *xi, double *eta, double *gap,
+                                                      int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_quad4_further(name, x, promise, least, loc[0], loc[1], loc, gap);
+    *status = footpoint_detail_quad4_further(name, x, promise, least, u, v, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
-/* As many steps for all in the loop, where answers take their places if they are proved. */
+/* Arrays are followed in parts: all of a part in a loop, and once more if many are not proved then. */
+enum { footpoint_detail_quad4_span = 64, footpoint_detail_quad4_few = 8 };
+
 FOOTPOINT_PART void footpoint_detail_quad4_from_n(footpoint_detail_quad4_name *name, size_t n,
                                                   const double *const *x, double promise, double least,
                                                   double *FOOTPOINT_RESTRICT xi,
@@ -1044,28 +1108,57 @@ FOOTPOINT_PART void footpoint_detail_quad4_from_n(footpoint_detail_quad4_name *n
                                                   double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u = xi[i], v = eta[i], g;
-        const int doubt =
-            (int)(footpoint_detail_quad4_from(row, promise, least, 1, &u, &v, &g) >> 63);
-        status[i] = FOOTPOINT_UNPROVED * doubt;
-        xi[i] = doubt ? xi[i] : u;
-        eta[i] = doubt ? eta[i] : v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
+    double u[footpoint_detail_quad4_span], v[footpoint_detail_quad4_span];
+    size_t first, i;
+    for (first = 0; first < n; first += footpoint_detail_quad4_span) {
+        const size_t m =
+            n - first < footpoint_detail_quad4_span ? n - first : footpoint_detail_quad4_span;
+        int open = 0;
+        FOOTPOINT_EACH
+        for (i = first; i < first + m; i++) {
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_quad4_follow_one(name, row, promise, least, &xi[i], &eta[i], &gap[i],
-                                              &status[i]);
+            double a = xi[i], b = eta[i], g;
+            const int doubt =
+                (int)(footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) >> 63);
+            u[i - first] = a;
+            v[i - first] = b;
+            gap[i] = g;
+            status[i] = FOOTPOINT_UNPROVED * doubt;
+            open += doubt;
         }
+        if (open > footpoint_detail_quad4_few) {
+            FOOTPOINT_EACH
+            for (i = first; i < first + m; i++) {
+                const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+                const double last[2] = {xi[i], eta[i]};
+                double a = u[i - first], b = v[i - first], g;
+                const int good = status[i] == FOOTPOINT_OK;
+                const unsigned long long doubt =
+                    footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) |
+                    footpoint_detail_quad4_strayed(last, a, b);
+                u[i - first] = good ? u[i - first] : a;
+                v[i - first] = good ? v[i - first] : b;
+                gap[i] = good ? gap[i] : g;
+                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> 63);
+            }
+        }
+        for (i = first; i < first + m; i++)
+            if (status[i] == FOOTPOINT_OK) {
+                xi[i] = u[i - first];
+                eta[i] = v[i - first];
+            } else {
+                const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+                footpoint_detail_quad4_follow_one(name, row, promise, least, u[i - first],
+                                                  v[i - first], &xi[i], &eta[i], &gap[i],
+                                                  &status[i]);
+            }
+    }
 }
 
 /* The same over one segment. */
@@ -1075,31 +1168,58 @@ footpoint_detail_quad4_from_over_n(footpoint_detail_quad4_name *name, const doub
                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    double c[4][3];
-    size_t i;
+    double c[4][3], u[footpoint_detail_quad4_span], v[footpoint_detail_quad4_span];
+    size_t first, i;
     int j, k;
     for (k = 0; k < 4; k++)
         for (j = 0; j < 3; j++)
             c[k][j] = segment[k][j];
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double s[3] = {x[0][i], x[1][i], x[2][i]};
-        const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-        double u = xi[i], v = eta[i], g;
-        const int doubt =
-            (int)(footpoint_detail_quad4_from(row, promise, least, 1, &u, &v, &g) >> 63);
-        status[i] = FOOTPOINT_UNPROVED * doubt;
-        xi[i] = doubt ? xi[i] : u;
-        eta[i] = doubt ? eta[i] : v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
-            const double s[3] = {x[0][i], x[1][i], x[2][i]};
-            const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_quad4_follow_one(name, row, promise, least, &xi[i], &eta[i], &gap[i],
-                                              &status[i]);
+    for (first = 0; first < n; first += footpoint_detail_quad4_span) {
+        const size_t m =
+            n - first < footpoint_detail_quad4_span ? n - first : footpoint_detail_quad4_span;
+        int open = 0;
+        FOOTPOINT_EACH
+        for (i = first; i < first + m; i++) {
+            const double slave[3] = {x[0][i], x[1][i], x[2][i]};
+            const double *const row[5] = {c[0], c[1], c[2], c[3], slave};
+            double a = xi[i], b = eta[i], g;
+            const int doubt =
+                (int)(footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) >> 63);
+            u[i - first] = a;
+            v[i - first] = b;
+            gap[i] = g;
+            status[i] = FOOTPOINT_UNPROVED * doubt;
+            open += doubt;
         }
+        if (open > footpoint_detail_quad4_few) {
+            FOOTPOINT_EACH
+            for (i = first; i < first + m; i++) {
+                const double slave[3] = {x[0][i], x[1][i], x[2][i]};
+                const double *const row[5] = {c[0], c[1], c[2], c[3], slave};
+                const double last[2] = {xi[i], eta[i]};
+                double a = u[i - first], b = v[i - first], g;
+                const int good = status[i] == FOOTPOINT_OK;
+                const unsigned long long doubt =
+                    footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) |
+                    footpoint_detail_quad4_strayed(last, a, b);
+                u[i - first] = good ? u[i - first] : a;
+                v[i - first] = good ? v[i - first] : b;
+                gap[i] = good ? gap[i] : g;
+                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> 63);
+            }
+        }
+        for (i = first; i < first + m; i++)
+            if (status[i] == FOOTPOINT_OK) {
+                xi[i] = u[i - first];
+                eta[i] = v[i - first];
+            } else {
+                const double slave[3] = {x[0][i], x[1][i], x[2][i]};
+                const double *const row[5] = {c[0], c[1], c[2], c[3], slave};
+                footpoint_detail_quad4_follow_one(name, row, promise, least, u[i - first],
+                                                  v[i - first], &xi[i], &eta[i], &gap[i],
+                                                  &status[i]);
+            }
+    }
 }
 #endif
 
@@ -1169,8 +1289,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
             status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
 
-/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
- * is computed once. */
+/* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
                               const double *const *x, int nodes, double promise,
@@ -1207,22 +1326,22 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST
 #define FOOTPOINT_DETAIL_CLOSEST
-/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
- * being vectorised and is foreseen badly. */
+/* Returns 1 if x > 0 and 0 if x < 0, to choose between two values without a branch, which would keep loops from
+ * being vectorised and is predicted badly. */
 FOOTPOINT_PART double footpoint_detail_step(double x)
 {
     return 0.5 + copysign(0.5, x);
 }
 
-/* a where step is 0, b where it is 1; both finite. */
+/* Returns a if step is 0, b if it is 1; both must be finite. */
 FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
 {
     return (1.0 - step) * a + step * b;
 }
 
-/* By how much the square dd of the distance of a point inside may exceed that of a point of an edge and still be taken: by the
- * rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta as far as rounding lets it be; if it is not, no
- * foot point lies there, and dd has to be less by as much. */
+/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
+ * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
+ * Otherwise no foot point lies there, and dd must be less by as much. */
 FOOTPOINT_PART double footpoint_detail_leeway(const double u[3], const double v[3], const double d[3],
                                               double dd, double size)
 {
@@ -1234,9 +1353,9 @@ FOOTPOINT_PART double footpoint_detail_leeway(const double u[3], const double v[
 }
 
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
- * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
+ * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
  * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
- * whose differences n is. */
+ * whose differences make n. */
 FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[3], double dd, double size,
                                               double spread, double edge)
 {
@@ -1246,7 +1365,7 @@ FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[
     return ahead * fabs(ahead) + edge * beside;
 }
 
-/* The same for the normal u x v, u = r_xi and v = r_eta, or, where that vanishes, as it does at collapsed and at straight
+/* Returns the same for the normal u x v, u = r_xi and v = r_eta, or, if that vanishes, as at collapsed and at straight
  * corners, for m, the normal at a point 0.0009765625 of the way to the middle. */
 FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double m[3],
                                             const double d[3], double dd, double size, double edge)
@@ -1269,7 +1388,7 @@ FOOTPOINT_PART int footpoint_detail_same(const double *a, const double *b)
     return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
 }
 
-/* (xi,eta) of corner k. */
+/* Computes (xi,eta) of corner k. */
 FOOTPOINT_PART void footpoint_detail_square_corner(int k, double at[2])
 {
     at[0] = k == 1 || k == 2 ? 1.0 : -1.0;
@@ -1282,7 +1401,7 @@ FOOTPOINT_PART void footpoint_detail_triangle_corner(int k, double at[2])
     at[1] = k == 2 ? 1.0 : 0.0;
 }
 
-/* Both coordinates of the middle. */
+/* Returns both coordinates of the middle. */
 FOOTPOINT_PART double footpoint_detail_square_middle(void)
 {
     return 0.0;
@@ -1293,7 +1412,7 @@ FOOTPOINT_PART double footpoint_detail_triangle_middle(void)
     return 1.0 / 3.0;
 }
 
-/* Keeps `to`, where a step from (xi,eta) = at leads, within the range of xi and eta: a tenth of the way to an edge is left. */
+/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
 FOOTPOINT_PART void footpoint_detail_square_clamp(const double at[2], double to[2])
 {
     int i;
@@ -1313,7 +1432,7 @@ FOOTPOINT_PART void footpoint_detail_triangle_clamp(const double at[2], double t
     }
 }
 
-/* Moves (xi,eta) to the middle of the edge that it is on if the ends of that are one point.  Triangles have no such edges. */
+/* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
 FOOTPOINT_PART void footpoint_detail_square_bisect(const double *const *x, double at[2])
 {
     if ((at[1] <= -1.0 && footpoint_detail_same(x[0], x[1])) ||
@@ -1330,7 +1449,7 @@ FOOTPOINT_PART void footpoint_detail_triangle_bisect(const double *const *x, dou
     (void)at;
 }
 
-/* a if x > 0, b otherwise. */
+/* Returns a if x > 0, otherwise b. */
 FOOTPOINT_PART double footpoint_detail_pick(double x, double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -1340,7 +1459,7 @@ FOOTPOINT_PART double footpoint_detail_pick(double x, double a, double b)
 #endif
 }
 
-/* The lesser number. */
+/* Returns the lesser number. */
 FOOTPOINT_PART double footpoint_detail_least(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -1362,10 +1481,10 @@ FOOTPOINT_PART double footpoint_detail_length(const double a[3])
 #define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
-/* The status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
+/* Returns the status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
  * FOOTPOINT_ERR_DEGENERATE if something in `all` is not finite, if size, the sum of the squares of edges, is not between least
- * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge:
- * where the search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
+ * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge; if the
+ * search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
 FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, double nn, double size,
                                                    double least, double dd, double edge, double longest)
 {
@@ -1379,22 +1498,22 @@ FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, doub
            FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 63);
 }
 
-/* The root of the square of a distance, with its sign. */
+/* Returns the root of a squared distance, with its sign. */
 FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
 {
     const double root = sqrt(fabs(dd));
     return dd < 0.0 ? -root : root;
 }
 
-/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved.
+/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a proof.
  * lanes = 1 in a loop over arrays. */
 typedef int footpoint_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
                                     int *region);
 
-/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
 typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[3], int *region);
 
-/* Its answer to the caller, if there is one. */
+/* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3], int where,
                                                    double loc[2], double *dist, int *region)
 {
@@ -1410,7 +1529,7 @@ FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3
 
 #ifndef FOOTPOINT_QUAD4_SURFACE
 #define FOOTPOINT_QUAD4_SURFACE
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta); without differences of edges, which on collapsed ones leave rounding. */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta), without differences of edges, which on collapsed edges leave rounding. */
 FOOTPOINT_PART void footpoint_detail_quad4_surface(const double *const *x, double xi, double eta,
                                                    double u[3], double v[3], double d[3])
 {
@@ -1429,8 +1548,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_surface(const double *const *x, doubl
 
 #ifndef FOOTPOINT_QUAD4_NEAREST
 #define FOOTPOINT_QUAD4_NEAREST
-/* The normal m, of any length, at the point 0.0009765625 of the way from (xi,eta) to the middle; from an edge whose ends are
- * one point, on the bisector there. */
+/* Computes the normal m, of any length, at the point 0.0009765625 of the way from (xi,eta) to the middle; from an edge whose ends
+ * coincide, on the bisector there. */
 FOOTPOINT_PART void footpoint_detail_quad4_inward(const double *const *x, double xi, double eta, double m[3])
 {
     const double middle = footpoint_detail_square_middle();
@@ -1444,7 +1563,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_inward(const double *const *x, double
     footpoint_detail_cross(u, v, m);
 }
 
-/* Returns the next corner, after k in the order `step`, 1 or 4 - 1, that is not the same point as k; or k. */
+/* Returns the next corner, after k in the order `step`, 1 or 4 - 1, that is a different point from k; or k. */
 FOOTPOINT_COLD int footpoint_detail_quad4_next(const double *const *x, int k, int step)
 {
     int next = (k + step) % 4;
@@ -1453,7 +1572,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_next(const double *const *x, int k, in
     return next;
 }
 
-/* The direction e in which the edge to that corner leaves the point of corner k. */
+/* Computes the direction e in which the edge to that corner leaves corner k. */
 FOOTPOINT_COLD void footpoint_detail_quad4_leave(const double *const *x, int k, int step, double e[3])
 {
     const int to = footpoint_detail_quad4_next(x, k, step), from = (to + 4 - step) % 4;
@@ -1510,8 +1629,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_add_edge(const double *const *x, int 
     footpoint_detail_quad4_add_normal(x, at, 3.1415926535897931, fan);
 }
 
-/* The corners a and b between which the closest point at loc, in `region` > 0 of a face, lies, one if it is a corner or an
- * edge of no length; returns where it lies on the edge, from -1 to 1. */
+/* Finds the corners a and b between which the closest point at loc, in `region` > 0 of a face, lies; they are equal at a corner or on
+ * an edge of no length.  Returns its place on the edge, from -1 to 1. */
 FOOTPOINT_COLD double footpoint_detail_quad4_feature(const double *const *x, const double loc[2],
                                                      int region, const double *end[2])
 {
@@ -1526,7 +1645,7 @@ FOOTPOINT_COLD double footpoint_detail_quad4_feature(const double *const *x, con
     return 2.0 * along / across - 1.0;
 }
 
-/* Adds the normal of one face, if it has that edge or corner. */
+/* Adds the normal of a face, if it has that edge or corner. */
 FOOTPOINT_COLD void footpoint_detail_quad4_add_face(const double *const *x, const double *const end[2],
                                                     double t, double fan[3])
 {
@@ -1540,7 +1659,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_add_face(const double *const *x, cons
         const int single = end[0] == end[1], first = footpoint_detail_same(here, end[0]);
         const int there = first & footpoint_detail_same(next, end[1]);
         const int back = footpoint_detail_same(here, end[1]) & footpoint_detail_same(next, end[0]);
-        if (!(single ? first & !there : there | back)) /* of corners that are one point, the last */
+        if (!(single ? first & !there : there | back)) /* of corners that coincide, the last */
             continue;
         if (!found && footpoint_detail_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
             return;
@@ -1552,8 +1671,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_add_face(const double *const *x, cons
     }
 }
 
-/* Returns 1 if the slave node, the last of x, lies behind the point at loc: of the surface that has the normal `fan` there, or,
- * if that is NULL, of the face, `edge` if the point is on an edge of it. */
+/* Returns 1 if the slave node, the last of x, lies behind the point at loc: behind the surface that has the normal `fan` there, or,
+ * if that is NULL, behind the face; `edge` is 1 if the point is on an edge of it. */
 FOOTPOINT_COLD int footpoint_detail_quad4_behind(const double *const *x, const double loc[2], int edge,
                                                  const double *fan)
 {
@@ -1571,7 +1690,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_behind(const double *const *x, const d
                 : footpoint_detail_side(u, v, m, d, dd, 1.0, edge ? 1.0 : 0.0)) < 0.0;
 }
 
-/* The vectors of face i and its slave node. */
+/* Collects the vectors of face i and its slave node. */
 FOOTPOINT_PART void footpoint_detail_quad4_row(const double *const *x, const double *xS, size_t i,
                                                const double *row[5])
 {
@@ -1598,7 +1717,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_behind_all(size_t n, const double *con
     return footpoint_detail_quad4_behind(row, loc, 1, fan);
 }
 
-/* What the proof needs at (u,v) of r = c0 + xi a + eta b + xi eta c, all times one number: products of r_xi, r_eta,
+/* The numbers for the proof at (u,v) of r = c0 + xi a + eta b + xi eta c, with a common factor: products of r_xi, r_eta,
  * c and D = xS - r, two letters each: uu = r_xi . r_xi, uc = r_xi . c, ...; slopes f = r_xi . D and g = r_eta . D;
  * and dd = D . D. */
 typedef struct {
@@ -1611,8 +1730,8 @@ typedef struct {
     double wide, high, off_f, off_g, off_det, off_rows;
 } footpoint_detail_quad4_bounds;
 
-/* How fast half the square of the distance grows from an edge of u, of slope f, into the segment; 0 inside.  *falls:
- * how fast it may fall, f being off by `off`. */
+/* Returns the slope of half the squared distance from an edge of u, of slope f, into the segment; 0 inside.  *falls:
+ * the steepest possible fall, f being off by `off`. */
 FOOTPOINT_PART double footpoint_detail_quad4_grows(double u, double f, double off, double *falls)
 {
     const double outward = footpoint_detail_pick(1.0 - fabs(u), -fabs(f), u * f);
@@ -1620,13 +1739,13 @@ FOOTPOINT_PART double footpoint_detail_quad4_grows(double u, double f, double of
     return footpoint_detail_greater(outward, 0.0);
 }
 
-/* How far from u a point may be for all that: `promise`, and within the region, or 1e-9. */
+/* Returns the largest permitted distance of a point from u: `promise`, and within the region, or 1e-9. */
 FOOTPOINT_PART double footpoint_detail_quad4_reach(double u, double promise)
 {
     return footpoint_detail_least(promise, footpoint_detail_greater(1.0 - fabs(u), 1e-9));
 }
 
-/* A number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
+/* Returns a number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
  * slopes. */
 FOOTPOINT_PART double footpoint_detail_quad4_least_det(const footpoint_detail_quad4_local *q,
                                                        double grows)
@@ -1638,24 +1757,24 @@ FOOTPOINT_PART double footpoint_detail_quad4_least_det(const footpoint_detail_qu
     return det - footpoint_detail_least(fabs(by_t) + by_t * q->v, fabs(by_s) + by_s * q->u);
 }
 
-/* The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
+/* Proves the closest point.  The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
  * `promise` of (u,v), in xi and in eta, and in the same region unless it is within 1e-9 of that region's border.  f,
- * g: how fast half the square of the distance may fall, see footpoint_detail_quad4_grows; least_det: Q.
+ * g: how fast half the squared distance may fall, see footpoint_detail_quad4_grows; least_det: Q.
  *
- * Let phi be half the square of the distance.  With a = r_xi and b = r_eta at (u,v)
+ * Let phi be half the squared distance.  With a = r_xi and b = r_eta at (u,v)
  *   phi(u + s, v + t) - phi(u,v) = -s f - t g - s t D . c + |s (a + t c) + t b|^2 / 2.
- * At an edge s has one sign: there -s f is |s| times the slope outwards, if that is positive.  Elsewhere it is at
+ * At an edge s has one sign: there -s f is |s| times the slope outwards, if that is positive.  Otherwise it is at
  * least -|s f|. As |s|, |t| <= 2, slopes outwards are worth |s t| `grows` / 2, which takes as much from |D . c|; so
  *   phi(u + s, v + t) - phi >= (s^2 A + 2 s t K + t^2 B) / 2 - |s| f - |t| g,
  * A = |a + t c|^2, B = b . b, K = mixed + t b . c.  If A B - K^2 >= Q > 0 for all t from -1 - v to 1 - v, then, with
  * wide >= A and high >= B, the form of s sqrt(wide) and t sqrt(high) has a trace of at most 2 and a determinant of
  * at least Q / (wide high), half of which its eigenvalues exceed.  So with x = Q / (4 high), y = Q / (4 wide), the
  * difference is at least (x s^2 - |s| f) + (y t^2 - |t| g), f and g being as above.  It is > 0 for all |s| > p if p
- * (x p - f) > g^2 / (4 y), and likewise for |t| > p' of its own.  Then no point is as near as (u,v) but within p and
- * p' of it, and the closest point, which exists, is there.  The same with s and t exchanged.  Of the quadratic A B -
- * K^2 the term of t^2 is >= 0 and may be left out.
+ * (x p - f) > g^2 / (4 y), and likewise for |t| > p' of its own.  Then all points as near as (u,v) are within p and
+ * p' of it, and the closest point, which exists, is there.  The same with s and t exchanged.  The term of t^2 of the quadratic A B -
+ * K^2 is >= 0 and may be left out.
  *
- * Rounding: slopes are off by off_f and off_g, Q by off_det; 0.999 leaves for what follows more than it can lose. */
+ * Rounding: slopes are off by off_f and off_g, Q by off_det; 0.999 leaves more room than the remaining operations can lose. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_sole(const footpoint_detail_quad4_local *q,
                                                               const footpoint_detail_quad4_bounds *r,
                                                               double promise, double f, double g, double least_det)
@@ -1670,10 +1789,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_sole(const footpoint_de
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* The highest bit of the result is not set if the closest point, known to be within `close` of q, is within promise in xi and in
- * eta: inside, both slopes vanish there, and change by the Hessian at q and at most half the third derivatives times close^2.
- * At an edge where the slope outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or |r_eta|^2.
- * 1.05 leaves for rounding in Cramer's rule what det > 20000 units of mixed^2 lets it be. */
+/* Proves a finer promise.  The highest bit of the result is not set if the closest point, known to be within `close` of q, is within
+ * promise in xi and in eta: inside, both slopes vanish there, and change by the Hessian at q and at most half the third derivatives
+ * times close^2.  At an edge where the slope outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or
+ * |r_eta|^2.  1.05 leaves room for rounding in Cramer's rule, which det > 20000 units of mixed^2 limits. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_within(const footpoint_detail_quad4_local *q,
                                                                 const footpoint_detail_quad4_bounds *r,
                                                                 double close, double promise)
@@ -1699,13 +1818,13 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_within(const footpoint_
            footpoint_detail_infinite(room + clear_u + clear_v);
 }
 
-/* At (u,v): x = r_xi, y = r_eta and w = D, the products of them, and bounds; finely: those of slopes as well as can be.
+/* Computes at (u,v): x = r_xi, y = r_eta and w = D, their products, and bounds; finely: slopes as accurate as possible.
  *
  * Rounding, in units u = 1.12e-16 and with S = a . a + b . b + c . c, |xi| and |eta| <= 1: vectors are off by k u of
- * what bounds them, k <= 0.5 rounding / u - 6.5, products by `rounding`.  These bounds are at most 1.42 sqrt(S) for
+ * their bounds, k <= 0.5 rounding / u - 6.5, products by `rounding`.  These bounds are at most 1.42 sqrt(S) for
  * a and b, 2.53 sqrt(S) for c and |D| + 3.5 sqrt(S) for d.  So slopes are off by (k + 3) u sqrt(S) (5.4 |D| + 12.6
  * sqrt(S)) or less; products at (u,v) by 26 S `rounding`, D . c by 29.3 S + 1.3 D . D of it, `mixed` by 55 S + 1.3 D
- * . D; and Q, as |t| <= 2 and, where Q > 0, |mixed| <= 2 S, by 40 S times that. */
+ * . D; and Q, as |t| <= 2 and, if Q > 0, |mixed| <= 2 S, by 40 S times that. */
 FOOTPOINT_PART void footpoint_detail_quad4_here(const double p[9],
                                                 const footpoint_detail_quad4_vectors *r, int finely,
                                                 double u, double v, double x[3], double y[3], double w[3],
@@ -1745,7 +1864,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_here(const double p[9],
     bounds->off_rows = r->rounding * (81.0 * size + 1.3 * q->dd);
 }
 
-/* Of the edge u = e the point v nearest to xS, clamped, and its slope outwards; a, b, ... in products as in
+/* Finds the point v of the edge u = e nearest to xS, clamped, and returns its slope outwards; a, b, ... in products as in
  * footpoint_detail_quad4_step.  For edges of v, exchange a and b. */
 FOOTPOINT_PART double footpoint_detail_quad4_edge(double aa, double e12, double bb, double ac, double bc,
                                                   double cc, double ad, double bd, double e, double *v)
@@ -1757,7 +1876,7 @@ FOOTPOINT_PART double footpoint_detail_quad4_edge(double aa, double e12, double 
     return e * (ad - t * (e12 + t * bc)) - (aa + t * (ac + ac + t * cc));
 }
 
-/* Where (u,v) is outside of the segment, moves it to an edge or a corner: of xi = 1 or -1 if that has been crossed,
+/* Moves (u,v), if outside of the segment, to an edge or a corner: to xi = 1 or -1 if that has been crossed,
  * unless eta is outside, too, and the distance does not grow inwards there. */
 FOOTPOINT_PART void footpoint_detail_quad4_inside(const double p[9], double *u, double *v)
 {
@@ -1772,16 +1891,16 @@ FOOTPOINT_PART void footpoint_detail_quad4_inside(const double p[9], double *u, 
     *v = footpoint_detail_pick(outside, footpoint_detail_pick(on, t, ev), *v);
 }
 
-/* 1 to 4: edges, 5 to 8: corners; 0 inside. */
+/* Returns the region: 1 to 4: edges, 5 to 8: corners; 0 inside. */
 FOOTPOINT_PART int footpoint_detail_quad4_region(double u, double v)
 {
     const int left = u <= -1.0, right = u >= 1.0, below = v <= -1.0, above = v >= 1.0;
     return below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
 }
 
-/* At (u,v) of the closed segment: at = {u, v, square of the distance with its sign}.  The result's highest bit is
- * not set if the closest point is proved to lie there, see footpoint_detail_quad4_sole; *beyond has its set if the
- * distance is longer than the longest edge.  Products of eight lengths have to be numbers, see footpoint_detail_outside. */
+/* Examines (u,v) of the closed segment: at = {u, v, square of the distance with its sign}.  The highest bit of the result is
+ * not set if the closest point is proved to lie there, see footpoint_detail_quad4_sole; *beyond has its highest bit set if the
+ * distance exceeds the longest edge.  Products of eight lengths must be finite, see footpoint_detail_outside. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9],
                                                                const footpoint_detail_quad4_vectors *r,
                                                                double promise, double per, double u, double v,
@@ -1791,7 +1910,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
     footpoint_detail_quad4_bounds bounds;
     const double apart = 8.0 * (r->size + p[5]);
     const double inside = footpoint_detail_least(1.0 - fabs(u), 1.0 - fabs(v));
-    const double close = promise < 1e-11 ? 1e-9 : promise; /* proved of the whole segment */
+    const double close =
+        promise < 1e-11 ? 1e-9 : promise; /* proved for the whole segment */
     double x[3], y[3], w[3], n[3], nn, longest, f, g, grows, area;
     unsigned long long doubt;
     int i;
@@ -1820,8 +1940,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
                nn - footpoint_detail_greater(1e5 * 1.12e-16, 0.0009765625 * 0.0009765625) * area);
 }
 
-/* From (xi,eta) by one step, for the finest promise two, or from far outside none, to the closest point;
- * FOOTPOINT_UNPROVED if that is not proved.  per: the factor of the vectors; lanes = 1: no branches, for a loop over
+/* Moves from (xi,eta) to the closest point by one step, for the finest promise by two, from far outside directly;
+ * FOOTPOINT_UNPROVED without a proof.  per: the factor of the vectors; lanes = 1: no branches, for a loop over
  * arrays, with the same result. */
 FOOTPOINT_PART int footpoint_detail_quad4_close(const double products[9],
                                                 const footpoint_detail_quad4_vectors *r,
@@ -1846,13 +1966,13 @@ FOOTPOINT_PART int footpoint_detail_quad4_close(const double products[9],
            FOOTPOINT_ERR_DOMAIN * (int)((beyond & ~doubt) >> 63);
 }
 
-/* Vectors of r = c0 + xi a + eta b + xi eta c, d = xS - c0, four times as long; what bounds |a| + |c|, |b| + |c|,
- * |c| and all of them; and the longest edge. */
+/* Vectors of r = c0 + xi a + eta b + xi eta c, d = xS - c0, four times as long; bounds on |a| + |c|, |b| + |c|,
+ * |c| and on all of them; and the longest edge. */
 typedef struct {
     double a[3], b[3], c[3], d[3], first, second, turn, far, longest;
 } footpoint_detail_quad4_face;
 
-/* From nodes and slave node in a unit of length in which the segment is about 1 long. */
+/* Measures nodes and slave node in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD void footpoint_detail_quad4_measure(double y[5][3],
                                                    footpoint_detail_quad4_face *r)
 {
@@ -1863,7 +1983,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_measure(double y[5][3],
         footpoint_detail_from(y[k], y[(k + 1) % 4], e[k]);
         square[k] = footpoint_detail_dot(e[k], e[k]);
     }
-    if (square[1] + square[3] < square[0] + square[2]) /* c of the shorter edges is more accurate */
+    if (square[1] + square[3] <
+        square[0] + square[2]) /* c from the shorter edges is more accurate */
         for (i = 0; i < 3; i++)
             r->c[i] = e[1][i] + e[3][i];
     longest = footpoint_detail_greater(square[0], square[1]);
@@ -1876,7 +1997,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_measure(double y[5][3],
     r->far = footpoint_detail_length(r->d) + 2.0 * (r->first + r->second);
 }
 
-/* What is at (u,v). */
+/* Evaluates the face at (u,v). */
 FOOTPOINT_COLD void footpoint_detail_quad4_look(const footpoint_detail_quad4_face *r, double u,
                                                 double v, footpoint_detail_quad4_local *q)
 {
@@ -1901,7 +2022,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_look(const footpoint_detail_quad4_fac
     q->dd = footpoint_detail_dot(w, w);
 }
 
-/* Newton's step of the coordinates that no edge holds; where that may lead uphill, that of Gauss and Newton. */
+/* Computes Newton's step in the coordinates that no edge holds, or the Gauss-Newton step if Newton's may lead uphill. */
 FOOTPOINT_COLD void footpoint_detail_quad4_free_step(const footpoint_detail_quad4_local *q, double *s,
                                                      double *t)
 {
@@ -1921,7 +2042,7 @@ FOOTPOINT_COLD double footpoint_detail_clamp(double x)
     return x < -1.0 ? -1.0 : x > 1.0 ? 1.0 : x;
 }
 
-/* From *q downhill, until steps are no longer than rounding makes them. */
+/* Moves *q downhill, until steps are within rounding. */
 FOOTPOINT_COLD void footpoint_detail_quad4_downhill(const footpoint_detail_quad4_face *r,
                                                     footpoint_detail_quad4_local *q)
 {
@@ -1948,7 +2069,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_downhill(const footpoint_detail_quad4
     }
 }
 
-/* Start number k of six: (u,v), nearest points of edges, the middle. */
+/* Chooses start number k of six: (u,v), nearest points of edges, the middle. */
 FOOTPOINT_COLD void footpoint_detail_quad4_begin(const footpoint_detail_quad4_face *r, int k,
                                                  double u, double v, footpoint_detail_quad4_local *q)
 {
@@ -1963,7 +2084,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_begin(const footpoint_detail_quad4_fa
         footpoint_detail_quad4_look(r, footpoint_detail_clamp(q->f / (q->uu + 2.2250738585072014e-308)), v, q);
 }
 
-/* The least value of q0 + q1 t + q2 t^2 for t from lo to hi. */
+/* Returns the least value of q0 + q1 t + q2 t^2 for t from lo to hi. */
 FOOTPOINT_COLD double footpoint_detail_lowest(double q0, double q1, double q2, double lo, double hi)
 {
     const double t = q2 > 0.0 ? -0.5 * q1 / q2 : lo;
@@ -1972,8 +2093,8 @@ FOOTPOINT_COLD double footpoint_detail_lowest(double q0, double q1, double q2, d
     return t > lo && t < hi ? q0 + t * (q1 + t * q2) : ends;
 }
 
-/* The least value of b (a0 + 2 a1 t + a2 t^2) - k^2 for t from 0 to end, where k = k0 + k1 t is < 0, and of the
- * first term elsewhere. */
+/* Returns the least value, for t from 0 to end, of b (a0 + 2 a1 t + a2 t^2) - k^2 if k = k0 + k1 t is < 0, and otherwise of the
+ * first term. */
 FOOTPOINT_COLD double footpoint_detail_quad4_lowest(double b, double a0, double a1, double a2, double k0,
                                                     double k1, double end)
 {
@@ -1989,8 +2110,8 @@ FOOTPOINT_COLD double footpoint_detail_quad4_lowest(double b, double a0, double 
     return bent < least ? bent : least;
 }
 
-/* A number Q for footpoint_detail_quad4_sole, sharper than footpoint_detail_quad4_least_det: for each pair of signs
- * of s and t that leads into the segment, s t K and |s t| `grows` / 2 together: where their sum is positive, Q is A
+/* Returns a number Q for footpoint_detail_quad4_sole, sharper than footpoint_detail_quad4_least_det: for each pair of signs
+ * of s and t that leads into the segment, it takes s t K and |s t| `grows` / 2 together.  If their sum is positive, Q is A
  * times B; weight: of that sum, 1 or a little less. */
 FOOTPOINT_COLD double footpoint_detail_quad4_sharp_det(const footpoint_detail_quad4_local *q,
                                                        double grows, double weight)
@@ -2011,12 +2132,12 @@ FOOTPOINT_COLD double footpoint_detail_quad4_sharp_det(const footpoint_detail_qu
     return least;
 }
 
-/* footpoint_detail_quad4_sole; or, if slack > 0, whether no point is nearer than q by more than `slack`.
+/* Proves footpoint_detail_quad4_sole; or, if slack > 0, that no point is nearer than q by more than `slack`.
  *
- * Rounding, u = 1.12e-16, with what bounds |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
- * u of their lengths, a, b, c by 2 u first, second, turn, for which the shorter pair of edges serves, r_xi by 6 u
+ * Rounding, u = 1.12e-16, with the bounds on |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
+ * u of their lengths, a, b, c by 2 u first, second, turn, computed from the shorter pair of edges, r_xi by 6 u
  * first, r_eta by 6 u second, D by 12 u far.  So slopes are off by 24 u first far and 24 u second far, products by
- * 15 u of what bounds the two, and `mixed` by 20 u (first second + far turn); Q, as |t| <= 2, by 600 u first second
+ * 15 u of the bounds of both factors, and `mixed` by 20 u (first second + far turn); Q, as |t| <= 2, by 600 u first second
  * times that. */
 FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_face *r,
                                                   const footpoint_detail_quad4_local *q,
@@ -2047,7 +2168,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_f
     return !(footpoint_detail_quad4_sole(q, &bounds, promise, f, g, det) >> 63);
 }
 
-/* Whether the closest point is proved to be the apex of a triangle: an edge whose ends are the same, with q on it.
+/* Returns 1 if the closest point is proved to be the apex of a triangle: an edge whose ends coincide, with q on it.
  * All lines from there lie between the edges beside it, and if along both of these the distance grows, it does so
  * along all. */
 FOOTPOINT_COLD int footpoint_detail_quad4_apex(const footpoint_detail_quad4_face *r,
@@ -2074,7 +2195,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_apex(const footpoint_detail_quad4_face
     return 0;
 }
 
-/* The nearest point that descents find, as q; its status.  A tie is proved, too: no point is nearer by more than
+/* Finds the nearest point by descents, as q, and its status.  A tie is proved, too: no point is nearer by more than
  * 1e-10 of the longest edge, and another, elsewhere in space, is not farther by more. */
 FOOTPOINT_COLD int footpoint_detail_quad4_seek(const footpoint_detail_quad4_face *r,
                                                double y[5][3], double promise, double u, double v,
@@ -2105,7 +2226,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_seek(const footpoint_detail_quad4_face
     return FOOTPOINT_UNPROVED;
 }
 
-/* The square of the distance at q with its sign, four times as long. */
+/* Returns the squared distance at q with its sign, in vectors four times as long. */
 FOOTPOINT_COLD double footpoint_detail_quad4_signed(const footpoint_detail_quad4_face *r,
                                                     const footpoint_detail_quad4_local *q)
 {
@@ -2125,8 +2246,8 @@ FOOTPOINT_COLD double footpoint_detail_quad4_signed(const footpoint_detail_quad4
                                           footpoint_detail_quad4_region(q->u, q->v) ? 1.0 : 0.0));
 }
 
-/* The answer where the quick way proves nothing, at = where that ended: once more in a unit of length in which the
- * segment is about 1 long, if it is far from that, then by descents.  at[2]: the distance. */
+/* Answers after the quick way has proved nothing and ended in `at`: in a unit of length in which the segment is about 1 long,
+ * if it is far from that, then by descents.  at[2]: the distance. */
 FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_nearby *nearby,
                                                        const double *const *x, int scalable,
                                                        double promise, double at[3], int *region)
@@ -2168,7 +2289,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_proved_again(footpoint_detail_nearby *
     return status;
 }
 
-/* A distance that no point of the segment is nearer than, for an answer `at` of that status: by slopes, or by the
+/* Returns a lower bound on the distance of the segment, for an answer `at` of that status: by slopes, or by the
  * ball about the corners. */
 FOOTPOINT_COLD double footpoint_detail_quad4_none_nearer(const double *const *x, double promise,
                                                          int status, const double at[3])
@@ -2196,7 +2317,7 @@ FOOTPOINT_COLD double footpoint_detail_quad4_none_nearer(const double *const *x,
                                     0.0);
 }
 
-/* An answer, with the distance in at. */
+/* Finds an answer, with the distance in at. */
 FOOTPOINT_PART int footpoint_detail_quad4_proved_closest(footpoint_detail_nearby *nearby,
                                                          const double *const *x, int scalable,
                                                          double promise, double at[3], int *region)
@@ -2208,7 +2329,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest(footpoint_detail_nearby
     return status;
 }
 
-/* Its answer to the caller, if there is one. */
+/* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_quad4_proved_answer(int status, const double at[3], int where,
                                                         double loc[2], double *dist, int *region)
 {
@@ -2217,7 +2338,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_answer(int status, const double
     return status;
 }
 
-/* Answers to n pairs; what the loop does not prove follows behind it. */
+/* Answers n pairs; pairs that the loop does not prove follow after it. */
 FOOTPOINT_PART void footpoint_detail_quad4_proved_closest_n(
     footpoint_detail_nearby *nearby, size_t n, const double *const *x, int scalable, double promise,
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
@@ -2261,7 +2382,7 @@ typedef struct {
     int region, status;
 } footpoint_detail_quad4_candidate;
 
-/* An answer to rounding, if it is proved. */
+/* Refines an answer to rounding, if that is proved. */
 FOOTPOINT_COLD void footpoint_detail_quad4_refine(footpoint_detail_nearby *nearby,
                                                   const double *const *x, const double *xS, double promise,
                                                   footpoint_detail_quad4_candidate *c)
@@ -2278,8 +2399,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_refine(footpoint_detail_nearby *nearb
     *c = finer;
 }
 
-/* The nearest of n segments, and the side of the surface that they make.  FOOTPOINT_UNPROVED if another whose answer
- * is not proved may be nearer; where errors of two answers could hide which is nearer, both are refined. */
+/* Finds the nearest of n segments, and the side of their surface.  FOOTPOINT_UNPROVED if another segment without a proved
+ * answer may be nearer; if errors of two answers could hide which is nearer, both are refined. */
 FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_nearby *nearby,
                                                             size_t n, const double *const *x,
                                                             const double *xS, int scalable,
@@ -2287,7 +2408,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_nea
                                                             int *region, size_t *which)
 {
     footpoint_detail_quad4_candidate best = {0, {0.0, 0.0, 0.0}, 0.0, 0, FOOTPOINT_ERR_DOMAIN};
-    double hidden = -1.0; /* what no unproved one is nearer than; < 0: there is none */
+    double hidden = -1.0; /* lower bound on the distances of unproved segments; < 0: all are proved */
     size_t i;
     for (i = 0; i < n; i++) {
         footpoint_detail_quad4_candidate c, loser;
@@ -2331,15 +2452,15 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_nea
  * scaled by a power of 2. */
 #define FOOTPOINT_BRICKS_QUAD4_LEAST 2.9387358770557188e-39
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
- *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
- *           there, or no number.  In float FOOTPOINT_UNPROVED stands for FOOTPOINT_OK if there is no NAME_PROMISE.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
- *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
- *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
+/* NAME_at:  computes xi and eta, dimensionless, without any check.
+ * NAME:     computes loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+ *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE (no normal
+ *           there, or a result is not finite).  In float without NAME_PROMISE, FOOTPOINT_UNPROVED replaces FOOTPOINT_OK.
+ * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ *           xi and eta must overlap nothing else.
+ * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
+ *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
 /* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
  * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
@@ -2357,35 +2478,35 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_nea
  * NAME_from_over_n:  the same for n slave nodes over one segment, as NAME_over_n. */
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
- *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+ *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
  *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
  *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
- *           within 1e-9 of the border of that.  So dist exceeds the least distance by NAME_PROMISE times the largest
- *           |r_xi| + |r_eta| at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
- *           longest edge, and another, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
- *           point that descents have found; so are all answers under -ffast-math.  Where two nodes are one point, xi or eta
- *           may be any number of the edge between them.
- *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, where r_xi x r_eta is a thousand times shorter
- *           at r than at a thousandth (1/1024; float: 1/32) of the way to the middle, because an edge is collapsed, or
- *           almost, or an angle about 180 degrees, for the normal there.  At an edge or a corner xS is
- *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat segment, in its
- *           plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of
- *           has dist < 0 for all segments there.
- *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if the segment has no area; and
- *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than the longest edge is long.
- * NAME_closest_from:  the same with the last answer, or NaN, in loc.  Down to promises of 1e-5 it begins there and falls back
- *           to NAME_closest if it proves nothing; finer ones begin anew, which is as fast.  region 1 to 8 is where xS leaves
- *           the segment: the edge or corner whose neighbour to search next.
- * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ *           within 1e-9 of the region's border.  So dist exceeds the least distance by at most NAME_PROMISE times the
+ *           largest |r_xi| + |r_eta|.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
+ *           longest edge, and another point, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
+ *           point that descents have found; under -ffast-math this is the status of all answers.  If two nodes coincide, xi or
+ *           eta may be any number of the edge between them.
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r.  If r_xi x r_eta at r is a thousand times shorter
+ *           than at a thousandth (1/1024; float: 1/32) of the way to the middle, as at a collapsed edge or at an angle of
+ *           about 180 degrees, n is the normal at the latter point.  At an edge or a corner xS is
+ *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat
+ *           segment, in its plane, has dist > 0.  A negative sign is not yet contact: xS penetrates if dist < 0 and region
+ *           is 0, or if NAME_closest_of with all segments there has dist < 0.
+ *           On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if the segment has no area;
+ *           FOOTPOINT_ERR_DOMAIN if r is farther from xS than the longest edge.
+ * NAME_closest_from:  does the same from the last answer, or NaN, in loc.  Down to promises of 1e-5 it begins there and calls
+ *           NAME_closest if it proves nothing; finer promises begin anew, which is as fast.  region 1 to 8 is the edge or corner
+ *           at which xS leaves the segment: search the neighbour there next.
+ * NAME_closest_n:  does the same for n pairs, each with its status; on error the other results may be overwritten.
  * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
- *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
- *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
- *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
- *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
- *           are the same if their coordinates are.  FOOTPOINT_UNPROVED also if a segment whose answer is not proved may be
- *           nearer.  Where errors of loc could hide which of two segments is nearer, both are found to rounding.  Segments
- *           without an answer are passed over; if all are, the status is that of the last one, and FOOTPOINT_ERR_DOMAIN if
- *           n = 0. */
+ *           search for neighbours returns; which is its number.  dist < 0 behind the surface of the segments: at
+ *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that share it, each
+ *           times its angle there (Baerentzen and Aanaes 2005).  This is the side of a closed surface if all segments
+ *           at that edge or corner are among the n; otherwise it is the side of the given segments.  Nodes with
+ *           equal coordinates are the same node.  FOOTPOINT_UNPROVED also if a segment without a proved answer may be
+ *           nearer.  If errors of loc could hide which of two segments is nearer, both are found to rounding.  Segments
+ *           without an answer are skipped; if no segment has an answer, the status is the last segment's, and
+ *           FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 FOOTPOINT_PART unsigned long long footpoint_bricks_quad4_exact_detail(const double xA[3], const double xB[3],
                                                                       const double xC[3], const double xD[3],
@@ -2867,20 +2988,30 @@ FOOTPOINT_FN int footpoint_detail_quad4_excludes(const double k[6], const double
     return turn * k[0] > 0.0 && apart > 2.0 * FOOTPOINT_ALONG_PROMISE * bends + 3.0 * off * (2.0 + reach);
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside.  Where both are proved there is no other one. */
+/* Returns 1 if rounding errors may hide that p lies in the planes of the tangents everywhere. */
+FOOTPOINT_FN int footpoint_detail_quad4_edge_on(const double c1[3], const double c2[3],
+                                                const double c3[3], const double p[3], const double k[6])
+{
+    const double off =
+        footpoint_detail_manhattan(p) * footpoint_detail_quad4_rounding(c1, c2, c3, c3, 40.0);
+    const double a = footpoint_detail_manhattan(c1), b = footpoint_detail_manhattan(c2);
+    const double c = footpoint_detail_manhattan(c3);
+    return !(fabs(k[0]) > off * (a + b) || fabs(k[1]) > off * (a + c) ||
+             fabs(k[2]) > off * (b + c));
+}
+
+/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
+ * other one. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
-    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, wide, off;
+    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, off;
     int i, best, proved[2], could[2], inside[2], near = 0, surely = 0;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
     size =
         footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
-    wide = footpoint_detail_manhattan(k);
-    if (footpoint_detail_bits(wide * wide -
-                              10.0 * 1e-20 * (size * size) * footpoint_detail_dot(p, p)) >>
-        63)
+    if (footpoint_detail_quad4_edge_on(c1, c2, c3, p, k))
         return FOOTPOINT_ERR_DEGENERATE;
     if (footpoint_detail_quad4_solve(c1, c2, c3, d, p, k, z, reach, proved) != FOOTPOINT_OK)
         return FOOTPOINT_ERR_DOMAIN;
@@ -2892,9 +3023,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
         near += could[i] && reach[i] <= 1.0 + FOOTPOINT_ALONG_PROMISE;
         surely += could[i] && reach[i] < 1.0 - FOOTPOINT_ALONG_PROMISE;
     }
-    best = inside[0] == inside[1]
-               ? (inside[0] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0])
-               : inside[1];
+    if (inside[0] != inside[1])
+        best = inside[1];
+    else if (inside[0])
+        best = fabs(z[1][2]) < fabs(z[0][2]);
+    else
+        best = proved[0] == proved[1] ? reach[1] < reach[0] : proved[1];
     for (i = 0; i < 3; i++)
         at[i] = z[best][i];
     if ((could[0] && !proved[0]) || (could[1] && !proved[1]) || (near == 2 && surely < 2))
@@ -2937,15 +3071,16 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
 
 /* footpoint_bricks_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  These are proved, rounding errors included: FOOTPOINT_OK, the line meets the
- *           surface at a point within FOOTPOINT_ALONG_PROMISE of loc, and the segment at no other one;
- *           FOOTPOINT_NOT_UNIQUE, it meets the segment more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE,
- *           it passes by, and the answer is where it meets the surface beyond the edges, to about as much.
- *           FOOTPOINT_UNPROVED: any of these, as where it nearly touches the segment.  loc and dist are untouched where it returns
- *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the edges
- *           is known;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
- *           FOOTPOINT_ERR_NOT_FINITE.
+ *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE of
+ *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
+ *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
+ *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
+ *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE.
+ *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
+ *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
+ *           edges is proved;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
+ *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_bricks_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_bricks_quad4_along(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], const double along[3],

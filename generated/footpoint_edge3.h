@@ -25,9 +25,16 @@
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_APART static __attribute__((noinline, unused))
+#else
+#define FOOTPOINT_APART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
+#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
@@ -52,6 +59,13 @@
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
+#endif
+#endif
+#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
+#else
+#define FOOTPOINT_WHOLE FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
@@ -81,8 +95,8 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
- * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
+ * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -93,33 +107,33 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
- * instructions each where it knows them, else one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
+ * four instructions each instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
     return (double)zero;
 }
 
-/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+/* Tests that not 2^-512 <= |x| < 2^512: room for products of the parts of x, and half of all exponents. */
 FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
 {
     return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
 }
 
-/* If |x| < least. */
+/* Tests |x| < least. */
 FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
 }
 
-/* If |x| > most, or NaN. */
+/* Tests |x| > most, or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_above(double x, double most)
 {
     return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1);
 }
 
-/* If x is infinite or NaN. */
+/* Tests that x is infinite or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << (53 - 1));

@@ -46,9 +46,16 @@
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_APART static __attribute__((noinline, unused))
+#else
+#define FOOTPOINT_APART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
+#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
@@ -73,6 +80,13 @@
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
+#endif
+#endif
+#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
+#else
+#define FOOTPOINT_WHOLE FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
@@ -102,8 +116,8 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS_F
 #define FOOTPOINT_DETAIL_BITS_F
-/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
- * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
+ * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
 {
     union {
@@ -114,33 +128,33 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
     return both.bits;
 }
 
-/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
- * instructions each where it knows them, else one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
+ * four instructions each instead of one. */
 FOOTPOINT_PART float footpoint_detail_f_zero(void)
 {
     const volatile int zero = 0;
     return (float)zero;
 }
 
-/* Unless 2^-96 <= |x| < 2^32: room for products of what x is made of, and half of all exponents. */
+/* Tests that not 2^-96 <= |x| < 2^32: room for products of the parts of x, and half of all exponents. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_outside(float x)
 {
     return 2 * footpoint_detail_f_bits(x) - ((unsigned int)31 << 24);
 }
 
-/* If |x| < least. */
+/* Tests |x| < least. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_below(float x, float least)
 {
     return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) - footpoint_detail_f_bits(least);
 }
 
-/* If |x| > most, or NaN. */
+/* Tests |x| > most, or NaN. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_above(float x, float most)
 {
     return footpoint_detail_f_bits(most) - (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1);
 }
 
-/* If x is infinite or NaN. */
+/* Tests that x is infinite or NaN. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_infinite(float x)
 {
     return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) + ((unsigned int)1 << (24 - 1));
@@ -149,8 +163,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_infinite(float x)
 
 #ifndef FOOTPOINT_DETAIL_RELATIVE_F
 #define FOOTPOINT_DETAIL_RELATIVE_F
-/* 4 over the sum of the distances of the corners from A, component by component: coordinates relative to the segment
- * are those less xA, times this. */
+/* Returns 4 over the sum of the distances of the corners from A, component by component.  Coordinates relative to the segment are
+ * differences from xA times this factor. */
 FOOTPOINT_PART float footpoint_detail_f_relative(const float *const *x, int corners)
 {
     float sum = 0.0f;
@@ -160,7 +174,7 @@ FOOTPOINT_PART float footpoint_detail_f_relative(const float *const *x, int corn
     return 4.0f / sum;
 }
 
-/* The power of 2 that x > 0 begins with. */
+/* Returns the largest power of 2 that is at most x > 0. */
 FOOTPOINT_PART float footpoint_detail_f_leading(float x)
 {
     union {
@@ -174,7 +188,7 @@ FOOTPOINT_PART float footpoint_detail_f_leading(float x)
 
 #ifndef FOOTPOINT_DETAIL_SCALE_F
 #define FOOTPOINT_DETAIL_SCALE_F
-/* 1 if all coordinates of n vectors are finite. */
+/* Returns 1 if all coordinates of n vectors are finite. */
 FOOTPOINT_FN int footpoint_detail_f_finite(const float *const *x, int n)
 {
     unsigned int infinite = 0;
@@ -185,8 +199,8 @@ FOOTPOINT_FN int footpoint_detail_f_finite(const float *const *x, int n)
     return !(infinite >> 31);
 }
 
-/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
- * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+/* Scales nodes and slave node, the last of the vectors, to a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which come before the slave node, are copied.  Returns an error if they are not finite, or of no length. */
 FOOTPOINT_FN int footpoint_detail_f_scale(const float *const *x, int nodes, int vectors, float (*y)[3],
                                           int *exponent)
 {
@@ -202,7 +216,7 @@ FOOTPOINT_FN int footpoint_detail_f_scale(const float *const *x, int nodes, int 
     if ((footpoint_detail_f_below(most, 1.1754944e-38f) | footpoint_detail_f_infinite(most)) >> 31)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexpf(most, exponent);
-    first = ldexpf(1.0f, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    first = ldexpf(1.0f, -(*exponent / 2)); /* by steps: the whole power may overflow */
     second = ldexpf(1.0f, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
@@ -210,10 +224,10 @@ FOOTPOINT_FN int footpoint_detail_f_scale(const float *const *x, int nodes, int 
     return FOOTPOINT_OK;
 }
 
-/* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
- * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
- * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+/* Computes the gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
+ * > 0 open.  The highest bit of the result is set if u and v are parallel, so that there is no area and no normal, if size, a
+ * sum of squares of edges, is not between least and 1 / least, or if a number is not finite.
+ * uu * vv: at least the product of the squares of the terms of u and v; these cancel far outside, so that rounding makes a
  * normal of nodes on a line. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_normal_gap(const float u[3], const float v[3],
                                                           const float d[3], float uu, float vv, float size,
@@ -254,11 +268,10 @@ FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
 
 #ifndef FOOTPOINT_DETAIL_HEIGHT_F
 #define FOOTPOINT_DETAIL_HEIGHT_F
-/* Gap (9) of tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
- * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times 4 that of edges at most.
- * The highest bit of what it returns is not set if
- * footpoint_detail_f_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
- * is well within limits, and so is the square of n then, which is far from 0. */
+/* Computes the gap (9) from tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
+ * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times at most 4 times the square of edges.
+ * If the highest bit of the result is not set, footpoint_detail_f_KIND_gap() sets it neither: (xi,eta) is near enough that
+ * the square of u is less than 66 sizes, the size is well within limits, and so is the square of n, which is far from 0. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_height(const float u[3], const float v[3], const float w[3],
                                                       float size, float per, float unit, float xi, float eta,
                                                       float least, float *gap)
@@ -277,7 +290,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_height(const float u[3], const fl
 
 #ifndef FOOTPOINT_QUAD4_SEARCH_F
 #define FOOTPOINT_QUAD4_SEARCH_F
-/* See footpoint_detail_f_normal_gap(); size is the sum of the squares of the edges. */
+/* Computes the gap; see footpoint_detail_f_normal_gap().  size is the sum of the squares of the edges. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_gap(const float xA[3], const float xB[3], const float xC[3],
                                                    const float xD[3], const float xS[3], float xi, float eta,
                                                    float least, float *gap)
@@ -306,7 +319,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_gap(const float *const *x, 
     return footpoint_detail_f_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
 }
 
-/* The gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times one number, whose square is 4 / unit,
+/* Computes the gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times a number whose square is 4 / unit,
  * d = (xS - c0) / per, and ratio is 1 / per over that number. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_over(const float a[3], const float b[3],
                                                           const float c[3], const float d[3], float size,
@@ -323,20 +336,19 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_over(const float a[3], cons
 
 #ifndef FOOTPOINT_DETAIL_AGAIN_F
 #define FOOTPOINT_DETAIL_AGAIN_F
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
- * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
- * zero: see footpoint_detail_f_zero. */
+/* A checked search: x has the vectors of the call.  The highest bit of the result is set if the answer fails: with way = 0, in a loop
+ * over arrays, or 2, in a single call, if it is not good beyond doubt; with way = 1, in full, if there is no answer, without a
+ * promise for xi and eta.  zero: see footpoint_detail_f_zero. */
 typedef unsigned int footpoint_detail_f_search(const float *const *x, int way, float zero, float *xi,
                                                float *eta, float *gap);
 
-/* A status, but FOOTPOINT_UNPROVED instead of FOOTPOINT_OK of functions that prove nothing, which have promise < 0. */
+/* Returns a status, with FOOTPOINT_UNPROVED instead of FOOTPOINT_OK for functions that prove nothing, whose promise is < 0. */
 FOOTPOINT_PART int footpoint_detail_f_claim(int status, float promise)
 {
     return promise < 0.0f && status == FOOTPOINT_OK ? FOOTPOINT_UNPROVED : status;
 }
 
-/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
- * long; with nodes = 0 not. */
+/* Searches in full; if that fails and nodes > 0, also in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_f_again(footpoint_detail_f_search *search, const float *const *x,
                                             int nodes, int vectors, float loc[2], float *gap)
 {
@@ -353,7 +365,7 @@ FOOTPOINT_COLD int footpoint_detail_f_again(footpoint_detail_f_search *search, c
             return FOOTPOINT_ERR_DEGENERATE;
     }
     g = exponent ? ldexpf(g, exponent) : g;
-    if (footpoint_detail_f_infinite(g) >> 31) /* a distance beyond all numbers */
+    if (footpoint_detail_f_infinite(g) >> 31) /* the distance overflows */
         return FOOTPOINT_ERR_DEGENERATE;
     loc[0] = xi;
     loc[1] = eta;
@@ -827,8 +839,7 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_checked_n(footpoint_detail_f_search
             status[i] = footpoint_detail_f_claim(FOOTPOINT_OK, promise);
 }
 
-/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
- * is computed once. */
+/* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
 FOOTPOINT_PART void
 footpoint_detail_f_quad4_over_n(footpoint_detail_f_search *search, const float *const *segment, size_t n,
                                 const float *const *x, int nodes, float promise,
@@ -865,22 +876,22 @@ footpoint_detail_f_quad4_over_n(footpoint_detail_f_search *search, const float *
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST_F
 #define FOOTPOINT_DETAIL_CLOSEST_F
-/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
- * being vectorised and is foreseen badly. */
+/* Returns 1 if x > 0 and 0 if x < 0, to choose between two values without a branch, which would keep loops from
+ * being vectorised and is predicted badly. */
 FOOTPOINT_PART float footpoint_detail_f_step(float x)
 {
     return 0.5f + copysignf(0.5f, x);
 }
 
-/* a where step is 0, b where it is 1; both finite. */
+/* Returns a if step is 0, b if it is 1; both must be finite. */
 FOOTPOINT_PART float footpoint_detail_f_either(float step, float a, float b)
 {
     return (1.0f - step) * a + step * b;
 }
 
-/* By how much the square dd of the distance of a point inside may exceed that of a point of an edge and still be taken: by the
- * rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta as far as rounding lets it be; if it is not, no
- * foot point lies there, and dd has to be less by as much. */
+/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
+ * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
+ * Otherwise no foot point lies there, and dd must be less by as much. */
 FOOTPOINT_PART float footpoint_detail_f_leeway(const float u[3], const float v[3], const float d[3],
                                                float dd, float size)
 {
@@ -892,9 +903,9 @@ FOOTPOINT_PART float footpoint_detail_f_leeway(const float u[3], const float v[3
 }
 
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
- * where `edge` is 1 and inside 0, xS is behind only if it is so by more than a small angle and by more than the rounding
+ * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
  * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
- * whose differences n is. */
+ * whose differences make n. */
 FOOTPOINT_PART float footpoint_detail_f_facing(const float n[3], const float d[3], float dd, float size,
                                                float spread, float edge)
 {
@@ -904,7 +915,7 @@ FOOTPOINT_PART float footpoint_detail_f_facing(const float n[3], const float d[3
     return ahead * fabsf(ahead) + edge * beside;
 }
 
-/* The same for the normal u x v, u = r_xi and v = r_eta, or, where that vanishes, as it does at collapsed and at straight
+/* Returns the same for the normal u x v, u = r_xi and v = r_eta, or, if that vanishes, as at collapsed and at straight
  * corners, for m, the normal at a point 0.03125f of the way to the middle. */
 FOOTPOINT_PART float footpoint_detail_f_side(const float u[3], const float v[3], const float m[3],
                                              const float d[3], float dd, float size, float edge)
@@ -927,7 +938,7 @@ FOOTPOINT_PART int footpoint_detail_f_same(const float *a, const float *b)
     return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
 }
 
-/* (xi,eta) of corner k. */
+/* Computes (xi,eta) of corner k. */
 FOOTPOINT_PART void footpoint_detail_f_square_corner(int k, float at[2])
 {
     at[0] = k == 1 || k == 2 ? 1.0f : -1.0f;
@@ -940,7 +951,7 @@ FOOTPOINT_PART void footpoint_detail_f_triangle_corner(int k, float at[2])
     at[1] = k == 2 ? 1.0f : 0.0f;
 }
 
-/* Both coordinates of the middle. */
+/* Returns both coordinates of the middle. */
 FOOTPOINT_PART float footpoint_detail_f_square_middle(void)
 {
     return 0.0f;
@@ -951,7 +962,7 @@ FOOTPOINT_PART float footpoint_detail_f_triangle_middle(void)
     return 1.0f / 3.0f;
 }
 
-/* Keeps `to`, where a step from (xi,eta) = at leads, within the range of xi and eta: a tenth of the way to an edge is left. */
+/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
 FOOTPOINT_PART void footpoint_detail_f_square_clamp(const float at[2], float to[2])
 {
     int i;
@@ -971,7 +982,7 @@ FOOTPOINT_PART void footpoint_detail_f_triangle_clamp(const float at[2], float t
     }
 }
 
-/* Moves (xi,eta) to the middle of the edge that it is on if the ends of that are one point.  Triangles have no such edges. */
+/* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
 FOOTPOINT_PART void footpoint_detail_f_square_bisect(const float *const *x, float at[2])
 {
     if ((at[1] <= -1.0f && footpoint_detail_f_same(x[0], x[1])) ||
@@ -988,7 +999,7 @@ FOOTPOINT_PART void footpoint_detail_f_triangle_bisect(const float *const *x, fl
     (void)at;
 }
 
-/* a if x > 0, b otherwise. */
+/* Returns a if x > 0, otherwise b. */
 FOOTPOINT_PART float footpoint_detail_f_pick(float x, float a, float b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -998,7 +1009,7 @@ FOOTPOINT_PART float footpoint_detail_f_pick(float x, float a, float b)
 #endif
 }
 
-/* The lesser number. */
+/* Returns the lesser number. */
 FOOTPOINT_PART float footpoint_detail_f_least(float a, float b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -1020,10 +1031,10 @@ FOOTPOINT_PART float footpoint_detail_f_length(const float a[3])
 #define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
-/* The status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
+/* Returns the status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
  * FOOTPOINT_ERR_DEGENERATE if something in `all` is not finite, if size, the sum of the squares of edges, is not between least
- * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge:
- * where the search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
+ * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge; if the
+ * search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
 FOOTPOINT_PART int footpoint_detail_f_closest_status(unsigned int flaw, float all, float nn, float size,
                                                      float least, float dd, float edge, float longest)
 {
@@ -1037,22 +1048,22 @@ FOOTPOINT_PART int footpoint_detail_f_closest_status(unsigned int flaw, float al
            FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 31);
 }
 
-/* The root of the square of a distance, with its sign. */
+/* Returns the root of a squared distance, with its sign. */
 FOOTPOINT_PART float footpoint_detail_f_signed_root(float dd)
 {
     const float root = sqrtf(fabsf(dd));
     return dd < 0.0f ? -root : root;
 }
 
-/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved.
+/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a proof.
  * lanes = 1 in a loop over arrays. */
 typedef int footpoint_detail_f_nearby(const float *const *x, int lanes, float zero, float at[3],
                                       int *region);
 
-/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
 typedef int footpoint_detail_f_nearest(const float *const *x, float zero, float at[3], int *region);
 
-/* Its answer to the caller, if there is one. */
+/* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_f_closest_answer(int status, const float at[3], int where,
                                                      float loc[2], float *dist, int *region)
 {
@@ -1068,7 +1079,7 @@ FOOTPOINT_PART int footpoint_detail_f_closest_answer(int status, const float at[
 
 #ifndef FOOTPOINT_QUAD4_SURFACE_F
 #define FOOTPOINT_QUAD4_SURFACE_F
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta); without differences of edges, which on collapsed ones leave rounding. */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta), without differences of edges, which on collapsed edges leave rounding. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_surface(const float *const *x, float xi, float eta,
                                                      float u[3], float v[3], float d[3])
 {
@@ -1087,8 +1098,8 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_surface(const float *const *x, floa
 
 #ifndef FOOTPOINT_QUAD4_NEAREST_F
 #define FOOTPOINT_QUAD4_NEAREST_F
-/* The normal m, of any length, at the point 0.03125f of the way from (xi,eta) to the middle; from an edge whose ends are
- * one point, on the bisector there. */
+/* Computes the normal m, of any length, at the point 0.03125f of the way from (xi,eta) to the middle; from an edge whose ends
+ * coincide, on the bisector there. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_inward(const float *const *x, float xi, float eta, float m[3])
 {
     const float middle = footpoint_detail_f_square_middle();
@@ -1102,7 +1113,7 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_inward(const float *const *x, float
     footpoint_detail_f_cross(u, v, m);
 }
 
-/* Returns the next corner, after k in the order `step`, 1 or 4 - 1, that is not the same point as k; or k. */
+/* Returns the next corner, after k in the order `step`, 1 or 4 - 1, that is a different point from k; or k. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_next(const float *const *x, int k, int step)
 {
     int next = (k + step) % 4;
@@ -1111,7 +1122,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_next(const float *const *x, int k, i
     return next;
 }
 
-/* The direction e in which the edge to that corner leaves the point of corner k. */
+/* Computes the direction e in which the edge to that corner leaves corner k. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_leave(const float *const *x, int k, int step, float e[3])
 {
     const int to = footpoint_detail_f_quad4_next(x, k, step), from = (to + 4 - step) % 4;
@@ -1168,8 +1179,8 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_add_edge(const float *const *x, int
     footpoint_detail_f_quad4_add_normal(x, at, 3.1415926535897931f, fan);
 }
 
-/* The corners a and b between which the closest point at loc, in `region` > 0 of a face, lies, one if it is a corner or an
- * edge of no length; returns where it lies on the edge, from -1 to 1. */
+/* Finds the corners a and b between which the closest point at loc, in `region` > 0 of a face, lies; they are equal at a corner or on
+ * an edge of no length.  Returns its place on the edge, from -1 to 1. */
 FOOTPOINT_COLD float footpoint_detail_f_quad4_feature(const float *const *x, const float loc[2],
                                                       int region, const float *end[2])
 {
@@ -1184,7 +1195,7 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_feature(const float *const *x, con
     return 2.0f * along / across - 1.0f;
 }
 
-/* Adds the normal of one face, if it has that edge or corner. */
+/* Adds the normal of a face, if it has that edge or corner. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_add_face(const float *const *x, const float *const end[2],
                                                       float t, float fan[3])
 {
@@ -1198,7 +1209,7 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_add_face(const float *const *x, con
         const int single = end[0] == end[1], first = footpoint_detail_f_same(here, end[0]);
         const int there = first & footpoint_detail_f_same(next, end[1]);
         const int back = footpoint_detail_f_same(here, end[1]) & footpoint_detail_f_same(next, end[0]);
-        if (!(single ? first & !there : there | back)) /* of corners that are one point, the last */
+        if (!(single ? first & !there : there | back)) /* of corners that coincide, the last */
             continue;
         if (!found && footpoint_detail_f_scale(x, 4, 5, y, &exponent) != FOOTPOINT_OK)
             return;
@@ -1210,8 +1221,8 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_add_face(const float *const *x, con
     }
 }
 
-/* Returns 1 if the slave node, the last of x, lies behind the point at loc: of the surface that has the normal `fan` there, or,
- * if that is NULL, of the face, `edge` if the point is on an edge of it. */
+/* Returns 1 if the slave node, the last of x, lies behind the point at loc: behind the surface that has the normal `fan` there, or,
+ * if that is NULL, behind the face; `edge` is 1 if the point is on an edge of it. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_behind(const float *const *x, const float loc[2], int edge,
                                                    const float *fan)
 {
@@ -1229,7 +1240,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_behind(const float *const *x, const 
                 : footpoint_detail_f_side(u, v, m, d, dd, 1.0f, edge ? 1.0f : 0.0f)) < 0.0f;
 }
 
-/* The vectors of face i and its slave node. */
+/* Collects the vectors of face i and its slave node. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_row(const float *const *x, const float *xS, size_t i,
                                                  const float *row[5])
 {
@@ -1256,7 +1267,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_behind_all(size_t n, const float *co
     return footpoint_detail_f_quad4_behind(row, loc, 1, fan);
 }
 
-/* What the proof needs at (u,v) of r = c0 + xi a + eta b + xi eta c, all times one number: products of r_xi, r_eta,
+/* The numbers for the proof at (u,v) of r = c0 + xi a + eta b + xi eta c, with a common factor: products of r_xi, r_eta,
  * c and D = xS - r, two letters each: uu = r_xi . r_xi, uc = r_xi . c, ...; slopes f = r_xi . D and g = r_eta . D;
  * and dd = D . D. */
 typedef struct {
@@ -1269,8 +1280,8 @@ typedef struct {
     float wide, high, off_f, off_g, off_det, off_rows;
 } footpoint_detail_f_quad4_bounds;
 
-/* How fast half the square of the distance grows from an edge of u, of slope f, into the segment; 0 inside.  *falls:
- * how fast it may fall, f being off by `off`. */
+/* Returns the slope of half the squared distance from an edge of u, of slope f, into the segment; 0 inside.  *falls:
+ * the steepest possible fall, f being off by `off`. */
 FOOTPOINT_PART float footpoint_detail_f_quad4_grows(float u, float f, float off, float *falls)
 {
     const float outward = footpoint_detail_f_pick(1.0f - fabsf(u), -fabsf(f), u * f);
@@ -1278,13 +1289,13 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_grows(float u, float f, float off,
     return footpoint_detail_f_greater(outward, 0.0f);
 }
 
-/* How far from u a point may be for all that: `promise`, and within the region, or 3e-4f. */
+/* Returns the largest permitted distance of a point from u: `promise`, and within the region, or 3e-4f. */
 FOOTPOINT_PART float footpoint_detail_f_quad4_reach(float u, float promise)
 {
     return footpoint_detail_f_least(promise, footpoint_detail_f_greater(1.0f - fabsf(u), 3e-4f));
 }
 
-/* A number Q for footpoint_detail_f_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
+/* Returns a number Q for footpoint_detail_f_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
  * slopes. */
 FOOTPOINT_PART float footpoint_detail_f_quad4_least_det(const footpoint_detail_f_quad4_local *q,
                                                         float grows)
@@ -1296,24 +1307,24 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_least_det(const footpoint_detail_f
     return det - footpoint_detail_f_least(fabsf(by_t) + by_t * q->v, fabsf(by_s) + by_s * q->u);
 }
 
-/* The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
+/* Proves the closest point.  The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
  * `promise` of (u,v), in xi and in eta, and in the same region unless it is within 3e-4f of that region's border.  f,
- * g: how fast half the square of the distance may fall, see footpoint_detail_f_quad4_grows; least_det: Q.
+ * g: how fast half the squared distance may fall, see footpoint_detail_f_quad4_grows; least_det: Q.
  *
- * Let phi be half the square of the distance.  With a = r_xi and b = r_eta at (u,v)
+ * Let phi be half the squared distance.  With a = r_xi and b = r_eta at (u,v)
  *   phi(u + s, v + t) - phi(u,v) = -s f - t g - s t D . c + |s (a + t c) + t b|^2 / 2.
- * At an edge s has one sign: there -s f is |s| times the slope outwards, if that is positive.  Elsewhere it is at
+ * At an edge s has one sign: there -s f is |s| times the slope outwards, if that is positive.  Otherwise it is at
  * least -|s f|. As |s|, |t| <= 2, slopes outwards are worth |s t| `grows` / 2, which takes as much from |D . c|; so
  *   phi(u + s, v + t) - phi >= (s^2 A + 2 s t K + t^2 B) / 2 - |s| f - |t| g,
  * A = |a + t c|^2, B = b . b, K = mixed + t b . c.  If A B - K^2 >= Q > 0 for all t from -1 - v to 1 - v, then, with
  * wide >= A and high >= B, the form of s sqrtf(wide) and t sqrtf(high) has a trace of at most 2 and a determinant of
  * at least Q / (wide high), half of which its eigenvalues exceed.  So with x = Q / (4 high), y = Q / (4 wide), the
  * difference is at least (x s^2 - |s| f) + (y t^2 - |t| g), f and g being as above.  It is > 0 for all |s| > p if p
- * (x p - f) > g^2 / (4 y), and likewise for |t| > p' of its own.  Then no point is as near as (u,v) but within p and
- * p' of it, and the closest point, which exists, is there.  The same with s and t exchanged.  Of the quadratic A B -
- * K^2 the term of t^2 is >= 0 and may be left out.
+ * (x p - f) > g^2 / (4 y), and likewise for |t| > p' of its own.  Then all points as near as (u,v) are within p and
+ * p' of it, and the closest point, which exists, is there.  The same with s and t exchanged.  The term of t^2 of the quadratic A B -
+ * K^2 is >= 0 and may be left out.
  *
- * Rounding: slopes are off by off_f and off_g, Q by off_det; 0.999f leaves for what follows more than it can lose. */
+ * Rounding: slopes are off by off_f and off_g, Q by off_det; 0.999f leaves more room than the remaining operations can lose. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_sole(const footpoint_detail_f_quad4_local *q,
                                                           const footpoint_detail_f_quad4_bounds *r,
                                                           float promise, float f, float g, float least_det)
@@ -1328,10 +1339,10 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_sole(const footpoint_detail
            footpoint_detail_f_infinite(room + other) | footpoint_detail_f_fast();
 }
 
-/* The highest bit of the result is not set if the closest point, known to be within `close` of q, is within promise in xi and in
- * eta: inside, both slopes vanish there, and change by the Hessian at q and at most half the third derivatives times close^2.
- * At an edge where the slope outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or |r_eta|^2.
- * 1.05f leaves for rounding in Cramer's rule what det > 20000 units of mixed^2 lets it be. */
+/* Proves a finer promise.  The highest bit of the result is not set if the closest point, known to be within `close` of q, is within
+ * promise in xi and in eta: inside, both slopes vanish there, and change by the Hessian at q and at most half the third derivatives
+ * times close^2.  At an edge where the slope outwards keeps its sign, the slope along the edge vanishes, and changes by |r_xi|^2 or
+ * |r_eta|^2.  1.05f leaves room for rounding in Cramer's rule, which det > 20000 units of mixed^2 limits. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_within(const footpoint_detail_f_quad4_local *q,
                                                             const footpoint_detail_f_quad4_bounds *r,
                                                             float close, float promise)
@@ -1357,10 +1368,10 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_within(const footpoint_deta
            footpoint_detail_f_infinite(room + clear_u + clear_v);
 }
 
-/* At (u,v): x = r_xi, y = r_eta and w = D, the products of them, and bounds, all four times or, where squares, sixteen times.
+/* Computes at (u,v): x = r_xi, y = r_eta and w = D, their products, and bounds, all four times or, if squares, sixteen times.
  *
  * Rounding, see footpoint_detail_f_quad4_visit and footpoint_detail_f_quad4_newton: with Z = (U + V + C) . (U + V + C + W), products
- * are off by 13 units of Z, mixed by 27; and Q, as |t| <= 2 and, where Q > 0, |mixed| <= (uu + vv) / 2, by 250 units of
+ * are off by 13 units of Z, mixed by 27; and Q, as |t| <= 2 and, if Q > 0, |mixed| <= (uu + vv) / 2, by 250 units of
  * Z (uu + vv + cc). */
 FOOTPOINT_PART void footpoint_detail_f_quad4_here(const float p[9],
                                                   const footpoint_detail_f_quad4_vectors *r, int finely,
@@ -1406,7 +1417,7 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_here(const float p[9],
     bounds->off_rows = 40.0f * off;
 }
 
-/* Of the edge u = e the point v nearest to xS, clamped, and its slope outwards; a, b, ... in products as in
+/* Finds the point v of the edge u = e nearest to xS, clamped, and returns its slope outwards; a, b, ... in products as in
  * footpoint_detail_f_quad4_step.  For edges of v, exchange a and b. */
 FOOTPOINT_PART float footpoint_detail_f_quad4_edge(float aa, float e12, float bb, float ac, float bc,
                                                    float cc, float ad, float bd, float e, float *v)
@@ -1418,7 +1429,7 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_edge(float aa, float e12, float bb
     return e * (ad - t * (e12 + t * bc)) - (aa + t * (ac + ac + t * cc));
 }
 
-/* Where (u,v) is outside of the segment, moves it to an edge or a corner: of xi = 1 or -1 if that has been crossed,
+/* Moves (u,v), if outside of the segment, to an edge or a corner: to xi = 1 or -1 if that has been crossed,
  * unless eta is outside, too, and the distance does not grow inwards there. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_inside(const float p[9], float *u, float *v)
 {
@@ -1433,16 +1444,16 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_inside(const float p[9], float *u, 
     *v = footpoint_detail_f_pick(outside, footpoint_detail_f_pick(on, t, ev), *v);
 }
 
-/* 1 to 4: edges, 5 to 8: corners; 0 inside. */
+/* Returns the region: 1 to 4: edges, 5 to 8: corners; 0 inside. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_region(float u, float v)
 {
     const int left = u <= -1.0f, right = u >= 1.0f, below = v <= -1.0f, above = v >= 1.0f;
     return below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
 }
 
-/* At (u,v) of the closed segment: at = {u, v, square of the distance with its sign}.  The result's highest bit is
- * not set if the closest point is proved to lie there, see footpoint_detail_f_quad4_sole; *beyond has its set if the
- * distance is longer than the longest edge.  Products of eight lengths have to be numbers, see footpoint_detail_f_outside. */
+/* Examines (u,v) of the closed segment: at = {u, v, square of the distance with its sign}.  The highest bit of the result is
+ * not set if the closest point is proved to lie there, see footpoint_detail_f_quad4_sole; *beyond has its highest bit set if the
+ * distance exceeds the longest edge.  Products of eight lengths must be finite, see footpoint_detail_f_outside. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_touch(const float p[9],
                                                            const footpoint_detail_f_quad4_vectors *r,
                                                            float promise, float per, float u, float v,
@@ -1452,7 +1463,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_touch(const float p[9],
     footpoint_detail_f_quad4_bounds bounds;
     const float apart = 8.0f * (r->size + p[5]);
     const float inside = footpoint_detail_f_least(1.0f - fabsf(u), 1.0f - fabsf(v));
-    const float close = promise < 1e-3f ? 3e-4f : promise; /* proved of the whole segment */
+    const float close =
+        promise < 1e-3f ? 3e-4f : promise; /* proved for the whole segment */
     float x[3], y[3], w[3], n[3], nn, longest, f, g, grows, area;
     unsigned int doubt;
     int i;
@@ -1481,8 +1493,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_touch(const float p[9],
                nn - footpoint_detail_f_greater(1e5f * 6e-8f, 0.03125f * 0.03125f) * area);
 }
 
-/* From (xi,eta) by one step, for the finest promise two, or from far outside none, to the closest point;
- * FOOTPOINT_UNPROVED if that is not proved.  per: the factor of the vectors; lanes = 1: no branches, for a loop over
+/* Moves from (xi,eta) to the closest point by one step, for the finest promise by two, from far outside directly;
+ * FOOTPOINT_UNPROVED without a proof.  per: the factor of the vectors; lanes = 1: no branches, for a loop over
  * arrays, with the same result. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_close(const float products[9],
                                                   const footpoint_detail_f_quad4_vectors *r,
@@ -1507,13 +1519,13 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_close(const float products[9],
            FOOTPOINT_ERR_DOMAIN * (int)((beyond & ~doubt) >> 31);
 }
 
-/* Vectors of r = c0 + xi a + eta b + xi eta c, d = xS - c0, four times as long; what bounds |a| + |c|, |b| + |c|,
- * |c| and all of them; and the longest edge. */
+/* Vectors of r = c0 + xi a + eta b + xi eta c, d = xS - c0, four times as long; bounds on |a| + |c|, |b| + |c|,
+ * |c| and on all of them; and the longest edge. */
 typedef struct {
     float a[3], b[3], c[3], d[3], first, second, turn, far, longest;
 } footpoint_detail_f_quad4_face;
 
-/* From nodes and slave node in a unit of length in which the segment is about 1 long. */
+/* Measures nodes and slave node in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_measure(float y[5][3],
                                                      footpoint_detail_f_quad4_face *r)
 {
@@ -1524,7 +1536,8 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_measure(float y[5][3],
         footpoint_detail_f_from(y[k], y[(k + 1) % 4], e[k]);
         square[k] = footpoint_detail_f_dot(e[k], e[k]);
     }
-    if (square[1] + square[3] < square[0] + square[2]) /* c of the shorter edges is more accurate */
+    if (square[1] + square[3] <
+        square[0] + square[2]) /* c from the shorter edges is more accurate */
         for (i = 0; i < 3; i++)
             r->c[i] = e[1][i] + e[3][i];
     longest = footpoint_detail_f_greater(square[0], square[1]);
@@ -1537,7 +1550,7 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_measure(float y[5][3],
     r->far = footpoint_detail_f_length(r->d) + 2.0f * (r->first + r->second);
 }
 
-/* What is at (u,v). */
+/* Evaluates the face at (u,v). */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_look(const footpoint_detail_f_quad4_face *r, float u,
                                                   float v, footpoint_detail_f_quad4_local *q)
 {
@@ -1562,7 +1575,7 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_look(const footpoint_detail_f_quad4
     q->dd = footpoint_detail_f_dot(w, w);
 }
 
-/* Newton's step of the coordinates that no edge holds; where that may lead uphill, that of Gauss and Newton. */
+/* Computes Newton's step in the coordinates that no edge holds, or the Gauss-Newton step if Newton's may lead uphill. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_free_step(const footpoint_detail_f_quad4_local *q, float *s,
                                                        float *t)
 {
@@ -1582,7 +1595,7 @@ FOOTPOINT_COLD float footpoint_detail_f_clamp(float x)
     return x < -1.0f ? -1.0f : x > 1.0f ? 1.0f : x;
 }
 
-/* From *q downhill, until steps are no longer than rounding makes them. */
+/* Moves *q downhill, until steps are within rounding. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_downhill(const footpoint_detail_f_quad4_face *r,
                                                       footpoint_detail_f_quad4_local *q)
 {
@@ -1609,7 +1622,7 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_downhill(const footpoint_detail_f_q
     }
 }
 
-/* Start number k of six: (u,v), nearest points of edges, the middle. */
+/* Chooses start number k of six: (u,v), nearest points of edges, the middle. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_begin(const footpoint_detail_f_quad4_face *r, int k,
                                                    float u, float v, footpoint_detail_f_quad4_local *q)
 {
@@ -1624,7 +1637,7 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_begin(const footpoint_detail_f_quad
         footpoint_detail_f_quad4_look(r, footpoint_detail_f_clamp(q->f / (q->uu + 1.1754944e-38f)), v, q);
 }
 
-/* The least value of q0 + q1 t + q2 t^2 for t from lo to hi. */
+/* Returns the least value of q0 + q1 t + q2 t^2 for t from lo to hi. */
 FOOTPOINT_COLD float footpoint_detail_f_lowest(float q0, float q1, float q2, float lo, float hi)
 {
     const float t = q2 > 0.0f ? -0.5f * q1 / q2 : lo;
@@ -1633,8 +1646,8 @@ FOOTPOINT_COLD float footpoint_detail_f_lowest(float q0, float q1, float q2, flo
     return t > lo && t < hi ? q0 + t * (q1 + t * q2) : ends;
 }
 
-/* The least value of b (a0 + 2 a1 t + a2 t^2) - k^2 for t from 0 to end, where k = k0 + k1 t is < 0, and of the
- * first term elsewhere. */
+/* Returns the least value, for t from 0 to end, of b (a0 + 2 a1 t + a2 t^2) - k^2 if k = k0 + k1 t is < 0, and otherwise of the
+ * first term. */
 FOOTPOINT_COLD float footpoint_detail_f_quad4_lowest(float b, float a0, float a1, float a2, float k0,
                                                      float k1, float end)
 {
@@ -1650,8 +1663,8 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_lowest(float b, float a0, float a1
     return bent < least ? bent : least;
 }
 
-/* A number Q for footpoint_detail_f_quad4_sole, sharper than footpoint_detail_f_quad4_least_det: for each pair of signs
- * of s and t that leads into the segment, s t K and |s t| `grows` / 2 together: where their sum is positive, Q is A
+/* Returns a number Q for footpoint_detail_f_quad4_sole, sharper than footpoint_detail_f_quad4_least_det: for each pair of signs
+ * of s and t that leads into the segment, it takes s t K and |s t| `grows` / 2 together.  If their sum is positive, Q is A
  * times B; weight: of that sum, 1 or a little less. */
 FOOTPOINT_COLD float footpoint_detail_f_quad4_sharp_det(const footpoint_detail_f_quad4_local *q,
                                                         float grows, float weight)
@@ -1672,12 +1685,12 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_sharp_det(const footpoint_detail_f
     return least;
 }
 
-/* footpoint_detail_f_quad4_sole; or, if slack > 0, whether no point is nearer than q by more than `slack`.
+/* Proves footpoint_detail_f_quad4_sole; or, if slack > 0, that no point is nearer than q by more than `slack`.
  *
- * Rounding, u = 6e-8f, with what bounds |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
- * u of their lengths, a, b, c by 2 u first, second, turn, for which the shorter pair of edges serves, r_xi by 6 u
+ * Rounding, u = 6e-8f, with the bounds on |r_xi|, |r_eta|, |c| and |D|: first, second, turn, far.  Edges are off by
+ * u of their lengths, a, b, c by 2 u first, second, turn, computed from the shorter pair of edges, r_xi by 6 u
  * first, r_eta by 6 u second, D by 12 u far.  So slopes are off by 24 u first far and 24 u second far, products by
- * 15 u of what bounds the two, and `mixed` by 20 u (first second + far turn); Q, as |t| <= 2, by 600 u first second
+ * 15 u of the bounds of both factors, and `mixed` by 20 u (first second + far turn); Q, as |t| <= 2, by 600 u first second
  * times that. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_certain(const footpoint_detail_f_quad4_face *r,
                                                     const footpoint_detail_f_quad4_local *q,
@@ -1708,7 +1721,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_certain(const footpoint_detail_f_qua
     return !(footpoint_detail_f_quad4_sole(q, &bounds, promise, f, g, det) >> 31);
 }
 
-/* Whether the closest point is proved to be the apex of a triangle: an edge whose ends are the same, with q on it.
+/* Returns 1 if the closest point is proved to be the apex of a triangle: an edge whose ends coincide, with q on it.
  * All lines from there lie between the edges beside it, and if along both of these the distance grows, it does so
  * along all. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_apex(const footpoint_detail_f_quad4_face *r,
@@ -1735,7 +1748,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_apex(const footpoint_detail_f_quad4_
     return 0;
 }
 
-/* The nearest point that descents find, as q; its status.  A tie is proved, too: no point is nearer by more than
+/* Finds the nearest point by descents, as q, and its status.  A tie is proved, too: no point is nearer by more than
  * 3e-5f of the longest edge, and another, elsewhere in space, is not farther by more. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_seek(const footpoint_detail_f_quad4_face *r,
                                                  float y[5][3], float promise, float u, float v,
@@ -1766,7 +1779,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_seek(const footpoint_detail_f_quad4_
     return FOOTPOINT_UNPROVED;
 }
 
-/* The square of the distance at q with its sign, four times as long. */
+/* Returns the squared distance at q with its sign, in vectors four times as long. */
 FOOTPOINT_COLD float footpoint_detail_f_quad4_signed(const footpoint_detail_f_quad4_face *r,
                                                      const footpoint_detail_f_quad4_local *q)
 {
@@ -1786,8 +1799,8 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_signed(const footpoint_detail_f_qu
                                              footpoint_detail_f_quad4_region(q->u, q->v) ? 1.0f : 0.0f));
 }
 
-/* The answer where the quick way proves nothing, at = where that ended: once more in a unit of length in which the
- * segment is about 1 long, if it is far from that, then by descents.  at[2]: the distance. */
+/* Answers after the quick way has proved nothing and ended in `at`: in a unit of length in which the segment is about 1 long,
+ * if it is far from that, then by descents.  at[2]: the distance. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_proved_again(footpoint_detail_f_nearby *nearby,
                                                          const float *const *x, int scalable,
                                                          float promise, float at[3], int *region)
@@ -1829,7 +1842,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_proved_again(footpoint_detail_f_near
     return status;
 }
 
-/* A distance that no point of the segment is nearer than, for an answer `at` of that status: by slopes, or by the
+/* Returns a lower bound on the distance of the segment, for an answer `at` of that status: by slopes, or by the
  * ball about the corners. */
 FOOTPOINT_COLD float footpoint_detail_f_quad4_none_nearer(const float *const *x, float promise,
                                                           int status, const float at[3])
@@ -1857,7 +1870,7 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_none_nearer(const float *const *x,
                                       0.0f);
 }
 
-/* An answer, with the distance in at. */
+/* Finds an answer, with the distance in at. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_proved_closest(footpoint_detail_f_nearby *nearby,
                                                            const float *const *x, int scalable,
                                                            float promise, float at[3], int *region)
@@ -1869,7 +1882,7 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_proved_closest(footpoint_detail_f_ne
     return status;
 }
 
-/* Its answer to the caller, if there is one. */
+/* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_proved_answer(int status, const float at[3], int where,
                                                           float loc[2], float *dist, int *region)
 {
@@ -1878,7 +1891,7 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_proved_answer(int status, const floa
     return status;
 }
 
-/* Answers to n pairs; what the loop does not prove follows behind it. */
+/* Answers n pairs; pairs that the loop does not prove follow after it. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_proved_closest_n(
     footpoint_detail_f_nearby *nearby, size_t n, const float *const *x, int scalable, float promise,
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT dist,
@@ -1922,7 +1935,7 @@ typedef struct {
     int region, status;
 } footpoint_detail_f_quad4_candidate;
 
-/* An answer to rounding, if it is proved. */
+/* Refines an answer to rounding, if that is proved. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_refine(footpoint_detail_f_nearby *nearby,
                                                     const float *const *x, const float *xS, float promise,
                                                     footpoint_detail_f_quad4_candidate *c)
@@ -1939,8 +1952,8 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_refine(footpoint_detail_f_nearby *n
     *c = finer;
 }
 
-/* The nearest of n segments, and the side of the surface that they make.  FOOTPOINT_UNPROVED if another whose answer
- * is not proved may be nearer; where errors of two answers could hide which is nearer, both are refined. */
+/* Finds the nearest of n segments, and the side of their surface.  FOOTPOINT_UNPROVED if another segment without a proved
+ * answer may be nearer; if errors of two answers could hide which is nearer, both are refined. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_proved_closest_of(footpoint_detail_f_nearby *nearby,
                                                               size_t n, const float *const *x,
                                                               const float *xS, int scalable,
@@ -1948,7 +1961,7 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_proved_closest_of(footpoint_detail_f
                                                               int *region, size_t *which)
 {
     footpoint_detail_f_quad4_candidate best = {0, {0.0f, 0.0f, 0.0f}, 0.0f, 0, FOOTPOINT_ERR_DOMAIN};
-    float hidden = -1.0f; /* what no unproved one is nearer than; < 0: there is none */
+    float hidden = -1.0f; /* lower bound on the distances of unproved segments; < 0: all are proved */
     size_t i;
     for (i = 0; i < n; i++) {
         footpoint_detail_f_quad4_candidate c, loser;
@@ -1992,15 +2005,15 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_proved_closest_of(footpoint_detail_f
  * scaled by a power of 2. */
 #define FOOTPOINT_QUAD4_FLOAT_LEAST 2.3283064365386963e-10f
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
- *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
- *           there, or no number.  In float FOOTPOINT_UNPROVED stands for FOOTPOINT_OK if there is no NAME_PROMISE.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
- *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
- *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
+/* NAME_at:  computes xi and eta, dimensionless, without any check.
+ * NAME:     computes loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+ *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE (no normal
+ *           there, or a result is not finite).  In float without NAME_PROMISE, FOOTPOINT_UNPROVED replaces FOOTPOINT_OK.
+ * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ *           xi and eta must overlap nothing else.
+ * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
+ *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
 /* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
  * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
@@ -2009,35 +2022,35 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_proved_closest_of(footpoint_detail_f
  * segment: see NAME_closest.  NAME_at and NAME_n prove nothing. */
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
- *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+ *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
  *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
  *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
- *           within 3e-4f of the border of that.  So dist exceeds the least distance by NAME_PROMISE times the largest
- *           |r_xi| + |r_eta| at most.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 3e-5f of the
- *           longest edge, and another, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
- *           point that descents have found; so are all answers under -ffast-math.  Where two nodes are one point, xi or eta
- *           may be any number of the edge between them.
- *           Behind means (xS - r) . n < 0 for the segment's normal n at r or, where r_xi x r_eta is a thousand times shorter
- *           at r than at a thousandth (1/1024; float: 1/32) of the way to the middle, because an edge is collapsed, or
- *           almost, or an angle about 180 degrees, for the normal there.  At an edge or a corner xS is
- *           behind only by more than a small angle, 1e-12f (float: 1e-6f), and by more than rounding: a node beside a flat segment, in its
- *           plane, has dist > 0.  A sign is no contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of
- *           has dist < 0 for all segments there.
- *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if the segment has no area; and
- *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than the longest edge is long.
- * NAME_closest_from:  the same with the last answer, or NaN, in loc.  Down to promises of 1e-5f it begins there and falls back
- *           to NAME_closest if it proves nothing; finer ones begin anew, which is as fast.  region 1 to 8 is where xS leaves
- *           the segment: the edge or corner whose neighbour to search next.
- * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ *           within 3e-4f of the region's border.  So dist exceeds the least distance by at most NAME_PROMISE times the
+ *           largest |r_xi| + |r_eta|.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 3e-5f of the
+ *           longest edge, and another point, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
+ *           point that descents have found; under -ffast-math this is the status of all answers.  If two nodes coincide, xi or
+ *           eta may be any number of the edge between them.
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r.  If r_xi x r_eta at r is a thousand times shorter
+ *           than at a thousandth (1/1024; float: 1/32) of the way to the middle, as at a collapsed edge or at an angle of
+ *           about 180 degrees, n is the normal at the latter point.  At an edge or a corner xS is
+ *           behind only by more than a small angle, 1e-12f (float: 1e-6f), and by more than rounding: a node beside a flat
+ *           segment, in its plane, has dist > 0.  A negative sign is not yet contact: xS penetrates if dist < 0 and region
+ *           is 0, or if NAME_closest_of with all segments there has dist < 0.
+ *           On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if the segment has no area;
+ *           FOOTPOINT_ERR_DOMAIN if r is farther from xS than the longest edge.
+ * NAME_closest_from:  does the same from the last answer, or NaN, in loc.  Down to promises of 1e-5f it begins there and calls
+ *           NAME_closest if it proves nothing; finer promises begin anew, which is as fast.  region 1 to 8 is the edge or corner
+ *           at which xS leaves the segment: search the neighbour there next.
+ * NAME_closest_n:  does the same for n pairs, each with its status; on error the other results may be overwritten.
  * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
- *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
- *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
- *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
- *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
- *           are the same if their coordinates are.  FOOTPOINT_UNPROVED also if a segment whose answer is not proved may be
- *           nearer.  Where errors of loc could hide which of two segments is nearer, both are found to rounding.  Segments
- *           without an answer are passed over; if all are, the status is that of the last one, and FOOTPOINT_ERR_DOMAIN if
- *           n = 0. */
+ *           search for neighbours returns; which is its number.  dist < 0 behind the surface of the segments: at
+ *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that share it, each
+ *           times its angle there (Baerentzen and Aanaes 2005).  This is the side of a closed surface if all segments
+ *           at that edge or corner are among the n; otherwise it is the side of the given segments.  Nodes with
+ *           equal coordinates are the same node.  FOOTPOINT_UNPROVED also if a segment without a proved answer may be
+ *           nearer.  If errors of loc could hide which of two segments is nearer, both are found to rounding.  Segments
+ *           without an answer are skipped; if no segment has an answer, the status is the last segment's, and
+ *           FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 FOOTPOINT_PART unsigned int footpoint_quad4_float_fast_detail(const float xA[3], const float xB[3], const float xC[3],
                                                               const float xD[3], const float xS[3], float zero,
@@ -2411,7 +2424,8 @@ FOOTPOINT_PART unsigned int footpoint_quad4_float_accurate_detail(const float xA
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 0.031)
  *   rounding:       xi <= 3.9e-05 proved, 5e-06 sampled; eta <= 2.1e-05 proved, 2.7e-06 sampled (1000000 points)
  *   training_both:  genes 38 mean 5.347e-02
- *   heldout:        xi 5.327e-02 2.778e-01 4.769e-01, eta 5.346e-02 2.788e-01 4.327e-01, of 200000 samples
+ *   heldout:        xi 5.327e-02 2.778e-01 6.294e-01, eta 5.346e-02 2.788e-01 6.019e-01, of 200000 samples and
+ *     climbing
  *   vectorises:     -O3
  */
 #define FOOTPOINT_QUAD4_FLOAT_FAST_PROMISE 0.001f /* the largest error of xi and eta behind FOOTPOINT_OK */
@@ -2532,7 +2546,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *co
  *   poles:          t29: proved free of zeros, |t29| >= 1.1e+03 (rounding error <= 0.96)
  *   rounding:       xi 5e-06 sampled; eta 3.1e-06 sampled (1000000 points)
  *   training_both:  genes 98 mean 4.821e-03
- *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, of 200000 samples
+ *   heldout:        xi 4.809e-03 3.647e-02 4.159e-01, eta 4.808e-03 3.653e-02 3.860e-01, of 200000 samples and
+ *     climbing
  *   vectorises:     -O3
  */
 #define FOOTPOINT_QUAD4_FLOAT_COARSE_PROMISE 0.001f /* the largest error of xi and eta behind FOOTPOINT_OK */
@@ -2656,7 +2671,8 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *
  *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 2.4 (rounding error <= 0.17)
  *   rounding:       xi 1.3e-05 sampled; eta 1.7e-05 sampled (1000000 points)
  *   training_both:  genes 143 mean 1.266e-03
- *   heldout:        xi 1.257e-03 1.604e-02 1.483e-01, eta 1.254e-03 1.613e-02 1.093e-01, of 200000 samples
+ *   heldout:        xi 1.257e-03 1.604e-02 3.323e-01, eta 1.254e-03 1.613e-02 3.046e-01, of 200000 samples and
+ *     climbing
  *   vectorises:     -O3
  */
 #define FOOTPOINT_QUAD4_FLOAT_GAUSS2_PROMISE 0.001f /* the largest error of xi and eta behind FOOTPOINT_OK */
@@ -2780,7 +2796,8 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 1.6 (rounding error <= 0.67)
  *   rounding:       xi 1.4e-05 sampled; eta 1.4e-05 sampled (1000000 points)
  *   training_both:  genes 182 mean 1.914e-04
- *   heldout:        xi 1.919e-04 2.962e-03 9.525e-02, eta 1.913e-04 3.014e-03 6.392e-02, of 200000 samples
+ *   heldout:        xi 1.919e-04 2.962e-03 2.721e-01, eta 1.913e-04 3.014e-03 2.437e-01, of 200000 samples and
+ *     climbing
  *   vectorises:     -O3
  */
 #define FOOTPOINT_QUAD4_FLOAT_MEDIUM_PROMISE 0.001f /* the largest error of xi and eta behind FOOTPOINT_OK */
@@ -2906,7 +2923,8 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *
  *   rounding:       xi 1.8e-05 sampled; eta 8.9e-06 sampled (1000000 points)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 251 mean 1.688e-05
- *   heldout:        xi 1.779e-05 2.392e-04 3.578e-02, eta 1.746e-05 2.365e-04 2.206e-02, of 200000 samples
+ *   heldout:        xi 1.779e-05 2.392e-04 1.920e-01, eta 1.746e-05 2.365e-04 1.673e-01, of 200000 samples and
+ *     climbing
  *   vectorises:     -O3
  */
 #define FOOTPOINT_QUAD4_FLOAT_BALANCED_PROMISE 0.001f /* the largest error of xi and eta behind FOOTPOINT_OK */
@@ -3034,7 +3052,8 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float
  *   rounding:       xi 2.4e-05 sampled; eta 7e-06 sampled (1000000 points)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 335 mean 3.144e-07
- *   heldout:        xi 6.111e-07 3.482e-06 8.499e-03, eta 5.262e-07 3.221e-06 4.708e-03, of 200000 samples
+ *   heldout:        xi 6.111e-07 3.482e-06 1.481e-01, eta 5.262e-07 3.221e-06 1.140e-01, of 200000 samples and
+ *     climbing
  *   heldout_even:   xi 1.314e-06 5.111e-06 2.315e-02, eta 9.672e-07 4.345e-06 1.330e-02, of 50000 samples
  *   vectorises:     -O3
  */
@@ -3159,7 +3178,8 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   rounding:       xi 2.2e-05 sampled; eta 1.1e-05 sampled (1000000 points)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4
  *   training_both:  genes 365 mean 9.970e-09
- *   heldout:        xi 1.466e-07 9.331e-07 8.849e-04, eta 1.470e-07 9.129e-07 1.404e-03, of 200000 samples
+ *   heldout:        xi 1.466e-07 9.331e-07 1.011e-01, eta 1.470e-07 9.129e-07 8.335e-02, of 200000 samples and
+ *     climbing
  *   heldout_even:   xi 2.997e-07 1.176e-06 5.998e-03, eta 2.561e-07 1.153e-06 3.596e-03, of 50000 samples
  *   vectorises:     -O3
  */
@@ -3289,7 +3309,8 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float 
  *   rounding:       xi 1.6e-05 sampled; eta 1.3e-05 sampled (1000000 points)
  *   found_both:     seed 1 generations 110 islands 2 in scene quad4
  *   training_both:  genes 503 mean 8.790e-15
- *   heldout:        xi 1.234e-07 8.715e-07 1.084e-05, eta 1.230e-07 8.566e-07 7.502e-06, of 200000 samples
+ *   heldout:        xi 1.234e-07 8.715e-07 3.527e-02, eta 1.230e-07 8.566e-07 3.098e-02, of 200000 samples and
+ *     climbing
  *   vectorises:     -O3
  */
 #define FOOTPOINT_QUAD4_FLOAT_ACCURATE_PROMISE 1e-05f /* the largest error of xi and eta behind FOOTPOINT_OK */
@@ -3659,20 +3680,30 @@ FOOTPOINT_FN int footpoint_detail_f_quad4_excludes(const float k[6], const float
     return turn * k[0] > 0.0f && apart > 2.0f * FOOTPOINT_ALONG_PROMISE_F * bends + 3.0f * off * (2.0f + reach);
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside.  Where both are proved there is no other one. */
+/* Returns 1 if rounding errors may hide that p lies in the planes of the tangents everywhere. */
+FOOTPOINT_FN int footpoint_detail_f_quad4_edge_on(const float c1[3], const float c2[3],
+                                                  const float c3[3], const float p[3], const float k[6])
+{
+    const float off =
+        footpoint_detail_f_manhattan(p) * footpoint_detail_f_quad4_rounding(c1, c2, c3, c3, 40.0f);
+    const float a = footpoint_detail_f_manhattan(c1), b = footpoint_detail_f_manhattan(c2);
+    const float c = footpoint_detail_f_manhattan(c3);
+    return !(fabsf(k[0]) > off * (a + b) || fabsf(k[1]) > off * (a + c) ||
+             fabsf(k[2]) > off * (b + c));
+}
+
+/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
+ * other one. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_along_full(const float *const *x, const float p[3],
                                                        float at[3])
 {
-    float c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, wide, off;
+    float c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, off;
     int i, best, proved[2], could[2], inside[2], near = 0, surely = 0;
     footpoint_detail_f_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_f_quad4_brackets(c1, c2, c3, d, p, k);
     size =
         footpoint_detail_f_dot(c1, c1) + footpoint_detail_f_dot(c2, c2) + footpoint_detail_f_dot(c3, c3);
-    wide = footpoint_detail_f_manhattan(k);
-    if (footpoint_detail_f_bits(wide * wide -
-                                10.0f * 1e-9f * (size * size) * footpoint_detail_f_dot(p, p)) >>
-        31)
+    if (footpoint_detail_f_quad4_edge_on(c1, c2, c3, p, k))
         return FOOTPOINT_ERR_DEGENERATE;
     if (footpoint_detail_f_quad4_solve(c1, c2, c3, d, p, k, z, reach, proved) != FOOTPOINT_OK)
         return FOOTPOINT_ERR_DOMAIN;
@@ -3684,9 +3715,12 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_along_full(const float *const *x, co
         near += could[i] && reach[i] <= 1.0f + FOOTPOINT_ALONG_PROMISE_F;
         surely += could[i] && reach[i] < 1.0f - FOOTPOINT_ALONG_PROMISE_F;
     }
-    best = inside[0] == inside[1]
-               ? (inside[0] ? fabsf(z[1][2]) < fabsf(z[0][2]) : reach[1] < reach[0])
-               : inside[1];
+    if (inside[0] != inside[1])
+        best = inside[1];
+    else if (inside[0])
+        best = fabsf(z[1][2]) < fabsf(z[0][2]);
+    else
+        best = proved[0] == proved[1] ? reach[1] < reach[0] : proved[1];
     for (i = 0; i < 3; i++)
         at[i] = z[best][i];
     if ((could[0] && !proved[0]) || (could[1] && !proved[1]) || (near == 2 && surely < 2))
@@ -3729,15 +3763,16 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_along_again(const float *const *x, c
 
 /* footpoint_quad4_float_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  These are proved, rounding errors included: FOOTPOINT_OK, the line meets the
- *           surface at a point within FOOTPOINT_ALONG_PROMISE_F of loc, and the segment at no other one;
- *           FOOTPOINT_NOT_UNIQUE, it meets the segment more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE,
- *           it passes by, and the answer is where it meets the surface beyond the edges, to about as much.
- *           FOOTPOINT_UNPROVED: any of these, as where it nearly touches the segment.  loc and dist are untouched where it returns
- *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the edges
- *           is known;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
- *           FOOTPOINT_ERR_NOT_FINITE.
+ *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE_F of
+ *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
+ *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
+ *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
+ *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE_F.
+ *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
+ *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
+ *           edges is proved;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
+ *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_quad4_float_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_quad4_float_along(const float xA[3], const float xB[3], const float xC[3],
                                              const float xD[3], const float xS[3], const float along[3], float loc[2],

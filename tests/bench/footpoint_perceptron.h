@@ -38,9 +38,16 @@
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_APART static __attribute__((noinline, unused))
+#else
+#define FOOTPOINT_APART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
+#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
@@ -65,6 +72,13 @@
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
+#endif
+#endif
+#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
+#else
+#define FOOTPOINT_WHOLE FOOTPOINT_UNROLL
 #endif
 #endif
 #ifndef FOOTPOINT_RESTRICT
@@ -94,8 +108,8 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
- * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
+ * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -106,33 +120,33 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
- * instructions each where it knows them, else one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
+ * four instructions each instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
     return (double)zero;
 }
 
-/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+/* Tests that not 2^-512 <= |x| < 2^512: room for products of the parts of x, and half of all exponents. */
 FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
 {
     return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
 }
 
-/* If |x| < least. */
+/* Tests |x| < least. */
 FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
 }
 
-/* If |x| > most, or NaN. */
+/* Tests |x| > most, or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_above(double x, double most)
 {
     return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1);
 }
 
-/* If x is infinite or NaN. */
+/* Tests that x is infinite or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << (53 - 1));
@@ -141,7 +155,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 
 #ifndef FOOTPOINT_DETAIL_POWER
 #define FOOTPOINT_DETAIL_POWER
-/* |AB| to the power n: what goes as that is compared with what it is for |AB| = 1. */
+/* Returns |AB| to the power n, which scales a threshold for |AB| = 1. */
 FOOTPOINT_FN double footpoint_detail_power(const double a[3], const double b[3], int n)
 {
     const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2], square = x * x + y * y + z * z;
@@ -155,7 +169,7 @@ FOOTPOINT_FN double footpoint_detail_power(const double a[3], const double b[3],
 
 #ifndef FOOTPOINT_DETAIL_SCALE
 #define FOOTPOINT_DETAIL_SCALE
-/* 1 if all coordinates of n vectors are finite. */
+/* Returns 1 if all coordinates of n vectors are finite. */
 FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
 {
     unsigned long long infinite = 0;
@@ -166,8 +180,8 @@ FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
     return !(infinite >> 63);
 }
 
-/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
- * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+/* Scales nodes and slave node, the last of the vectors, to a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which come before the slave node, are copied.  Returns an error if they are not finite, or of no length. */
 FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3],
                                         int *exponent)
 {
@@ -183,7 +197,7 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
-    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may overflow */
     second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i < vectors; i++)
         for (j = 0; j < 3; j++)
@@ -191,10 +205,10 @@ FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int v
     return FOOTPOINT_OK;
 }
 
-/* Gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
- * > 0 open.  The highest bit of what it returns is set where u and v are parallel, so that there is no area and no
- * normal, where size, a sum of squares of edges, is not between least and 1 / least, and where something is not finite.
- * uu * vv: the product of the squares of what u and v are sums of, or more; these cancel far outside, where rounding makes a
+/* Computes the gap (9): d . n = (xS - r(xi,eta)) . n with the unit normal n = u x v / |...|, u = r_xi, v = r_eta there; mesh length,
+ * > 0 open.  The highest bit of the result is set if u and v are parallel, so that there is no area and no normal, if size, a
+ * sum of squares of edges, is not between least and 1 / least, or if a number is not finite.
+ * uu * vv: at least the product of the squares of the terms of u and v; these cancel far outside, so that rounding makes a
  * normal of nodes on a line. */
 FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3], const double v[3],
                                                               const double d[3], double uu, double vv, double size,
@@ -235,11 +249,10 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
 
 #ifndef FOOTPOINT_DETAIL_HEIGHT
 #define FOOTPOINT_DETAIL_HEIGHT
-/* Gap (9) of tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
- * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times 4 that of edges at most.
- * The highest bit of what it returns is not set if
- * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
- * is well within limits, and so is the square of n then, which is far from 0. */
+/* Computes the gap (9) from tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
+ * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times at most 4 times the square of edges.
+ * If the highest bit of the result is not set, footpoint_detail_KIND_gap() sets it neither: (xi,eta) is near enough that
+ * the square of u is less than 66 sizes, the size is well within limits, and so is the square of n, which is far from 0. */
 FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
                                                           double size, double per, double unit, double xi,
                                                           double eta,
@@ -259,7 +272,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], con
 
 #ifndef FOOTPOINT_QUAD4_SEARCH
 #define FOOTPOINT_QUAD4_SEARCH
-/* See footpoint_detail_normal_gap(); size is the sum of the squares of the edges. */
+/* Computes the gap; see footpoint_detail_normal_gap().  size is the sum of the squares of the edges. */
 FOOTPOINT_PART unsigned long long footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],
                                                        const double xD[3], const double xS[3], double xi, double eta,
                                                        double least, double *gap)
@@ -288,7 +301,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_gap(const double *const
     return footpoint_detail_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
 }
 
-/* The gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times one number, whose square is 4 / unit,
+/* Computes the gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times a number whose square is 4 / unit,
  * d = (xS - c0) / per, and ratio is 1 / per over that number. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3], const double b[3],
                                                               const double c[3], const double d[3], double size,
@@ -305,20 +318,19 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3],
 
 #ifndef FOOTPOINT_DETAIL_AGAIN
 #define FOOTPOINT_DETAIL_AGAIN
-/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; with way =
- * 0, in a loop over arrays, or 2, alone, if it is not good beyond doubt; with 1, in full, nothing is promised of xi and eta.
- * zero: see footpoint_detail_zero. */
+/* A checked search: x has the vectors of the call.  The highest bit of the result is set if the answer fails: with way = 0, in a loop
+ * over arrays, or 2, in a single call, if it is not good beyond doubt; with way = 1, in full, if there is no answer, without a
+ * promise for xi and eta.  zero: see footpoint_detail_zero. */
 typedef unsigned long long footpoint_detail_search(const double *const *x, int way, double zero, double *xi,
                                                    double *eta, double *gap);
 
-/* A status, but FOOTPOINT_UNPROVED instead of FOOTPOINT_OK of functions that prove nothing, which have promise < 0. */
+/* Returns a status, with FOOTPOINT_UNPROVED instead of FOOTPOINT_OK for functions that prove nothing, whose promise is < 0. */
 FOOTPOINT_PART int footpoint_detail_claim(int status, double promise)
 {
     return promise < 0.0 && status == FOOTPOINT_OK ? FOOTPOINT_UNPROVED : status;
 }
 
-/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
- * long; with nodes = 0 not. */
+/* Searches in full; if that fails and nodes > 0, also in a unit of length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const double *const *x,
                                           int nodes, int vectors, double loc[2], double *gap)
 {
@@ -335,7 +347,7 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
             return FOOTPOINT_ERR_DEGENERATE;
     }
     g = exponent ? ldexp(g, exponent) : g;
-    if (footpoint_detail_infinite(g) >> 63) /* a distance beyond all numbers */
+    if (footpoint_detail_infinite(g) >> 63) /* the distance overflows */
         return FOOTPOINT_ERR_DEGENERATE;
     loc[0] = xi;
     loc[1] = eta;
@@ -817,16 +829,213 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD4_ARRAYS
-#define FOOTPOINT_QUAD4_ARRAYS
-/* The search of NAME_at. */
-typedef unsigned long long footpoint_detail_quad4_search(const double xA[3], const double xB[3], const double xC[3],
-                                                         const double xD[3], const double xS[3], double zero,
-                                                         double *xi, double *eta);
+#ifndef FOOTPOINT_QUAD4_BOX_ANSWER
+#define FOOTPOINT_QUAD4_BOX_ANSWER
+#ifndef FOOTPOINT_OUTSIDE
+#define FOOTPOINT_OUTSIDE 1
+#endif
 
-FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *search, size_t n,
-                                             const double *const *x, double *FOOTPOINT_RESTRICT xi,
-                                             double *FOOTPOINT_RESTRICT eta)
+/* See footpoint_detail_quad4_gap(). */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_box_gap(const double *const *x, double xi, double eta,
+                                                                 double least, double *gap)
+{
+    return footpoint_detail_quad4_gap(x, xi, eta, least, gap);
+}
+
+/* The highest bit is not set if (xi,eta) is in the segment. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_box_beyond(double xi, double eta)
+{
+    return footpoint_detail_above(xi, 1.0) | footpoint_detail_above(eta, 1.0);
+}
+
+FOOTPOINT_PART double footpoint_detail_quad4_box_kept(double p)
+{
+    return p < -1.0 ? -1.0 : p < 1.0 ? p : 1.0;
+}
+
+/* Newton's steps from (*xi,*eta), up to four, until one is proved.  The highest bit of the result is not set if a minimum of the
+ * distance is proved to lie within `promise` of the answer, and the answer is in the segment. */
+FOOTPOINT_FN unsigned long long footpoint_detail_quad4_box_prove(const double *const *x, double promise,
+                                                                 double *xi, double *eta)
+{
+    unsigned long long doubt = (unsigned long long)1 << 63;
+    int k;
+    for (k = 0; k < 4 && doubt >> 63; k++)
+        doubt = footpoint_detail_quad4_newton(x, promise, xi, eta);
+    return doubt | footpoint_detail_quad4_box_beyond(*xi, *eta);
+}
+
+/* Whether a minimum of the distance on the closed segment is proved to lie within `promise` of `at`, on the edge that holds
+ * coordinate j at -1 or 1, and the distance falls beyond that edge.  *apart: the square of the distance, of vectors four times as long.
+ *
+ * Along the edge t, r_eta or r_xi, is constant, so that g = t . w is linear and its root within |g| / t . t; beyond an end where g leads
+ * outwards that end is the minimum.  Over e of the edge the slope across, n . w, changes by e (|c . w| + |n . t|) + e^2 |c . t| at
+ * most.  Rounding: see footpoint_detail_quad4_visit; slopes are off by 7 units of T |w| + W |t|, N |w| + W |n|, and what products of two
+ * errors make; t . t by 11 of T . T. */
+FOOTPOINT_COLD int footpoint_detail_quad4_box_border(const double *const *x, int j, double promise,
+                                                     const double at[2], double *apart)
+{
+    footpoint_detail_quad4_place r;
+    const double *const t = j ? r.u : r.v, *const n = j ? r.v : r.u;
+    const double *const T = j ? r.U : r.V, *const N = j ? r.V : r.U;
+    const double unit = 8.0 * 1.12e-16, free = at[1 - j];
+    double along, across, off, other, tt, error = 0.0, change;
+    footpoint_detail_quad4_visit(x, at[0], at[1], &r);
+    *apart = footpoint_detail_dot(r.w, r.w);
+    along = footpoint_detail_dot(t, r.w) * (free < 0.0 ? -1.0 : 1.0);
+    across = footpoint_detail_dot(n, r.w) * (at[j] < 0.0 ? -1.0 : 1.0);
+    off = unit * (footpoint_detail_weigh(T, r.w) + footpoint_detail_weigh(r.W, t) +
+                  1e-6 * footpoint_detail_dot(T, r.W));
+    other = unit * (footpoint_detail_weigh(N, r.w) + footpoint_detail_weigh(r.W, n) +
+                    1e-6 * footpoint_detail_dot(N, r.W));
+    off += fabs(free) >= 1.0 && along > 0.0 ? -along : fabs(along);
+    tt = footpoint_detail_dot(t, t);
+    if (off > 0.0) {
+        if (!(1e-3 * tt > 12.0 * 1.12e-16 * footpoint_detail_dot(T, T)))
+            return 0;
+        error = 1.01 * off / tt;
+    }
+    change = 1.01 * error *
+             (footpoint_detail_dot(r.C, r.W) + footpoint_detail_dot(N, T) +
+              error * footpoint_detail_dot(r.C, T));
+    return error <= 0.999 * promise && across > change + other + 2.2250738585072014e-308 &&
+           !(footpoint_detail_fast() >> 63);
+}
+
+/* The nearest of the proved minima on the edges; 0 if there is none. */
+FOOTPOINT_COLD int footpoint_detail_quad4_box_edges(const double *const *x, double promise, double at[2])
+{
+    double least = 0.0, apart;
+    int edge, k, found = 0;
+    for (edge = 0; edge < 4; edge++) {
+        const int j = edge / 2;
+        double to[2] = {0.0, 0.0};
+        to[j] = edge % 2 ? 1.0 : -1.0;
+        for (k = 0; k < 2; k++) { /* the second step removes rounding errors of the first */
+            footpoint_detail_quad4_place r;
+            const double *const t = j ? r.u : r.v;
+            double moved;
+            footpoint_detail_quad4_visit(x, to[0], to[1], &r);
+            moved = footpoint_detail_dot(t, r.w) / (footpoint_detail_dot(t, t) + 2.2250738585072014e-308);
+            to[1 - j] = footpoint_detail_quad4_box_kept(to[1 - j] + moved);
+        }
+        if (!footpoint_detail_quad4_box_border(x, j, promise, to, &apart) ||
+            (found && !(apart < least)))
+            continue;
+        found = 1;
+        least = apart;
+        at[0] = to[0];
+        at[1] = to[1];
+    }
+    return found;
+}
+
+/* Steps from `at` to a minimum in the segment; if they lead to one outside of it, or `anyway`, to one on an edge,
+ * FOOTPOINT_OUTSIDE.  y: as of footpoint_detail_quad4_repair, which goes on to 1e-5 as its steps stop at a hundredth of a
+ * promise. */
+FOOTPOINT_COLD int footpoint_detail_quad4_box_steps(double y[5][3], double promise, int anyway,
+                                                    double at[2])
+{
+    const double *const x[5] = {y[0], y[1], y[2], y[3], y[4]};
+    const double fine = promise < 1e-5 ? promise : 1e-5;
+    const int status = footpoint_detail_quad4_repair(y, fine, &at[0], &at[1]);
+    if (status == FOOTPOINT_OK && !(footpoint_detail_quad4_box_beyond(at[0], at[1]) >> 63))
+        return FOOTPOINT_OK;
+    if ((anyway || status == FOOTPOINT_OK) && footpoint_detail_quad4_box_edges(x, promise, at))
+        return FOOTPOINT_OUTSIDE;
+    return FOOTPOINT_UNPROVED;
+}
+
+/* Moves `at` into the segment: FOOTPOINT_OK if a minimum so little beyond it is proved that it is within `promise` of the answer. */
+FOOTPOINT_COLD int footpoint_detail_quad4_box_keep(double y[5][3], double promise, double at[2])
+{
+    const double *const x[5] = {y[0], y[1], y[2], y[3], y[4]};
+    int i, proved = !(footpoint_detail_quad4_prove(x, 0.4 * promise, &at[0], &at[1]) >> 63);
+    for (i = 0; i < 2; i++) {
+        const double kept = footpoint_detail_quad4_box_kept(at[i]);
+        proved = proved && fabs(at[i] - kept) <= 0.5 * promise;
+        at[i] = kept;
+    }
+    return proved ? FOOTPOINT_OK : FOOTPOINT_UNPROVED;
+}
+
+/* An answer from (*xi,*eta), or else from the middle, or from that of a quarter. */
+FOOTPOINT_COLD int footpoint_detail_quad4_box_repair(double y[5][3], double promise, double *xi,
+                                                     double *eta)
+{
+    double at[2], first[2] = {0.0, 0.0};
+    int k, i, status = FOOTPOINT_UNPROVED;
+    at[0] = footpoint_detail_quad4_box_kept(*xi);
+    at[1] = footpoint_detail_quad4_box_kept(*eta);
+    for (k = 0; k < 6 && status == FOOTPOINT_UNPROVED; k++) {
+        if (k > 0) {
+            at[0] = k == 1 ? 0.0 : k % 2 ? 0.5 : -0.5;
+            at[1] = k == 1 ? 0.0 : k > 3 ? 0.5 : -0.5;
+        }
+        status = footpoint_detail_quad4_box_steps(y, promise, k == 1, at);
+        for (i = 0; i < 2 && k == 0; i++)
+            first[i] = at[i];
+    }
+    if (status == FOOTPOINT_UNPROVED) {
+        status = footpoint_detail_quad4_box_keep(y, promise, first);
+        at[0] = first[0];
+        at[1] = first[1];
+    }
+    *xi = at[0];
+    *eta = at[1];
+    return status;
+}
+
+/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
+ * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
+FOOTPOINT_COLD int footpoint_detail_quad4_box_answer(footpoint_detail_search *search,
+                                                     const double *const *x, int nodes, double promise,
+                                                     double loc[2], double *gap)
+{
+    int status, exponent = 0, i;
+    double y[5][3], xi, eta, g;
+    const double *z[5];
+    unsigned long long doubt;
+    if (!(promise > 0.0))
+        return footpoint_detail_claim(footpoint_detail_again(search, x, nodes, 5, loc, gap),
+                                      promise);
+    status = footpoint_detail_scale(x, 4, 5, y, &exponent);
+    if (status != FOOTPOINT_OK)
+        return status;
+    doubt = search(x, 2, 0.0, &xi, &eta, &g);
+    if (doubt >> 63) {
+        for (i = 0; i < 5; i++)
+            z[i] = y[i];
+        if (nodes > 0 && (exponent > 32 || exponent < -32))
+            doubt = search(z, 2, 0.0, &xi, &eta, &g);
+        if (doubt >> 63) {
+            if (search(nodes > 0 ? z : x, 1, 0.0, &xi, &eta, &g) >> 63)
+                return FOOTPOINT_ERR_DEGENERATE;
+            status = footpoint_detail_quad4_box_repair(y, promise, &xi, &eta);
+            doubt = footpoint_detail_quad4_box_gap(z, xi, eta, 1e-6, &g);
+        }
+        g = ldexp(g, exponent);
+        if ((doubt | footpoint_detail_infinite(g)) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+    }
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return status;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_BOX_ARRAYS
+#define FOOTPOINT_QUAD4_BOX_ARRAYS
+/* The search of NAME_at. */
+typedef unsigned long long footpoint_detail_quad4_box_search(const double xA[3], const double xB[3],
+                                                             const double xC[3], const double xD[3],
+                                                             const double xS[3], double zero, double *xi,
+                                                             double *eta);
+
+FOOTPOINT_PART void footpoint_detail_quad4_box_n(footpoint_detail_quad4_box_search *search, size_t n,
+                                                 const double *const *x, double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
 {
     const double zero = footpoint_detail_zero();
     size_t i;
@@ -840,24 +1049,24 @@ FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *sear
 
 /* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
  * doubt is searched in full behind the loop. */
-FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
-                                                const double *const *row, int nodes, double promise,
-                                                double *xi, double *eta, double *gap, int *status)
+FOOTPOINT_PART void footpoint_detail_quad4_box_full(footpoint_detail_search *search,
+                                                    const double *const *row, int nodes, double promise,
+                                                    double *xi, double *eta, double *gap, int *status)
 {
     double loc[2];
     loc[0] = *xi;
     loc[1] = *eta;
-    *status = footpoint_detail_quad4_answer(search, row, nodes, promise, loc, gap);
+    *status = footpoint_detail_quad4_box_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
 }
 
-FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes, double promise,
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap,
-                                                     int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_PART void footpoint_detail_quad4_box_checked_n(footpoint_detail_search *search, size_t n,
+                                                         const double *const *x, int nodes, double promise,
+                                                         double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     size_t i;
@@ -877,19 +1086,18 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                        &status[i]);
+            footpoint_detail_quad4_box_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                            &status[i]);
         } else
             status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
 
-/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
- * is computed once. */
+/* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
 FOOTPOINT_PART void
-footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double promise,
-                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+footpoint_detail_quad4_box_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
+                                  const double *const *x, int nodes, double promise,
+                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     double c[4][3];
@@ -912,8 +1120,8 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
         if (status[i] != FOOTPOINT_OK) {
             const double s[3] = {x[0][i], x[1][i], x[2][i]};
             const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                        &status[i]);
+            footpoint_detail_quad4_box_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                            &status[i]);
         } else
             status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
@@ -927,7 +1135,7 @@ FOOTPOINT_FN double footpoint_detail_square_distance(const double a[3], const do
     return x * x + y * y + z * z;
 }
 
-/* Number of the corner nearest to s: 0..3, the first of equals. */
+/* Returns the number of the corner nearest to s: 0..3, the first among equals. */
 FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const *x, const double s[3])
 {
     double least = footpoint_detail_square_distance(x[0], s);
@@ -940,14 +1148,14 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const *x, const d
     return nearest;
 }
 
-/* 1 if |AD| > |AB| with corner k for A. */
+/* Returns 1 if |AD| > |AB| with corner k for A. */
 FOOTPOINT_FN int footpoint_detail_mirrored(const double *const *x, int k)
 {
     return footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
            footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
 }
 
-/* (u,v) of a segment that begins at corner k, as xi and eta. */
+/* Converts (u,v) of a segment that begins at corner k to xi and eta. */
 FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double *xi, double *eta)
 {
     *xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
@@ -959,15 +1167,21 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  * scaled by a power of 2. */
 #define FOOTPOINT_PERCEPTRON_LEAST 2.9387358770557188e-39
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
- *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
- *           there, or no number.  In float FOOTPOINT_UNPROVED stands for FOOTPOINT_OK if there is no NAME_PROMISE.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
- *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is < 0, xi, eta and gap say nothing.
- * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
- *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
+/* NAME_at:  computes xi and eta, dimensionless, without any check.
+ * NAME:     computes loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+ *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE (no normal
+ *           there, or a result is not finite).  In float without NAME_PROMISE, FOOTPOINT_UNPROVED replaces FOOTPOINT_OK.
+ * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ *           xi and eta must overlap nothing else.
+ * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
+ *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
+
+/* NAME and NAME_checked_n keep to the closed segment, |xi| <= 1 and |eta| <= 1.  FOOTPOINT_OK: a minimum of the distance to the
+ * surface is proved to lie within NAME_PROMISE, a macro, of (xi,eta).  FOOTPOINT_OUTSIDE: (xi,eta) lies on an edge or in a corner, and
+ * within NAME_PROMISE of a proved minimum of the distance to the closed segment, from which the distance falls beyond the border.  Both
+ * hold for any segment, rounding errors included.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where they ended;
+ * under -ffast-math nothing is proved.  NAME_at and NAME_n prove nothing, and assume the order of corners of the banner. */
 
 FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail(const double xA[3], const double xB[3],
                                                                        const double xC[3], const double xD[3],
@@ -1455,6 +1669,8 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail(const
  *     2.774e-01 max 3.417e+00
  *   vectorises:     -O3 -fno-math-errno
  */
+#define FOOTPOINT_PERCEPTRON_HIDDEN_8_PROMISE 1e-12 /* the largest error of xi and eta behind FOOTPOINT_OK */
+
 FOOTPOINT_FN void footpoint_perceptron_hidden_8_at(const double xA[3], const double xB[3], const double xC[3],
                                                    const double xD[3], const double xS[3], double *xi, double *eta)
 {
@@ -1480,7 +1696,9 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail_checked(c
 {
     unsigned long long flaw;
     flaw = footpoint_perceptron_hidden_8_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    if (way != 1)
+        flaw |= footpoint_detail_quad4_box_prove(x, FOOTPOINT_PERCEPTRON_HIDDEN_8_PROMISE, xi, eta);
+    flaw |= footpoint_detail_quad4_box_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
     (void)way;
     return flaw;
 }
@@ -1491,19 +1709,19 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_8(const double xA[3], const double 
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
     if (footpoint_perceptron_hidden_8_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_quad4_answer(footpoint_perceptron_hidden_8_detail_checked, x, 4, 0.0, loc,
-                                             gap);
+        return footpoint_detail_quad4_box_answer(footpoint_perceptron_hidden_8_detail_checked, x, 4, FOOTPOINT_PERCEPTRON_HIDDEN_8_PROMISE, loc,
+                                                 gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
-    return footpoint_detail_claim(FOOTPOINT_OK, 0.0);
+    return footpoint_detail_claim(FOOTPOINT_OK, FOOTPOINT_PERCEPTRON_HIDDEN_8_PROMISE);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_n(size_t n, const double *const x[15],
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_perceptron_hidden_8_detail, n, x, xi, eta);
+    footpoint_detail_quad4_box_n(footpoint_perceptron_hidden_8_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const double *const x[15],
@@ -1512,8 +1730,8 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const doub
                                                             double *FOOTPOINT_RESTRICT gap,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_8_detail_checked, n, x, 4, 0.0, xi, eta, gap,
-                                     status);
+    footpoint_detail_quad4_box_checked_n(footpoint_perceptron_hidden_8_detail_checked, n, x, 4, FOOTPOINT_PERCEPTRON_HIDDEN_8_PROMISE, xi, eta, gap,
+                                         status);
 }
 
 /* footpoint_perceptron_hidden_16
@@ -1543,6 +1761,8 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const doub
  *     1.437e+00 max 8.449e+00
  *   vectorises:     -O3 -fno-math-errno
  */
+#define FOOTPOINT_PERCEPTRON_HIDDEN_16_PROMISE 1e-12 /* the largest error of xi and eta behind FOOTPOINT_OK */
+
 FOOTPOINT_FN void footpoint_perceptron_hidden_16_at(const double xA[3], const double xB[3], const double xC[3],
                                                     const double xD[3], const double xS[3], double *xi, double *eta)
 {
@@ -1568,7 +1788,9 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_detail_checked(
 {
     unsigned long long flaw;
     flaw = footpoint_perceptron_hidden_16_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    if (way != 1)
+        flaw |= footpoint_detail_quad4_box_prove(x, FOOTPOINT_PERCEPTRON_HIDDEN_16_PROMISE, xi, eta);
+    flaw |= footpoint_detail_quad4_box_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
     (void)way;
     return flaw;
 }
@@ -1579,19 +1801,19 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_16(const double xA[3], const double
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
     if (footpoint_perceptron_hidden_16_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_quad4_answer(footpoint_perceptron_hidden_16_detail_checked, x, 4, 0.0, loc,
-                                             gap);
+        return footpoint_detail_quad4_box_answer(footpoint_perceptron_hidden_16_detail_checked, x, 4, FOOTPOINT_PERCEPTRON_HIDDEN_16_PROMISE, loc,
+                                                 gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
-    return footpoint_detail_claim(FOOTPOINT_OK, 0.0);
+    return footpoint_detail_claim(FOOTPOINT_OK, FOOTPOINT_PERCEPTRON_HIDDEN_16_PROMISE);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_n(size_t n, const double *const x[15],
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_perceptron_hidden_16_detail, n, x, xi, eta);
+    footpoint_detail_quad4_box_n(footpoint_perceptron_hidden_16_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const double *const x[15],
@@ -1600,8 +1822,8 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const dou
                                                              double *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_detail_checked, n, x, 4, 0.0, xi, eta, gap,
-                                     status);
+    footpoint_detail_quad4_box_checked_n(footpoint_perceptron_hidden_16_detail_checked, n, x, 4, FOOTPOINT_PERCEPTRON_HIDDEN_16_PROMISE, xi, eta, gap,
+                                         status);
 }
 
 /* footpoint_perceptron_hidden_16_16
@@ -1631,6 +1853,8 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const dou
  *     3.229e-01 max 4.303e+00
  *   vectorises:     -O3 -fno-math-errno
  */
+#define FOOTPOINT_PERCEPTRON_HIDDEN_16_16_PROMISE 1e-12 /* the largest error of xi and eta behind FOOTPOINT_OK */
+
 FOOTPOINT_FN void footpoint_perceptron_hidden_16_16_at(const double xA[3], const double xB[3], const double xC[3],
                                                        const double xD[3], const double xS[3], double *xi,
                                                        double *eta)
@@ -1657,7 +1881,9 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail_check
 {
     unsigned long long flaw;
     flaw = footpoint_perceptron_hidden_16_16_detail_nearest_shorter(x, zero, xi, eta);
-    flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
+    if (way != 1)
+        flaw |= footpoint_detail_quad4_box_prove(x, FOOTPOINT_PERCEPTRON_HIDDEN_16_16_PROMISE, xi, eta);
+    flaw |= footpoint_detail_quad4_box_gap(x, *xi, *eta, FOOTPOINT_PERCEPTRON_LEAST, gap);
     (void)way;
     return flaw;
 }
@@ -1669,19 +1895,19 @@ FOOTPOINT_FN int footpoint_perceptron_hidden_16_16(const double xA[3], const dou
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
     if (footpoint_perceptron_hidden_16_16_detail_checked(x, 2, 0.0, &xi, &eta, &g) >> 63)
-        return footpoint_detail_quad4_answer(footpoint_perceptron_hidden_16_16_detail_checked, x, 4, 0.0, loc,
-                                             gap);
+        return footpoint_detail_quad4_box_answer(footpoint_perceptron_hidden_16_16_detail_checked, x, 4, FOOTPOINT_PERCEPTRON_HIDDEN_16_16_PROMISE, loc,
+                                                 gap);
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
-    return footpoint_detail_claim(FOOTPOINT_OK, 0.0);
+    return footpoint_detail_claim(FOOTPOINT_OK, FOOTPOINT_PERCEPTRON_HIDDEN_16_16_PROMISE);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_n(size_t n, const double *const x[15],
                                                         double *FOOTPOINT_RESTRICT xi,
                                                         double *FOOTPOINT_RESTRICT eta)
 {
-    footpoint_detail_quad4_n(footpoint_perceptron_hidden_16_16_detail, n, x, xi, eta);
+    footpoint_detail_quad4_box_n(footpoint_perceptron_hidden_16_16_detail, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_checked_n(size_t n, const double *const x[15],
@@ -1690,8 +1916,8 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_checked_n(size_t n, const 
                                                                 double *FOOTPOINT_RESTRICT gap,
                                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_checked_n(footpoint_perceptron_hidden_16_16_detail_checked, n, x, 4, 0.0, xi, eta, gap,
-                                     status);
+    footpoint_detail_quad4_box_checked_n(footpoint_perceptron_hidden_16_16_detail_checked, n, x, 4, FOOTPOINT_PERCEPTRON_HIDDEN_16_16_PROMISE, xi, eta, gap,
+                                         status);
 }
 
 #ifndef FOOTPOINT_DETAIL_ALONG
@@ -1946,20 +2172,30 @@ FOOTPOINT_FN int footpoint_detail_quad4_excludes(const double k[6], const double
     return turn * k[0] > 0.0 && apart > 2.0 * FOOTPOINT_ALONG_PROMISE * bends + 3.0 * off * (2.0 + reach);
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside.  Where both are proved there is no other one. */
+/* Returns 1 if rounding errors may hide that p lies in the planes of the tangents everywhere. */
+FOOTPOINT_FN int footpoint_detail_quad4_edge_on(const double c1[3], const double c2[3],
+                                                const double c3[3], const double p[3], const double k[6])
+{
+    const double off =
+        footpoint_detail_manhattan(p) * footpoint_detail_quad4_rounding(c1, c2, c3, c3, 40.0);
+    const double a = footpoint_detail_manhattan(c1), b = footpoint_detail_manhattan(c2);
+    const double c = footpoint_detail_manhattan(c3);
+    return !(fabs(k[0]) > off * (a + b) || fabs(k[1]) > off * (a + c) ||
+             fabs(k[2]) > off * (b + c));
+}
+
+/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
+ * other one. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
-    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, wide, off;
+    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], size, off;
     int i, best, proved[2], could[2], inside[2], near = 0, surely = 0;
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
     size =
         footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
-    wide = footpoint_detail_manhattan(k);
-    if (footpoint_detail_bits(wide * wide -
-                              10.0 * 1e-20 * (size * size) * footpoint_detail_dot(p, p)) >>
-        63)
+    if (footpoint_detail_quad4_edge_on(c1, c2, c3, p, k))
         return FOOTPOINT_ERR_DEGENERATE;
     if (footpoint_detail_quad4_solve(c1, c2, c3, d, p, k, z, reach, proved) != FOOTPOINT_OK)
         return FOOTPOINT_ERR_DOMAIN;
@@ -1971,9 +2207,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
         near += could[i] && reach[i] <= 1.0 + FOOTPOINT_ALONG_PROMISE;
         surely += could[i] && reach[i] < 1.0 - FOOTPOINT_ALONG_PROMISE;
     }
-    best = inside[0] == inside[1]
-               ? (inside[0] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0])
-               : inside[1];
+    if (inside[0] != inside[1])
+        best = inside[1];
+    else if (inside[0])
+        best = fabs(z[1][2]) < fabs(z[0][2]);
+    else
+        best = proved[0] == proved[1] ? reach[1] < reach[0] : proved[1];
     for (i = 0; i < 3; i++)
         at[i] = z[best][i];
     if ((could[0] && !proved[0]) || (could[1] && !proved[1]) || (near == 2 && surely < 2))
@@ -2016,15 +2255,16 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
 
 /* footpoint_perceptron_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
  *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  These are proved, rounding errors included: FOOTPOINT_OK, the line meets the
- *           surface at a point within FOOTPOINT_ALONG_PROMISE of loc, and the segment at no other one;
- *           FOOTPOINT_NOT_UNIQUE, it meets the segment more than once, the nearest point is the answer; FOOTPOINT_OUTSIDE,
- *           it passes by, and the answer is where it meets the surface beyond the edges, to about as much.
- *           FOOTPOINT_UNPROVED: any of these, as where it nearly touches the segment.  loc and dist are untouched where it returns
- *           FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the edges
- *           is known;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment; and
- *           FOOTPOINT_ERR_NOT_FINITE.
+ *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE of
+ *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
+ *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
+ *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
+ *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE.
+ *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
+ *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
+ *           edges is proved;
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
+ *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_perceptron_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_perceptron_along(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], const double along[3],
