@@ -934,9 +934,9 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_stage(const footpoint_d
 }
 
 /* From (*s,*t) up to two such steps, each with a matrix of its own, until one is proved; seldom needed. */
-FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
-                                                                const footpoint_detail_quad4_scales *e,
-                                                                double promise, double *s, double *t)
+FOOTPOINT_APART unsigned long long footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
+                                                                 const footpoint_detail_quad4_scales *e,
+                                                                 double promise, double *s, double *t)
 {
     unsigned long long doubt = footpoint_detail_infinite(*s + *t);
     int k;
@@ -1112,8 +1112,9 @@ FOOTPOINT_PART void footpoint_detail_quad4_from_n(footpoint_detail_quad4_name *n
     double u[footpoint_detail_quad4_span], v[footpoint_detail_quad4_span];
     size_t first, i;
     for (first = 0; first < n; first += footpoint_detail_quad4_span) {
-        const size_t m =
-            n - first < footpoint_detail_quad4_span ? n - first : footpoint_detail_quad4_span;
+        const size_t m = n - first < (size_t)footpoint_detail_quad4_span
+                             ? n - first
+                             : (size_t)footpoint_detail_quad4_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {
@@ -1176,8 +1177,9 @@ footpoint_detail_quad4_from_over_n(footpoint_detail_quad4_name *name, const doub
         for (j = 0; j < 3; j++)
             c[k][j] = segment[k][j];
     for (first = 0; first < n; first += footpoint_detail_quad4_span) {
-        const size_t m =
-            n - first < footpoint_detail_quad4_span ? n - first : footpoint_detail_quad4_span;
+        const size_t m = n - first < (size_t)footpoint_detail_quad4_span
+                             ? n - first
+                             : (size_t)footpoint_detail_quad4_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {

@@ -884,8 +884,9 @@ FOOTPOINT_PART void footpoint_detail_quad8_from_n(footpoint_detail_quad8_name *n
     double u[footpoint_detail_quad8_span], v[footpoint_detail_quad8_span];
     size_t first, i;
     for (first = 0; first < n; first += footpoint_detail_quad8_span) {
-        const size_t m =
-            n - first < footpoint_detail_quad8_span ? n - first : footpoint_detail_quad8_span;
+        const size_t m = n - first < (size_t)footpoint_detail_quad8_span
+                             ? n - first
+                             : (size_t)footpoint_detail_quad8_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {
@@ -951,8 +952,9 @@ footpoint_detail_quad8_from_over_n(footpoint_detail_quad8_name *name, const doub
         for (j = 0; j < 3; j++)
             c[k][j] = segment[k][j];
     for (first = 0; first < n; first += footpoint_detail_quad8_span) {
-        const size_t m =
-            n - first < footpoint_detail_quad8_span ? n - first : footpoint_detail_quad8_span;
+        const size_t m = n - first < (size_t)footpoint_detail_quad8_span
+                             ? n - first
+                             : (size_t)footpoint_detail_quad8_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {

@@ -869,8 +869,9 @@ FOOTPOINT_PART void footpoint_detail_tri6_from_n(footpoint_detail_tri6_name *nam
     double u[footpoint_detail_tri6_span], v[footpoint_detail_tri6_span];
     size_t first, i;
     for (first = 0; first < n; first += footpoint_detail_tri6_span) {
-        const size_t m =
-            n - first < footpoint_detail_tri6_span ? n - first : footpoint_detail_tri6_span;
+        const size_t m = n - first < (size_t)footpoint_detail_tri6_span
+                             ? n - first
+                             : (size_t)footpoint_detail_tri6_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {
@@ -936,8 +937,9 @@ footpoint_detail_tri6_from_over_n(footpoint_detail_tri6_name *name, const double
         for (j = 0; j < 3; j++)
             c[k][j] = segment[k][j];
     for (first = 0; first < n; first += footpoint_detail_tri6_span) {
-        const size_t m =
-            n - first < footpoint_detail_tri6_span ? n - first : footpoint_detail_tri6_span;
+        const size_t m = n - first < (size_t)footpoint_detail_tri6_span
+                             ? n - first
+                             : (size_t)footpoint_detail_tri6_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {

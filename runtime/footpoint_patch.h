@@ -32,8 +32,8 @@ enum footpoint_patch {
  *          FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
 int footpoint_patch_locate(enum footpoint_patch patch, const double *x, double loc[2], double *gap);
 
-/** Calls footpoint_patch_locate for n pairs of a slave node and a segment, with the same bits, using AVX-512 or AVX2 if
- *  available.
+/** Does the same for n pairs of a slave node and a segment, using AVX-512 or AVX2 if available.  Answers differ from
+ *  footpoint_patch_locate's within the promises, and may be proved where those are not.
  *  @param[in]  xyz, normals  nodes x 3: coordinates, mesh length, and unit normals
  *  @param[in]  seg     n x 4 node indices, from 0
  *  @param[in]  slave   n node indices

@@ -57,9 +57,9 @@ scene 's/max_length = 30/max_length = 30; budget = 0.5/'; refused 'budget below 
 mesh() { sed 's|^shapes.*|mesh: { file = "m.inp"; distance = '"$1"'; };|' tests/scenes/small.scene > "$work/s.scene"; }
 mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: cannot read mesh file '$work/m.inp'"
 cp tests/meshes/wedges.inp "$work/m.inp"; mesh 0.5
-sed -i 's/^S_BOTTOM, S2/PLANE, S1/' "$work/m.inp"
-expect 'a master face on a plane element' 1 '' '*' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
-grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface has type CPS8R without known faces; it must be a solid, shell or membrane" \
+sed -i 's/^S_BOTTOM, S2/BEAM, S1/' "$work/m.inp"
+expect 'a master face on a beam' 1 '' '*' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
+grep -q "^$work/m.inp:$(grep -n 'BEAM, S1' "$work/m.inp" | head -1 | cut -d : -f 1): error: element 10 of a master surface has type B32R without known faces; it must be a solid, shell or membrane" \
     "$work/stderr"; report $((! $?)) 'is refused where its surface names it, with what is supported'
 
 # Among beams, masses and springs: master faces of two kinds, between which the scene chooses.

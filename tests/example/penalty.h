@@ -8,7 +8,7 @@
 
 #ifndef HEADER /* a generated header and a function of it */
 #define HEADER "../../generated/footpoint_quad4.h"
-#define LOCATE footpoint_quad4_balanced
+#define LOCATE footpoint_quad4_fine
 #endif
 #include HEADER
 

@@ -57,8 +57,9 @@ FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *nam
     REAL u[footpoint_detail_KIND_span], v[footpoint_detail_KIND_span];
     size_t first, i;
     for (first = 0; first < n; first += footpoint_detail_KIND_span) {
-        const size_t m =
-            n - first < footpoint_detail_KIND_span ? n - first : footpoint_detail_KIND_span;
+        const size_t m = n - first < (size_t)footpoint_detail_KIND_span
+                             ? n - first
+                             : (size_t)footpoint_detail_KIND_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {
@@ -118,8 +119,9 @@ footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *
         for (j = 0; j < 3; j++)
             c[k][j] = segment[k][j];
     for (first = 0; first < n; first += footpoint_detail_KIND_span) {
-        const size_t m =
-            n - first < footpoint_detail_KIND_span ? n - first : footpoint_detail_KIND_span;
+        const size_t m = n - first < (size_t)footpoint_detail_KIND_span
+                             ? n - first
+                             : (size_t)footpoint_detail_KIND_span;
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {

@@ -110,9 +110,9 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_stage(const footpoint_detail_qua
 }
 
 /* From (*s,*t) up to two such steps, each with a matrix of its own, until one is proved; seldom needed. */
-FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
-                                                       const footpoint_detail_quad4_scales *e,
-                                                       REAL promise, REAL *s, REAL *t)
+FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
+                                                        const footpoint_detail_quad4_scales *e,
+                                                        REAL promise, REAL *s, REAL *t)
 {
     REAL_BITS doubt = footpoint_detail_infinite(*s + *t);
     int k;
