@@ -67,10 +67,12 @@ FOOTPOINT_PART void footpoint_detail_KIND_handles(const footpoint_detail_bent *t
     }
 }
 
-/* Rounding, of d* the longest edge, w >= 2.98 the largest quotient of an edge and a handle along it, M = w^2 d*: handles are off by 2.9 u of
- * their edge, the projections k b, l b of the other handle by (3.9 w + 6.2) u d* <= 2 u M, so that what edges make is off by 43 u M and less
- * than 2.1 M, `inner` by 3.1 u M and less than 0.14 M.  With their factors and the twists that makes 8, 40 and 980 u M in d, tangents and
- * second derivatives.
+/* Rounding, of d* the longest edge, w >= 2.98 the largest quotient of an edge and a handle along it, M = w^2 d*, u a unit of rounding.
+ * Handles are off by 3.4 u of their edge, 4 u where normals are rounded, and b / |b|^2, as inversion keeps angles, by that times w / |b|.
+ * Of what an edge makes, less than 1.9 M, `l * middle` is off by 41 u M, products with k and the others by 5 u M each, the sum by 8 u M:
+ * 73 u M, 84 where normals are rounded.  `inner` is 1/64 of four of these: 5.6 u M, less than 0.13 M.  In d, factors add up to 1.93, and
+ * twists of 168 u M weigh 0.03: 16, and 4 u M of products.  In tangents 5.6 and 0.08: 45, and 14 u M.  In second derivatives 16 and 0.6: 190,
+ * 330 of weights at x + y = 0.01, and 30 u M.  In units of 1.5 u, which count, 14, 50 and 980 M are more than that.
  *
  * Third derivatives of what `inner` makes, up to 1/8 beside the patch, are bounded term by term, of w = 1 - p^2: its first derivative by 2.25,
  * its second by 2, those of p w by 2.8, 6.75 and 6. */
@@ -122,8 +124,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n, footpoint_
     t->net.third[0] += 13.5 * sums[0] + 42.0 * sums[1] + 26.4 * sums[2] + 59.1 * sums[3];
     t->net.third[1] += 13.5 * sums[0] + 26.4 * sums[1] + 42.0 * sums[2] + 59.1 * sums[3];
     most *= 0.34 * longest;
-    t->net.place += 3.0 * t->net.base + 8.0 * most;
-    t->net.turn += 6.0 * t->net.base + 40.0 * most;
+    t->net.place += 3.0 * t->net.base + 14.0 * most;
+    t->net.turn += 6.0 * t->net.base + 50.0 * most;
     t->net.far += 0.1 * t->net.base + 3.5 * most;
 }
 
