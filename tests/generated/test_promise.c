@@ -1,10 +1,11 @@
 /* What functions of four-node faces promise: where they say FOOTPOINT_OK a minimum of the distance lies within NAME_PROMISE of xi
- * and eta, on the families of hard cases and on faces that moving edges sweep, alone and in arrays; some of each, many with FOOTPOINT_LONG.
- * Functions that keep to the closed face promise as much of a minimum at its border where they say FOOTPOINT_OUTSIDE.  The judge
- * takes Newton's steps in quadruple precision and shares no code with what it judges. */
+ * and eta, on ordinary faces, on the families of hard cases and on faces that moving edges sweep, alone and in arrays; some of
+ * each, many with FOOTPOINT_LONG.  Functions that keep to the closed face promise as much of a minimum at its border where they
+ * say FOOTPOINT_OUTSIDE.  The judge takes Newton's steps in quadruple precision and shares no code with what it judges. */
 #include "../../runtime/footpoint.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
+#include "../support/ordinary_quad.h"
 #include "header_functions.h"
 
 #include <math.h>
@@ -21,7 +22,7 @@
 
 __extension__ typedef __float128 wide;
 
-enum { CASES = 100, CASES_LONG = 20000, STEPS = 60, SWEPT_LEAST = 80, LATTICE_LEAST = 99 };
+enum { CASES = 100, CASES_LONG = 20000, STEPS = 60, SWEPT_LEAST = 80, LATTICE_LEAST = 99, ORDINARY_LEAST = 99 };
 
 /* Whether answers keep to the closed face: where the scene assumes an order of its corners. */
 static bool is_kept(const struct header_function *f)
@@ -52,6 +53,13 @@ static void draw_swept(uint64_t *stream, struct hard_case *h)
     const double along = draw_flat(stream, 0, 1);
     for (int i = 0; i < 3; i++)
         h->x[4][i] = h->x[0][i] + along * (h->x[1][i] - h->x[0][i]) + step * draw_flat(stream, -1, 1);
+}
+
+static void draw_ordinary(uint64_t *stream, struct hard_case *h)
+{
+    const struct quad q = quad_draw(&quad_ordinary, draw_next(stream));
+    memcpy(h->x, q.x, sizeof q.x);
+    memcpy(h->x[4], q.xs, sizeof q.xs);
 }
 
 /* A face of the paper's lattice, distorted far, with the foot point inside. */
@@ -219,6 +227,15 @@ static void test_swept(void **state)
             judge_drawn(&header_functions[i], "swept", draw_swept, 10 * cases(&header_functions[i]), SWEPT_LEAST);
 }
 
+static void test_ordinary(void **state)
+{
+    const long n = getenv("FOOTPOINT_LONG") ? 10 * CASES_LONG : CASES;
+    (void)state;
+    for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
+        if (is_judged(&header_functions[i]) && !is_kept(&header_functions[i]))
+            judge_drawn(&header_functions[i], "ordinary", draw_ordinary, n, ORDINARY_LEAST);
+}
+
 static void test_lattice(void **state)
 {
     (void)state;
@@ -270,10 +287,8 @@ static void test_arrays(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hard),
-        cmocka_unit_test(test_swept),
-        cmocka_unit_test(test_lattice),
-        cmocka_unit_test(test_arrays),
+        cmocka_unit_test(test_hard),    cmocka_unit_test(test_ordinary), cmocka_unit_test(test_swept),
+        cmocka_unit_test(test_lattice), cmocka_unit_test(test_arrays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
