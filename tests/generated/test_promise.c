@@ -130,13 +130,18 @@ static bool is_near(const wide z[2], const double loc[2], double within)
     return size_of(z[0] - loc[0]) <= within && size_of(z[1] - loc[1]) <= within;
 }
 
-/* Whether an answer that is OK is as near to a minimum as promised; from an answer that was moved to the border, steps may lead
- * elsewhere, but not from near the minimum. */
+/* Whether an answer that is OK is as near to a minimum as promised.  From an answer that was moved to the border, steps may lead
+ * elsewhere, but not from near the minimum, or from the lowest point of a line of constant eta or xi near it, as valleys may be
+ * narrow. */
 static bool holds(const struct header_function *f, const struct hard_case *h, const double loc[2])
 {
     const double unit = fmax(1, fmax(fabs(loc[0]), fabs(loc[1])));
-    for (int k = 0; k < (is_kept(f) ? 9 : 1); k++) {
-        wide z[2] = {loc[0] + (k % 3 ? k % 3 - 1.5 : 0) * f->promise, loc[1] + (k / 3 ? k / 3 - 1.5 : 0) * f->promise};
+    for (int k = 0; k < (is_kept(f) ? 27 : 1); k++) {
+        const int i = k % 3, j = k / 3 % 3, line = k / 9;
+        wide z[2] = {loc[0] + (i ? i - 1.5 : 0) * f->promise, loc[1] + (j ? j - 1.5 : 0) * f->promise}, g[2], H[3];
+        slopes(h, z, g, H);
+        if (line && H[2 * line - 2] > 0)
+            z[line - 1] += g[line - 1] / H[2 * line - 2];
         if (minimum_near(h, z) && is_near(z, loc, f->promise * unit))
             return !is_kept(f) || unit == 1;
     }
