@@ -33,7 +33,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             words="$words $name"
         done
         closest="inward ${nearest}_nearest fan closest_again closest_arrays closest_surface closest_of"
-        [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
+        [ "$kind" != quad4 ] || closest="quad4_surface inward fan closest_surface corners"
         [ "$kind" != tri3 ] || closest="inward tri3_nearest tri3_found ${closest#* * } tri3_sure proved_closest_arrays"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
