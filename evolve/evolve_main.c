@@ -1,6 +1,6 @@
-/* footpoint-evolve: expressions for the foot point, bred on islands over MPI (the paper's pd-LinearGP).  A scene gives
- * samples and tiers, frames give the values that expressions are made of, the start file gives the champions to beat.
- * Each output of each tier has a ring of islands. */
+/* footpoint-evolve: breeds expressions for the foot point on islands over MPI (the paper's pd-LinearGP). A scene
+ * defines samples and tiers, frames define the values that expressions use, and the start file contains the champions
+ * to beat. Each output of each tier has a ring of islands. */
 #include "../codegen/base/console.h"
 #include "common/stop.h"
 #include "input/scene_print.h"
@@ -15,7 +15,8 @@
 #include <malloc.h>
 #endif
 
-/* A run goes on where a checkpoint tells; its options are the checkpoint's and, over them, those given.  Collective. */
+/* Evolves from the start, or from the checkpoint to be resumed, whose options apply unless others are given.
+ * Collective. */
 static bool evolve(int argc, char **argv, const struct evolve_options *given, const struct team *team, int *status,
                    struct diag *d)
 {
@@ -36,7 +37,8 @@ static bool evolve(int argc, char **argv, const struct evolve_options *given, co
     return good;
 }
 
-/* Tables of samples come and go: their memory is kept, as getting it anew costs more than what is computed in it. */
+/* Keeps freed memory. Tables of samples are allocated and freed often; fresh pages would cost more than the
+ * computation. */
 static void keep_memory(void)
 {
 #ifdef __GLIBC__

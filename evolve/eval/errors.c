@@ -1,4 +1,4 @@
-/* Means, 99 % and maxima of errors; see errors.h. */
+/* Mean, 99 % and largest errors; see errors.h. */
 #include "errors.h"
 
 #include "../../codegen/base/simd.h"
@@ -47,7 +47,7 @@ WIDE bool errors_p99_within(const double *absolute, size_t n, double most)
     return within > place_of_p99(n);
 }
 
-/* What the 99 % is not below, as a few of the errors show; 0 where they mislead. */
+/* Returns a lower bound of the 99 % error, estimated from 512 of the errors; 0 if the estimate fails. */
 static double below_p99(const double *absolute, size_t n)
 {
     enum { FEW = 512 };
@@ -87,7 +87,7 @@ void tally_open(struct tally *t, size_t most)
     t->largest = new_array(t->most, sizeof *t->largest);
 }
 
-/* Puts an error into the heap at or below the free place `at`. */
+/* Sifts an error into the heap, upwards from the free place `at`. */
 static void sift(struct tally *t, size_t at, struct largest e)
 {
     for (size_t child; (child = 2 * at + 1) < t->kept; at = child) {

@@ -5,32 +5,32 @@
 #include "../genotype/genotype.h"
 #include "../surface/sample.h"
 
-/** Statistics of |value - reference|; all dimensionless, as xi and eta are. */
+/** Statistics of |value - reference|; dimensionless, like xi and eta. */
 struct errors {
     size_t n;
-    double mean, p99, max; /* infinite if a value is not finite */
-    double climbed; /* the largest, that of climbing from the worst samples, too (write/climb.h); 0: not climbed */
-    double band[GAP_BANDS]; /* means in the bands of |gap|; -1: no sample; of expressions on segments */
+    double mean, p99, max;  /* infinite if a value is not finite */
+    double climbed;         /* largest, including climbing from the worst samples (write/climb.h); 0: not climbed */
+    double band[GAP_BANDS]; /* means in the bands of |gap|; -1: no sample in the band */
 };
 
-/** value[i] = |value[i] - reference[i]|, INFINITY where that is not a number. */
+/** Overwrites value[i] with |value[i] - reference[i]|, or INFINITY if that is not a number. */
 void errors_absolute(double *value, const double *reference, size_t n);
 double errors_max(const double *absolute, size_t n);
-/** The ceil(0.99 n)-th smallest; overwrites absolute[]. */
+/** Returns the ceil(0.99 n)-th smallest of `absolute`, which it overwrites. */
 double errors_p99(double *absolute, size_t n);
-/** The same, or `least` where it is no more than that. */
+/** Returns the larger of `least` and errors_p99(absolute, n). */
 double errors_p99_above(double *absolute, size_t n, double least);
-/** Whether it is no more than `most`. */
+/** Returns true if the 99 % error is at most `most`. */
 bool errors_p99_within(const double *absolute, size_t n, double most);
 
-/** Running statistics of errors: keeps sums and the largest errors only. */
+/** Running statistics of errors, in memory that grows only with the hundredth part that is kept. */
 struct tally {
-    size_t n, most; /* how many have come, and will come at most */
+    size_t n, most; /* errors added, and the most that may be added */
     double sum, band[GAP_BANDS];
     size_t in_band[GAP_BANDS];
-    struct largest { /* owned: a heap, the least first, of the largest hundredth and at least TALLY_WORST */
+    struct largest { /* owned heap of the largest hundredth, at least TALLY_WORST; the least comes first */
         double error;
-        size_t sample; /* its number */
+        size_t sample; /* index of the sample */
     } * largest;
     size_t kept;
 };
@@ -43,20 +43,20 @@ void tally_sort(struct tally *t);
 /** Returns the statistics and frees the tally. */
 struct errors tally_close(struct tally *t);
 
-/** Expressions of a program, t[i] for output[i] (0 is xi, 1 is eta), and the tallies of their errors. */
+/** Expressions of a program, and the tallies of their errors; output[i] of t[i] is 0 for xi, 1 for eta. */
 struct measurement {
     const struct genome_file *program; /* not owned, as is: */
     const struct genes *t;
     const int *output;
     size_t trees;
-    struct tally *tally; /* owned, by expression */
-    bool single;         /* errors are those in float */
+    struct tally *tally; /* owned, indexed by expression */
+    bool single;         /* evaluated in float */
 };
 struct measurement measurement_open(const struct genome_file *program, const struct genes *t, const int *output,
                                     size_t trees, size_t most);
-/** Adds the errors on the next n samples; values that several expressions share are computed once. */
+/** Adds the errors on the next n samples. Values that several expressions share are computed once. */
 void measurement_take(struct measurement *m, const struct sample *s, size_t n);
-/** Writes found[i] for each expression and frees the tallies. */
+/** Writes found[i] for expression i and frees the tallies. */
 void measurement_close(struct measurement *m, struct errors *found);
 
 /** Computes the absolute errors of expressions first to last - 1 on n samples: error[i - first][0..n-1]. */

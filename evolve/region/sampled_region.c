@@ -1,4 +1,5 @@
-/* Extremes of the samples' coordinates, widened to two decimals, and of what frames measure; see sampled_region.h. */
+/* Ranges of the samples' coordinates, widened to two decimals, and of the frames' `least` values; see
+ * sampled_region.h. */
 #include "sampled_region.h"
 
 #include "../eval/frame.h"
@@ -12,7 +13,8 @@
 
 enum { PIECE = 4096 };
 
-/* The vectors in the frame of A, B and the last corner; normals only turn. */
+/* Computes the sample in coordinates with A at 0, B = (1,0,0) and the last corner in the x-y plane. Normals are only
+ * turned. */
 static void similar(const struct segment_kind *kind, const struct sample *s, struct sample *to)
 {
     const size_t vectors = segment_vectors(kind), nodes = strlen(kind->nodes);
@@ -45,17 +47,17 @@ static void similar(const struct segment_kind *kind, const struct sample *s, str
 
 /* ---- extremes ---- */
 
-/* Of the columns of a table, inputs and lets, and behind them of the genomes' outputs and of what frames measure. */
+/* Extremes of a table's columns (inputs and lets), then of the genomes' outputs, then of the frames' `least` values. */
 struct extremes {
     double *lo, *hi; /* owned */
-    bool *sized;     /* owned: by column of the table, it changes with the segment's size */
+    bool *sized;     /* owned, indexed by column of the table: the value changes with the segment's size */
 };
 
 struct region_survey {
     struct genome_file *file;    /* not owned */
     struct shape_survey *shapes; /* owned until it is added; NULL: coordinates are measured */
     struct extremes e;
-    bool begun; /* samples have been taken */
+    bool begun; /* samples have been added */
 };
 
 static void take_in(struct extremes *e, const struct columns *table)
@@ -75,7 +77,8 @@ static void take_in_expressions(struct extremes *e, size_t j, const struct genom
     free(value);
 }
 
-/* Twice as large is exact in floating-point numbers: what does not change with the size is the same to the last bit. */
+/* Finds values that change with the size. Doubling is exact, so values that do not depend on the size keep every
+ * bit. */
 static void find_sized(struct extremes *e, const struct genome_file *f, struct sample *moved,
                        const struct columns *table)
 {
@@ -93,7 +96,7 @@ static void find_sized(struct extremes *e, const struct genome_file *f, struct s
     columns_free(&twice);
 }
 
-/* Where the extremes of what frames measure begin. */
+/* Returns the index of the first extreme of a `least` value. */
 static size_t first_least(const struct genome_file *f)
 {
     size_t j = frame_target(f, 2);
@@ -106,7 +109,7 @@ struct region_survey *region_survey_new(struct genome_file *f)
 {
     struct region_survey *s = new_array(1, sizeof *s);
     *s = (struct region_survey){.file = f};
-    /* where the order of corners depends on the slave node, samples are of a box of coordinates */
+    /* if the order of corners depends on the slave node, samples fill a box of coordinates */
     if (!f->segment || (f->order == CORNERS_ANY && (s->shapes = shape_survey_new(f))))
         return s;
     const size_t count = first_least(f) + f->leasts;
@@ -146,16 +149,17 @@ void region_survey_take(struct region_survey *s, const struct sample *sample, si
         take_piece(s, sample + first, n - first < PIECE ? n - first : PIECE);
 }
 
-/* ---- what is written ---- */
+/* ---- requires ---- */
 
-/* |expression| < twice the most it is on the samples */
+/* Requires |expression| < 2 `most`, where `most` is its largest modulus on the samples. */
 static void require_below(struct genome_file *f, const int *gene, size_t length, double most)
 {
     if (most > 0 && isfinite(most))
         require_magnitude(f, gene, length, 2 * most);
 }
 
-/* Of lets that the genomes depend on, and of outputs that are more than such a let. */
+/* Bounds quotients that do not depend on the size: lets that the genomes use, and outputs unless they equal such a
+ * let. */
 static void require_coordinates(struct genome_file *f, const struct extremes *e, const bool *used)
 {
     bool *named = named_quotients(f, used);
@@ -175,7 +179,7 @@ static void require_coordinates(struct genome_file *f, const struct extremes *e,
     free(named);
 }
 
-/* An expression of lets that the genomes depend on. */
+/* Returns true if the genomes use all lets of the expression. */
 static bool is_used(const struct genome_file *f, const struct genome_expr *e, const bool *used)
 {
     bool all = true;
@@ -191,7 +195,7 @@ static void add_coordinates(const struct region_survey *s)
     const size_t flat = 3 * f->segment->corners - 1;
     bool *used = used_lets(f);
     for (size_t j = 0; j < f->inputs && e->lo[j] <= e->hi[j]; j++) {
-        const bool fixed = j < 6 || j == flat; /* A, B, and z of the last corner, but for rounding */
+        const bool fixed = j < 6 || j == flat; /* A, B, and z of the last corner vary only by rounding */
         const double at = j == 3 ? 1 : 0;
         add_range(f, j, fixed ? at : e->lo[j], fixed ? at : e->hi[j]);
     }

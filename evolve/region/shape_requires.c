@@ -1,4 +1,4 @@
-/* Extremes of what a genome file computes on samples that are placed as its region block says; see shape_requires.h. */
+/* Extremes of a genome file's values on samples in the position of its region block; see shape_requires.h. */
 #include "shape_requires.h"
 
 #include "../eval/frame.h"
@@ -12,16 +12,16 @@
 
 enum { PIECE = 4096, MOST_MARKS = 32 };
 
-#define LEAST_NEARNESS 1e-6 /* of the largest: nearer than that bounds are no closer */
+#define LEAST_NEARNESS 1e-6 /* of the largest modulus: closer bounds gain nothing */
 
-/* A value on the way, or an output. */
+/* An intermediate value, or an output. */
 struct value {
     const int *gene; /* not owned */
     size_t length;
-    int own; /* the gene of a let */
+    int own; /* the gene, if the value is a let */
     double lo, hi;
-    double factor[MOST_MARKS], far[MOST_MARKS]; /* largest distance from factor times a mark */
-    size_t near; /* the mark that it is nearest to, as far as that tells more than its size */
+    double factor[MOST_MARKS], far[MOST_MARKS]; /* largest distance from factor[k] times mark k */
+    size_t near; /* index of the nearest mark; s->marks if no mark bounds the value better than its size does */
 };
 
 struct shape_survey {
@@ -29,15 +29,15 @@ struct shape_survey {
     struct shape *shape;      /* owned */
     struct value *value;      /* owned */
     size_t values, value_room;
-    size_t mark[MOST_MARKS]; /* symbols of the block that others may be near to */
+    size_t mark[MOST_MARKS]; /* symbols of the region block that values may be near to */
     size_t marks;
     double least[SHAPE_NUMBERS], most[SHAPE_NUMBERS];
-    bool begun; /* samples have been taken */
+    bool begun; /* samples have been added */
 };
 
-/* ---- what is looked at ---- */
+/* ---- values ---- */
 
-/* `own` is 0 of outputs. */
+/* Adds an expression; `own` is its gene if it is a let, 0 if it is an output. */
 static void add_value(struct shape_survey *s, const struct genome_expr *made, int own)
 {
     APPEND(s->value, s->values, s->value_room) = (struct value){
@@ -74,7 +74,7 @@ static void find_marks(struct shape_survey *s)
 
 /* ---- samples ---- */
 
-/* Values of the block for n samples' numbers. */
+/* Evaluates the region block on the shape numbers of n samples. */
 static struct columns block_columns(const struct shape_survey *s, double (*number)[SHAPE_NUMBERS], size_t n)
 {
     const struct genome_file *r = s->file->region;
@@ -89,7 +89,7 @@ static struct columns block_columns(const struct shape_survey *s, double (*numbe
     return c;
 }
 
-/* The power of 2, times one of 3, that brings a mark nearest to a value. */
+/* Returns the factor, a power of 2 times a power of 3, that brings the mark nearest to the value. */
 static double find_factor(const double *x, const double *mark, size_t n)
 {
     double xm = 0, mm = 0, best = 1, least = INFINITY;
@@ -100,7 +100,7 @@ static double find_factor(const double *x, const double *mark, size_t n)
     static const double powers[] = {1, 3, 9, 81, 1.0 / 9, 1.0 / 81};
     for (size_t k = 0; k < sizeof powers / sizeof *powers && xm / mm != 0 && isfinite(xm / mm); k++) {
         const double threes = powers[k], twos = log2(fabs(xm / mm) / threes), off = fabs(twos - round(twos));
-        if (off < 0.5 * least) { /* few threes rather than many */
+        if (off < 0.5 * least) { /* prefers few threes */
             best = copysign(threes * exp2(round(twos)), xm);
             least = off;
         }
@@ -119,7 +119,7 @@ static void take_in(struct shape_survey *s, struct value *v, const double *x, co
     }
 }
 
-/* Values of n samples, placed as the block says; its own too. */
+/* Evaluates the file's values on n samples in the position of the region block, and the block's own values. */
 static struct columns place(struct shape_survey *s, const struct sample *sample, size_t n, struct columns *block)
 {
     struct sample *placed = new_array(n, sizeof *placed);
@@ -172,9 +172,9 @@ static void find_nearest(struct shape_survey *s)
     }
 }
 
-/* ---- what is written ---- */
+/* ---- ranges and requires ---- */
 
-/* What does not vary, but for rounding, is 0. */
+/* Adds the ranges of the shape numbers; numbers that vary only by rounding are 0. */
 static void add_ranges(const struct shape_survey *s)
 {
     struct genome_file *r = s->file->region;
@@ -186,7 +186,7 @@ static void add_ranges(const struct shape_survey *s)
     }
 }
 
-/* |value - factor mark| < most */
+/* Requires |value - factor mark| < most. */
 static void require_near(struct genome_file *f, const struct value *v, double factor, size_t mark, double most)
 {
     int *gene = new_array(v->length + 4, sizeof *gene);

@@ -1,5 +1,4 @@
-/* Command line of footpoint-evolve: long options only, each checked; and the same options as the facts of a checkpoint.
- */
+/* Command line of footpoint-evolve, long options only, and the options that a checkpoint stores. */
 #include "run_options.h"
 
 #include "../common/data_root.h"
@@ -20,7 +19,7 @@ static const struct evolve_options standard = {.root = ".",
                                                .log_every = 1,
                                                .checkpoint_every = 600};
 
-/* What an option is to a checkpoint: nothing; kept, but may be given anew; or part of what the result depends on. */
+/* How a checkpoint treats an option: not stored; stored, but replaced if given anew; stored and fixed. */
 enum role { PASSING, KEPT, FIXED };
 
 static const char *const functions[] = {"tier", "polynomial", "rational", NULL};
@@ -138,7 +137,7 @@ static bool exclude(const bool given[ROWS], const char *one, const char *other, 
            options_refuse(table, d, "error: --%s and --%s exclude each other", one, other);
 }
 
-/* A checkpoint says where a run begins, and what it is of. */
+/* Returns false with *d filled if an option is given that a resumed run cannot change. */
 static bool suits_resume(const bool given[ROWS], struct diag *d)
 {
     return exclude(given, "resume", "samples", d) && exclude(given, "resume", "start", d) &&
@@ -177,7 +176,7 @@ static void set_paper(struct evolve_options *o)
     o->migrate_fraction = 0.1;
 }
 
-/* The command line over a base; a preset lies between them. */
+/* Reads the command line over `base`. A preset applies before the other options. */
 static enum options_outcome read_over(int argc, char **argv, const struct evolve_options *base,
                                       struct evolve_options *o, bool given[ROWS], struct diag *d)
 {
@@ -198,7 +197,7 @@ enum options_outcome evolve_options_read(int argc, char **argv, struct evolve_op
     const enum options_outcome outcome = read_over(argc, argv, &base, o, given, d);
     if (outcome != OPTIONS_READ || o->benchmark || o->print_scene)
         return outcome;
-    /* What the command line leaves out, a checkpoint may have: that is checked when it was read. */
+    /* A checkpoint may supply omitted options; they are checked after it is read. */
     const bool good = o->resume ? suits_resume(given, d) : consistent(o, given, d);
     return good ? OPTIONS_READ : OPTIONS_WRONG;
 }
@@ -214,7 +213,7 @@ void evolve_options_facts(const struct evolve_options *o, char *text, size_t n)
             used += (size_t)snprintf(text + used, n - used, "%s %s\n", rows[i].name, value);
 }
 
-/* Lines whose key is no option are for others. */
+/* Reads a checkpoint's options and skips lines whose key is not an option. */
 static bool read_facts(char *facts, struct evolve_options *o, struct diag *d)
 {
     *o = standard;

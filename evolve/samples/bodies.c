@@ -38,7 +38,7 @@ static double project_torus(const double x[3], double foot[3], double normal[3])
     return length - TUBE;
 }
 
-/* f, f_x, f_y, f_xx, f_xy, f_yy. */
+/* Computes f, f_x, f_y, f_xx, f_xy and f_yy. */
 static void graph(enum smooth_kind kind, double x, double y, double f[6])
 {
     if (kind == SMOOTH_SADDLE) {
@@ -46,7 +46,7 @@ static void graph(enum smooth_kind kind, double x, double y, double f[6])
         memcpy(f, value, sizeof value);
         return;
     }
-    /* g(q), q = (x^2 + y^2)/a^2: f = -d/(1 + q^2). */
+    /* f = -d/(1 + q^2) with q = (x^2 + y^2)/a^2 */
     const double aa = SHEET_RADIUS * SHEET_RADIUS, q = (x * x + y * y) / aa, below = 1 + q * q;
     const double g1 = 2 * SHEET_DEPTH * q / (below * below);
     const double g2 = 2 * SHEET_DEPTH * (1 - 3 * q * q) / (below * below * below);
@@ -107,7 +107,7 @@ static void add_segment(struct smooth_mesh *m, int a, int b, int c, int d)
     memcpy(m->seg[m->segments++], corner, sizeof corner);
 }
 
-/* Node at lattice point p of a cube of n segments a side: numbered when it is met first. */
+/* Returns the node at lattice point p of a cube with n segments a side. A new node gets the next number. */
 static int cube_node(struct smooth_mesh *m, int *number, int n, const int p[3])
 {
     int *at = &number[(p[0] * (n + 1) + p[1]) * (n + 1) + p[2]];
@@ -119,7 +119,7 @@ static int cube_node(struct smooth_mesh *m, int *number, int n, const int p[3])
     return *at - 1;
 }
 
-/* A cube's lattice, at equal angles, blown up. */
+/* Projects a cube's lattice, with equal angles, onto the sphere. */
 static struct smooth_mesh *sphere(int n)
 {
     const size_t side = (size_t)n;
@@ -183,7 +183,8 @@ static double usual_width(const struct smooth_mesh *m, int n)
     return m->kind == SMOOTH_SPHERE ? M_PI_2 / n : m->kind == SMOOTH_TORUS ? 2 * M_PI * TUBE / n : 2.0 / n;
 }
 
-/* Move nodes by random vectors, a graph's in its plane and not off its border, and put them on the body. */
+/* Moves nodes by random vectors and projects them onto the body. Nodes of a graph move in its plane and stay on its
+ * border. */
 static void place_nodes(struct smooth_mesh *m, double most, uint64_t seed)
 {
     gsl_rng *stream = stream_new();

@@ -9,7 +9,7 @@ enum smooth_kind {
     SMOOTH_SPHERE, /* radius 1; 6 n n segments, three of which meet at each corner of a cube */
     SMOOTH_TORUS,  /* radii 1 and 0.4; 2n n segments */
     SMOOTH_SADDLE, /* z = 0.4 (x^2 - y^2), -1 <= x,y <= 1; n n segments */
-    SMOOTH_SHEET,  /* pressed with a round die: z = -0.35/(1 + (x^2 + y^2)^2/0.5^4), -1 <= x,y <= 1; n n segments */
+    SMOOTH_SHEET,  /* pressed by a round die: z = -0.35/(1 + (x^2 + y^2)^2/0.5^4), -1 <= x,y <= 1; n n segments */
     SMOOTH_KINDS
 };
 
@@ -20,20 +20,20 @@ struct smooth_mesh {
     size_t nodes, segments;
     double (*xyz)[3];   /* owned; nodes x 3, on the body */
     double (*exact)[3]; /* owned; nodes x 3, the body's unit normals, outwards or upwards */
-    double (*mean)[3];  /* owned; nodes x 3, the mesh's own: (44) */
+    double (*mean)[3];  /* owned; nodes x 3, the mesh's normals (44) */
     int (*seg)[4];      /* owned; segments x 4 nodes A, B, C, D, counter-clockwise from outside */
 };
 
-/** Closest point of the body to a point near it: foot[3], unit normal[3] there.  Returns the signed distance, > 0
- *  outside. */
+/** Computes the body's closest point to a nearby point, foot[3], and the unit normal[3] there. Returns the signed
+ *  distance, > 0 outside. */
 double smooth_project(enum smooth_kind kind, const double x[3], double foot[3], double normal[3]);
 
-/** A mesh with n >= 3 segments along a side (see smooth_kind).  Nodes are moved at random within the body, borders
- *  along themselves, by up to `jitter` (below 0.3) times a segment's usual width. */
+/** Returns a mesh with n >= 3 segments along a side (see smooth_kind). Nodes move at random within the body, border
+ *  nodes along the border, by up to `jitter` (below 0.3) times a segment's usual width. */
 struct smooth_mesh *smooth_mesh_new(enum smooth_kind kind, int n, double jitter, uint64_t seed);
 void smooth_mesh_free(struct smooth_mesh *m);
 
-/** Corners and normals (mean or exact) of segment i. */
+/** Copies the corners and the normals (mean or exact) of segment i. */
 void smooth_segment(const struct smooth_mesh *m, size_t i, double (*const normal)[3], double x[4][3], double n[4][3]);
 
 #endif

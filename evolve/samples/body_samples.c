@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Coarse meshes and fine ones, nodes moved by up to a fifth of a segment. */
+/* Coarse and fine meshes, whose nodes are moved by up to a fifth of a segment. */
 enum { SIZES = 4, MESHES = SMOOTH_KINDS * SIZES };
 static const int size[SMOOTH_KINDS][SIZES] = {{3, 4, 6, 8}, {8, 12, 16, 20}, {4, 6, 8, 12}, {10, 14, 18, 24}};
 static const double jitter = 0.2;

@@ -1,11 +1,11 @@
-/* What follows from the segments' kind; see default_tiers.h. */
+/* Defaults that depend on the segments' kind; see default_tiers.h. */
 #include "default_tiers.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A tier of two terminals, one for each output. */
+/* A tier with two terminals, one per output. */
 struct offer {
     const char *tier, *terminal[2];
     size_t max_length;
@@ -39,7 +39,7 @@ static void add_tier(struct scene *s, const char *frame, const struct offer *o)
         t->terminal[k] = copy(o->terminal[k]);
 }
 
-/* Its tiers become the scene's. */
+/* Copies the tiers of the kind's own scene. */
 static bool take_tiers(const char *root, struct scene *s, struct diag *d)
 {
     struct scene *usual = scene_of_kind(root, s, d);

@@ -1,11 +1,13 @@
-/* The paper's configurations (section 6.1), on its lattice and off it.  A is the origin and B is (1,0,0); C, D and the
- * slave node S lie on a grid, D in the x-y plane.  A configuration belongs to the set when
- *   |AD| <= |AB|; ABC*D, with C* the projection of C onto the x-y plane, is strictly convex and counter-clockwise;
+/* The paper's configurations (section 6.1), on its lattice and off it. A is the origin and B is (1,0,0). C, D and the
+ * slave node S lie on a grid, D in the x-y plane. A configuration belongs to the set if
+ *   |AD| <= |AB|;
+ *   ABC*D, with C* the projection of C onto the x-y plane, is strictly convex and counter-clockwise;
  *   no corner is nearer to S than A (ties belong to the set);
  *   the contact point, a local minimum of the distance, lies in the box of the scene: A's quarter of the segment;
- *   if the scene says so, Newton's iteration from (0,0) finds it, as the paper found its own.
- * The lattice is held in integers, multiples of a common unit, so that ties are exact.  Off the lattice C, D and S are
- * uniform in the same ranges. */
+ *   and, if the scene requires it, Newton's iteration from (0,0) finds it, as in the paper.
+ *
+ * Coordinates on the lattice are integers, multiples of a common unit, so that ties are exact. Off the lattice, C, D
+ * and S are uniform in the same ranges. */
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/foot_bilinear.h"
@@ -42,7 +44,7 @@ static bool common_unit(const struct lattice *l, struct grid *g)
     return false;
 }
 
-/* z component of (q - p) x (r - q). */
+/* Returns the z component of (q - p) x (r - q). */
 static int64_t turn(const int p[3], const int q[3], const int r[3])
 {
     return (int64_t)(q[0] - p[0]) * (r[1] - q[1]) - (int64_t)(q[1] - p[1]) * (r[0] - q[0]);
@@ -56,7 +58,7 @@ static int64_t distance2(const int p[3], const int q[3])
     return sum;
 }
 
-/* Do `steps` Newton steps from (0,0) on (7), (8) end at the foot point? */
+/* Returns true if `steps` Newton steps from (0,0) on (7), (8) end at the foot point. */
 static bool newton_finds(const struct sample *s, int steps)
 {
     double c0[3], c1[3], c2[3], c3[3], xi = 0, eta = 0;
@@ -87,7 +89,7 @@ static bool newton_finds(const struct sample *s, int steps)
     return fabs(xi - s->xi) + fabs(eta - s->eta) < 1e-6;
 }
 
-/* Label the sample; false if it has no contact point of the set. */
+/* Labels the sample. Returns false if it has no contact point that belongs to the set. */
 static bool label(const struct lattice *l, struct sample *s)
 {
     const double lo[2] = {l->xi[0], l->eta[0]}, hi[2] = {l->xi[1], l->eta[1]};
@@ -114,7 +116,7 @@ static void add_slaves(const struct lattice *l, const struct grid *g, int corner
             }
 }
 
-/* The sample seen in the x-y plane as a mirror: the same xi and eta. */
+/* Returns the sample reflected in the x-y plane, which keeps xi and eta. */
 static struct sample mirrored(const struct sample *s)
 {
     struct sample m = *s;
@@ -125,7 +127,7 @@ static struct sample mirrored(const struct sample *s)
     return m;
 }
 
-/* The mirror images of one C's samples, in the order in which they would have been enumerated. */
+/* Appends the mirror images of one C's samples, in the order of enumeration. */
 static void add_mirrored(const struct sample_set *from, struct sample_set *set)
 {
     for (size_t first = 0, end; first < from->n; first = end) {
@@ -139,7 +141,7 @@ static void add_mirrored(const struct sample_set *from, struct sample_set *set)
     }
 }
 
-/* All heights of C, from the lowest; those below the plane are mirror images of those above it. */
+/* Appends all heights of C from the lowest. Heights below the plane are mirror images of those above it. */
 static void add_heights(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)
 {
     const int heights = g->z / g->z_step;
@@ -177,7 +179,7 @@ static void enumerate(const struct lattice *l, const struct grid *g, struct samp
         }
 }
 
-/* Uniform in -max..max. */
+/* Returns a number that is uniform in -max..max. */
 static double within(gsl_rng *stream, double max)
 {
     return max * (2 * gsl_rng_uniform(stream) - 1);
@@ -188,13 +190,13 @@ static double turn_of(const double p[3], const double q[3], const double r[3])
     return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
 }
 
-/* C, D and S. */
+/* Draws C, D and S. */
 bool lattice_draw(const struct sampler *p, struct sample *s)
 {
     gsl_rng *stream = p->stream;
     const struct lattice *l = &p->scene->lattice;
     double *a = s->x[0], *b = s->x[1], *c = s->x[2], *d = s->x[3];
-    b[0] = 1; /* the rest of A and B stays 0 */
+    b[0] = 1; /* the other coordinates of A and B stay 0 */
     d[0] = within(stream, fmin(1, l->xy.most));
     d[1] = fmin(1, l->xy.most) * gsl_rng_uniform_pos(stream);
     if (vector_distance2(a, d) > 1)
@@ -227,7 +229,7 @@ static int by_place(const void *a, const void *b)
     return 0;
 }
 
-/* Appends those of the n samples that are no mirror images of the m training samples. */
+/* Appends the samples, of n, that are not mirror images of one of the m training samples. */
 static void add_strangers(const struct sample *s, size_t n, const struct sample *training, size_t m,
                           struct sample_set *set)
 {
@@ -264,8 +266,8 @@ bool lattice_grid(const struct scene *scene, enum sample_part part, struct sampl
         sample_set_free(&all);
         return false;
     }
-    /* A shuffle by the scene's seed: the first `training` are for evolution; held out is the rest, but for mirror
-     * images of those. */
+    /* Shuffle by the scene's seed. The first `training` samples train; the others are held out, except mirror
+     * images. */
     gsl_rng *stream = stream_new();
     stream_key(stream, scene->seed, PART_TRAINING, 0, 0);
     gsl_ran_shuffle(stream, all.s, all.n, sizeof *all.s);

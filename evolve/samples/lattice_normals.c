@@ -18,7 +18,7 @@ static void normalise(double v[3])
         v[k] /= length;
 }
 
-/* The facet's unit normal at corner c, and two unit vectors that complete it. */
+/* Computes the facet's unit normal at corner c, and two unit vectors that complete the basis. */
 static void corner_basis(double x[4][3], int c, double n[3], double e1[3], double e2[3])
 {
     double next[3], last[3];

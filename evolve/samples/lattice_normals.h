@@ -9,24 +9,25 @@
 #include <gsl/gsl_rng.h>
 
 struct lattice_gregory {
-    const struct scene *scene; /* of the configurations, a lattice; not owned */
-    size_t configurations;     /* at most so many of the part's configurations; 0: all */
-    int normal_sets;           /* for each configuration; the paper's are 20 */
-    double tangent; /* of the largest tilt of a node normal off the facet's own at the corner; the paper's 0.2 */
+    const struct scene *scene; /* the scene of the lattice; not owned */
+    size_t configurations;     /* largest number of the part's configurations; 0: all */
+    int normal_sets;           /* sets of normals per configuration; the paper has 20 */
+    double tangent; /* tangent of the largest angle between a node normal and the facet's normal; 0.2 in the paper */
     enum patch_kind kind;
 };
 
-/** How samples of a part came about. */
+/** Counts of a part's samples. */
 struct lattice_gregory_count {
-    size_t configurations, drawn, kept; /* drawn: configurations times sets; kept: their foot point lies in the box */
+    size_t configurations, drawn, kept; /* drawn: configurations times sets; kept: the foot point lies in the box */
 };
 
-/** Node normals of a configuration.
+/** Draws the node normals of a configuration.
  *  @param[in] tangent  of their largest tilt */
 void draw_normals(gsl_rng *stream, double tangent, struct sample *s);
 
-/** Append the samples whose foot point on the patch lies, like that on the facet, in the scene's box: configuration by
- *  configuration of the grid, set by set.  A tilt's tangent is uniform in a disc.  *count may be NULL.  False with *d filled. */
+/** Appends the samples whose foot points on the patch and on the facet lie in the scene's box, ordered by configuration
+ *  of the grid, then by set. The tangent of a tilt is uniform in a disc. Returns false with *d filled on errors. *count
+ *  may be NULL. */
 bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct sample_set *set,
                              struct lattice_gregory_count *count, struct diag *d);
 

@@ -1,15 +1,15 @@
-/* Neighbours of a face: see mesh_neighbours.h.  Elements are listed by node; each node remembers the last face that it was
- * next to. */
+/* Neighbours of a face; see mesh_neighbours.h. Elements are listed by node. Each node stores the last face whose
+ * neighbour it was. */
 #include "mesh_neighbours.h"
 
 #include <stdlib.h>
 
 struct neighbours {
     const struct mesh *mesh; /* not owned */
-    size_t *first;           /* owned; nodes + 1: of a node in `element` */
+    size_t *first;           /* owned; nodes + 1: index in `element` of the node's first element */
     size_t *element;         /* owned; indices into mesh->element */
-    size_t *last;            /* owned; by node: number of the last face that it was next to, from 1, or 0 */
-    size_t face;             /* number of the present face */
+    size_t *last;            /* owned, indexed by node: number of the last face whose neighbour it was, from 1, or 0 */
+    size_t face;             /* number of the current face */
 };
 
 struct neighbours *neighbours_new(const struct mesh *mesh)
@@ -24,7 +24,7 @@ struct neighbours *neighbours_new(const struct mesh *mesh)
     for (size_t node = 0; node < mesh->nodes; node++)
         n->first[node + 1] += n->first[node];
     n->element = new_array(n->first[mesh->nodes], sizeof *n->element);
-    for (size_t e = mesh->elements; e-- > 0;) /* the ends become the beginnings */
+    for (size_t e = mesh->elements; e-- > 0;) /* turns ends into beginnings */
         for (int i = 0; i < mesh->element[e].nodes; i++)
             n->element[--n->first[mesh->element[e].node[i]]] = e;
     return n;

@@ -1,9 +1,14 @@
-/* Samples of a user's own mesh.  Real pairs: every slave node with every master face whose certain foot point lies
- * within the face, or up to a tenth of it outside, and nearer than the scene's distance; one half, chosen by seed,
- * trains, the other is held out.  Beside them random slave nodes over the master faces, from one stream for training
- * and another for the held-out set, most of them near the face, where contact happens: the logarithm of |gap| is uniform,
- * from 1e-4 of the face's shortest edge to the distance.  Slave nodes are sorted by x, so that a face meets only those of its own slab.  Nodes
- * of the face and of elements around it are no slave nodes of it: mesh_neighbours.h. */
+/* Samples of a user's own mesh.
+ *
+ * Real pairs are a slave node and a master face whose certain foot point lies within the face, or up to a tenth of it
+ * outside, and nearer than the scene's distance. One half, chosen by seed, trains; the other half is held out.
+ *
+ * Random slave nodes over the master faces are added, in separate streams for training and for the held-out set. The
+ * logarithm of their |gap| is uniform, from 1e-4 of the face's shortest edge to the distance, so most lie near the
+ * face.
+ *
+ * Slave nodes are sorted by x, and a face visits only those in its range of x. Nodes of the face and of elements around
+ * it are excluded (mesh_neighbours.h). */
 #include "../common/stream.h"
 #include "../input/mesh.h"
 #include "../surface/surface.h"
@@ -52,7 +57,7 @@ static void set_nodes(const struct mesh *mesh, const struct mesh_face *face, str
         memcpy(s->x[i], mesh->xyz[face->node[i]], sizeof s->x[i]);
 }
 
-/* First of n slaves, ascending in x, that is not below `x`. */
+/* Returns the index of the first of n slaves, ascending in x, whose x is not below `x`. */
 static size_t first_from(const struct slave *slave, size_t n, double x)
 {
     size_t first = 0;
@@ -66,8 +71,8 @@ static size_t first_from(const struct slave *slave, size_t n, double x)
     return first;
 }
 
-/* The shape functions of a point MESH_OVERHANG outside of a face, or in it, sum to 1: how much of them is negative, at most.
- * So far may the point be out of the range of the nodes' coordinates, as a part of that. */
+/* Returns the largest sum of negative shape functions at points up to MESH_OVERHANG outside of a face. All shape
+ * functions sum to 1, so such a point exceeds the range of the nodes' coordinates by at most this part of the range. */
 static double negative_part(int nodes)
 {
     return nodes > 4 ? 1.3 : 2 * MESH_OVERHANG * (1 + MESH_OVERHANG); /* nine nodes: 1.27 at the corners */
@@ -108,7 +113,7 @@ static void search(const struct scene *scene, const struct mesh *mesh, const str
     free(slave);
 }
 
-/* Surfaces may meet in several contact pairs: keep each slave node and face once. */
+/* Keeps each slave node and face once; surfaces may occur in several contact pairs. */
 static void remove_repeated(struct pairs *found)
 {
     size_t n = 0;
@@ -130,13 +135,13 @@ static void find_pairs(const struct scene *scene, const struct mesh *mesh, struc
     remove_repeated(found);
 }
 
-/* A distance may be less than ten times that part of an edge, and an edge 0. */
+/* Returns the least |gap| to draw. The distance may be less than ten times 1e-4 of an edge, and an edge may be 0. */
 static double least_gap(double edge, double distance)
 {
     return edge > 0 ? fmin(1e-4 * edge, 0.1 * distance) : 1e-4 * distance;
 }
 
-/* A random slave node over a face drawn at random. */
+/* Draws a slave node over a face, both at random. */
 static bool draw_pair(const struct sampler *sampler, struct sample *s)
 {
     const struct scene *scene = sampler->scene;
@@ -152,7 +157,7 @@ static bool draw_pair(const struct sampler *sampler, struct sample *s)
     return true;
 }
 
-/* The part's half of the real pairs, at most `most` of them: training is mostly of random ones. */
+/* Adds the part's half of the real pairs, but at most `most`, so that most training samples are random. */
 static void add_half(const struct scene *scene, const struct pairs *found, bool training, size_t most,
                      struct sample_set *set)
 {

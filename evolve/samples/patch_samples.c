@@ -1,11 +1,11 @@
-/* Gregory and Bezier patches as kinds of segments: the vectors of a sample are corners and node normals. */
+/* Gregory and Bezier patches as segments: the vectors of a sample are corners and node normals. */
 #include "../surface/foot_patch.h"
 #include "../surface/surface.h"
 #include "body_samples.h"
 #include "lattice_normals.h"
 #include "source.h"
 
-/* Configurations that make `samples` samples. */
+/* Returns how many configurations make `samples` samples. */
 static size_t configurations(const struct lattice *l, size_t samples)
 {
     const size_t sets = (size_t)l->normal_sets;
@@ -28,7 +28,7 @@ static bool on_the_grid(const struct scene *scene, enum sample_part part, struct
            (set->n > 0 || diag_at(d, scene->path, 0, 0, "no sample's foot point lies in the box"));
 }
 
-/* A configuration off the grid, with one set of normals. */
+/* Draws a configuration off the grid, with one set of normals. */
 static bool draw_facet(const struct sampler *p, struct sample *s)
 {
     double lo[2], hi[2];

@@ -1,8 +1,8 @@
-/* Ordinary faces of elements drawn at random: corners as random_quads.c draws them for bilinear segments (a triangle is
- * half of a parallelogram).  Mid-side nodes stand where a body of random principal curvatures has them, so that the
- * longest edge rises by up to `curve` of its length, and off that place by up to `shift` of the shortest edge in x, y
- * and z; a node in the middle likewise off where the edges alone would have it.  Faces that fold over, or turn by more
- * than 60 degrees, are drawn again. */
+/* Random ordinary faces of elements. Corners are drawn as for bilinear segments (random_quads.c); a triangle is half of
+ * a parallelogram. Mid-side nodes lie on a body with random principal curvatures, so that the longest edge rises by up
+ * to `curve` of its length. They then move by up to `shift` of the shortest edge in x, y and z. A middle node moves
+ * likewise from the place that the edges imply. Faces that fold over, or turn by more than 60 degrees, are drawn
+ * again. */
 #include "source.h"
 
 #include "../common/vec3.h"
@@ -30,8 +30,8 @@ static double length_of(const double a[3], const double b[3])
     return hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
 }
 
-/* A random quadratic form of principal curvatures up to `most`: xx, xy, yy.  Both are uniform, or the larger one is
- * and the other up to it. */
+/* Draws a quadratic form xx, xy, yy with principal curvatures up to `most`: two uniform numbers, or a uniform larger
+ * one and the other up to it. */
 static void draw_curvature(gsl_rng *stream, double most, bool evenly, double form[3])
 {
     const double k1 = gsl_ran_flat(stream, -most, most), smaller = evenly ? fabs(k1) : most,
@@ -80,7 +80,8 @@ static void draw_middles(const struct surface *f, gsl_rng *stream, const struct 
     shift(stream, shapes->shift * shortest, middle);
 }
 
-/* Area nowhere below a fifth of that in the middle, all normals within 60 degrees of the one there. */
+/* Returns true if the area element is nowhere below a fifth of its value in the middle, and all normals lie within 60
+ * degrees of the normal there. */
 static bool unfolded(const struct surface *f, const struct shapes *shapes, double (*x)[3])
 {
     enum { STEPS = 8 };

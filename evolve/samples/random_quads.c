@@ -1,7 +1,7 @@
-/* Ordinary segments drawn at random.  A bilinear one is made from its mid-lines and c3 (r = c0 + c1 xi + c2 eta + c3 xi
- * eta): c1 and c2 from aspect ratio and skew, c3 = a c1 + b c2 + g n from taper (a, b) and warp (g), n the unit normal
- * of c1, c2.  What exceeds the scene's limits is drawn again, so that little warp is drawn more often;
- * PART_HELDOUT_EVEN has aspect ratios, not their logarithms, and angles of warp uniform. */
+/* Random ordinary segments. A bilinear segment r = c0 + c1 xi + c2 eta + c3 xi eta is made from its mid-lines and c3.
+ * Aspect ratio and skew determine c1 and c2; c3 = a c1 + b c2 + g n follows from taper (a, b) and warp (g), where n is
+ * the unit normal of c1 and c2. Segments that exceed the scene's limits are drawn again, so little warp is more
+ * frequent. In PART_HELDOUT_EVEN aspect ratios (not their logarithms) and angles of warp are uniform. */
 #include "../common/vec3.h"
 #include "../surface/surface.h"
 #include "source.h"
@@ -15,7 +15,7 @@ static double uniform(gsl_rng *stream, double max)
     return gsl_ran_flat(stream, -max, max);
 }
 
-/* Largest angle between the normals at opposite corners. */
+/* Returns the largest angle between the normals at opposite corners. */
 static double warp_of(const struct surface *f, double (*x)[3])
 {
     static const double corner[4][2] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
@@ -35,7 +35,7 @@ static void set_corners(const double c1[3], const double c2[3], double a, double
         }
 }
 
-/* The g of that warp, by bisection from below. */
+/* Returns the g of a given warp, by bisection from below. */
 static double height_of_warp(const struct surface *f, const double c1[3], const double c2[3], double a, double b,
                              double warp)
 {
@@ -48,7 +48,8 @@ static double height_of_warp(const struct surface *f, const double c1[3], const 
     return low;
 }
 
-/* About the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
+/* Draws a segment about the origin, c1 along x, c2 in the x-y plane, mid-lines of length at least 2. Returns false to
+ * draw again. */
 bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
 {
     const double part = gsl_ran_flat(stream, -1, 1), longer = 1 + fabs(part) * (shapes->aspect - 1);
@@ -58,7 +59,7 @@ bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *sh
     const double a = uniform(stream, shapes->taper), b = uniform(stream, shapes->taper);
     const double c1[3] = {length1, 0, 0}, c2[3] = {length2 * cos(angle), length2 * sin(angle), 0};
     const double warp = uniform(stream, shapes->warp);
-    /* The warp of a rectangle of these sides; or of the segment. */
+    /* Either the warp of a rectangle with these sides, or the segment's own. */
     const double g = shapes->evenly && shapes->warp > 0 ? copysign(height_of_warp(f, c1, c2, a, b, fabs(warp)), warp)
                                                         : tan(warp / 2) / hypot(1 / length1, 1 / length2);
     set_corners(c1, c2, a, b, g, x);
@@ -67,5 +68,5 @@ bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *sh
         if ((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]) <= 0)
             return false;
     }
-    return shapes->warp == 0 || warp_of(f, x) <= shapes->warp; /* acos knows a plane to 1e-8 only */
+    return shapes->warp == 0 || warp_of(f, x) <= shapes->warp; /* acos resolves a plane only to 1e-8 */
 }

@@ -1,5 +1,5 @@
-/* Samples of ordinary faces drawn at random (random_quads.c, random_faces.c): the slave node is put at r(xi,eta) + gap
- * n(xi,eta), the whole is rotated, scaled and moved at random, and labelled with the certain foot point. */
+/* Random samples of ordinary faces (random_quads.c, random_faces.c). The slave node is r(xi,eta) + gap n(xi,eta). The
+ * sample is then rotated, scaled and moved at random, and labelled with its certain foot point. */
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/surface.h"
@@ -41,7 +41,7 @@ bool place_slave(gsl_rng *stream, const struct scene *scene, double least, doubl
     return f->foot(f, s, wide[0], wide[1], at) && fabs(s->xi - at[0]) + fabs(s->eta - at[1]) < 1e-6;
 }
 
-/* Rotation from a random unit quaternion. */
+/* Computes the rotation of a random unit quaternion. */
 static void random_rotation(gsl_rng *stream, double q[3][3])
 {
     double v[4];
@@ -53,7 +53,7 @@ static void random_rotation(gsl_rng *stream, double q[3][3])
     memcpy(q, m, sizeof m);
 }
 
-/* Rotate, scale by 1e-3..1e3 (uniform logarithm) and move by a few edges; normals only turn. */
+/* Rotates, scales by 1e-3..1e3 (uniform logarithm) and moves by a few edges. Normals are only turned. */
 static void move(gsl_rng *stream, const struct segment_kind *kind, double (*x)[3])
 {
     double q[3][3], shift[3];

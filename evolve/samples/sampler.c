@@ -1,4 +1,5 @@
-/* Samples one at a time; see sampler.h.  A draw that makes no sample is repeated with the next numbers of its stream. */
+/* Samples one at a time; see sampler.h. A draw that yields no sample is repeated with the next numbers of its
+ * stream. */
 #include "sampler.h"
 
 #include "../input/mesh.h"
@@ -85,7 +86,7 @@ static void key(const struct sampler *p, uint64_t i)
     stream_key(p->stream, p->scene->seed, (uint64_t)p->part, i, 2 * run + (p->mesh != NULL));
 }
 
-/* *s is 0, or what a draw before has left. */
+/* Draws until a sample results. *s must be 0 or the result of an earlier draw. */
 static bool draw(struct sampler *p, struct sample *s)
 {
     return p->draw(p, s) && (!is_float(p->scene) || sample_round(p->scene, s));

@@ -14,16 +14,16 @@ void sampler_free(struct sampler *p);
 /** Draws sample i < p->count.  Returns false with *d filled if no draw makes a sample. */
 bool sampler_take(struct sampler *p, size_t i, struct sample *s, struct diag *d);
 
-/** Records the random numbers that sample i is drawn from.  Sample i must not be listed. */
+/** Records the random numbers from which sample i is drawn. Sample i must not be listed. */
 void sampler_record(struct sampler *p, size_t i, struct stream_tape *tape);
-/** Draws a sample from recorded or changed numbers.  Returns false if these make no sample. */
+/** Draws a sample from recorded or changed numbers. Returns false if these yield no sample. */
 bool sampler_play(struct sampler *p, struct stream_tape *tape, struct sample *s);
 
 /** The held-out parts of a scene. */
 struct heldout {
     struct sampler *part[HELDOUT_PARTS];   /* owned; indexed as heldout_part[]; NULL if the scene lacks the part */
     char drawn[DRAWN_LINES][DRAWN_LENGTH]; /* how the samples are drawn, in words for banners */
-    size_t lines;                          /* of `drawn` */
+    size_t lines;                          /* number of lines in `drawn` */
 };
 void heldout_free(struct heldout *h);
 

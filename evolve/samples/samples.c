@@ -1,4 +1,4 @@
-/* The samples of a scene, whatever they come from; see samples.h. */
+/* The samples of a scene from any source; see samples.h. */
 #include "samples.h"
 
 bool scene_has(const struct scene *s, enum sample_part part)

@@ -4,11 +4,12 @@
 
 #include "sampler.h"
 
-/** Returns whether a scene has a part: PART_HELDOUT_RANDOM exists for lattices only, PART_HELDOUT_EVEN for shapes only. */
+/** Returns true if a scene has the part. PART_HELDOUT_RANDOM exists only for lattices, PART_HELDOUT_EVEN only for
+ *  shapes. */
 bool scene_has(const struct scene *s, enum sample_part part);
 
-/** Appends all samples of a part to *set.  Coordinates are numbers of the scene's precision.  Deterministic in the scene and
- *  its run.  Returns false with *d filled if there are no samples. */
+/** Appends all samples of a part to *set. Coordinates are numbers of the scene's precision. Samples depend only on the
+ *  scene and its run. Returns false with *d filled if there are no samples. */
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
 
 /** Limits held-out samples to 200,000 a part, for callers that store them. */

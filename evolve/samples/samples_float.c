@@ -1,11 +1,11 @@
-/* Samples for code in single precision: its callers have coordinates in float, so that the truth is that of those. */
+/* Samples for code in single precision. Callers have coordinates in float, so the reference is computed from these. */
 #include "../surface/surface.h"
 #include "source.h"
 
-/* Of xi and eta: what rounding may move a foot point by beyond the edge of the box. */
+/* Rounding may move a foot point by this much, in xi and eta, beyond the edge of the box. */
 #define BEYOND 1e-3
 
-/* volatile: gcc 12 -O3 vectorises the two conversions into none. */
+/* volatile, because gcc 12 -O3 drops the two conversions when it vectorises. */
 static void round_vector(double x[3])
 {
     for (int k = 0; k < 3; k++) {

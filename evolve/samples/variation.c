@@ -1,5 +1,5 @@
-/* What segments vary; see variation.h.  A kind is that of the sample that varies most, each by its own tolerance: a
- * segment of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
+/* The inputs that segments vary; see variation.h. The most varied sample decides the kind, each sample by its own
+ * tolerance: a segment of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
 #include "variation.h"
 
 #include "../common/vec3.h"
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double nothing = 1e-12;            /* of the size: what is smaller does not vary */
+static const double nothing = 1e-12;            /* of the size: smaller variations count as 0 */
 static const double rounding = 8 * DBL_EPSILON; /* of the largest coordinate */
 
 const char *const variation_name[] = {[VARY_RECTANGLES] = "rectangles",
@@ -17,7 +17,7 @@ const char *const variation_name[] = {[VARY_RECTANGLES] = "rectangles",
                                       [VARY_PLANE] = "plane",
                                       [VARY_WARPED] = "warped"};
 
-/* c1, c2, c3 from differences of corners, which lose nothing far from the origin. */
+/* Computes c1, c2 and c3 from differences of corners, which lose nothing far from the origin. */
 static void expand(double x[4][3], double c[3][3])
 {
     for (int k = 0; k < 3; k++) {
@@ -38,7 +38,7 @@ static double largest_coordinate(double x[4][3])
     return largest;
 }
 
-/* Angle between the normals at two opposite corners, (xi,eta) = (1,eta) and (-1,-eta). */
+/* Returns the angle between the normals at the opposite corners (1,eta) and (-1,-eta). */
 static double turn(double c[3][3], double eta)
 {
     double n[2][3], both[3];
@@ -77,7 +77,7 @@ static struct variation measure(const struct sample *s)
     return v;
 }
 
-/* The parallelogram of corners A, B and the last one. */
+/* Returns the parallelogram of corners A, B and the last corner. */
 static struct sample spanned(const struct segment_kind *kind, const struct sample *s)
 {
     struct sample p = {0};

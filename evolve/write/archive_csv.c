@@ -1,4 +1,4 @@
-/* The fronts as a table; see archive_write.h.  Errors of programs are those of both outputs together. */
+/* The fronts as a table; see archive_write.h. Errors of programs pool both outputs. */
 #include "archive_write.h"
 
 #include "../../codegen/base/outfile.h"
@@ -18,7 +18,7 @@ enum { PARTS = 2 };
 struct row {
     const struct quest *quest; /* not owned, as is: */
     const struct member *member;
-    struct errors found[PARTS]; /* n is 0 where the scene has no such part */
+    struct errors found[PARTS]; /* n is 0 if the scene lacks the part */
 };
 
 static struct row *list_rows(const struct archive *a, size_t *n)
@@ -38,7 +38,7 @@ static size_t outputs_of(const struct row *row)
     return quest_of_programs(row->quest) ? 2 : 1;
 }
 
-/* Opens what measures rows on a few samples: xi's errors first, then eta's, in `scratch`. */
+/* Opens an objective that measures rows on a few samples: errors of xi, then of eta, in `scratch`. */
 static struct objective *judge_new(const struct archive *a, const struct sample *s, size_t n, struct columns *table)
 {
     *table = frame_columns(a->program, s, n);
@@ -47,7 +47,7 @@ static struct objective *judge_new(const struct archive *a, const struct sample 
     return o;
 }
 
-/* Takes the errors of all rows on a few samples, by row. */
+/* Adds the errors of all rows on a few samples to the tallies, indexed by row. */
 static void take_piece(const struct archive *a, const struct row *row, size_t n, const struct sample *s, size_t samples,
                        struct tally *t)
 {
@@ -68,7 +68,7 @@ struct row_of {
     const struct row *row;
 };
 
-/* Both outputs in one: they are pooled. */
+/* Computes the larger error of both outputs. */
 static void errors_of_row(const void *of, const struct sample *s, size_t n, double **error)
 {
     const struct row_of *r = of;
@@ -81,7 +81,8 @@ static void errors_of_row(const void *of, const struct sample *s, size_t n, doub
     columns_free(&table);
 }
 
-/* Climbs from a row's worst samples.  Where outputs are pooled, a piece of n samples has the errors 0 to 2 n - 1. */
+/* Climbs from a row's worst samples and returns the largest error. In a piece of n samples with pooled outputs, errors
+ * have the indices 0 to 2 n - 1. */
 static double climb_row(const struct archive *a, const struct row *row, size_t at, struct sampler *p, struct tally *t)
 {
     const struct row_of of = {a, row};

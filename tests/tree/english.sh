@@ -3,9 +3,7 @@
 # READMEs and rewritten rooms, but for the files of `old`, must keep the limits; the rates of other rooms are printed.
 . tests/cli/expect.inc
 rewritten='evolve codegen runtime tests/fuzz tests/hard tests/paper tests/queries tests/support'
-old='evolve/evolve_main.c evolve/samples evolve/eval/errors.* evolve/eval/frame.h evolve/write/archive_csv.c
-    evolve/run/run_options.c evolve/region/sampled_region.* evolve/region/shape_requires.* evolve/surface/sample.*
-    codegen/print/header/header_along.c codegen/print/header/header_arrays.* codegen/print/header/header_closest.c
+old='codegen/print/header/header_along.c codegen/print/header/header_arrays.* codegen/print/header/header_closest.c
     codegen/print/header/header_helpers.* codegen/print/header/header_lines.* codegen/print/header/header_p*.c
     codegen/print/header/header_promise.h codegen/print/header/header_segment.* codegen/print/templates/along
     codegen/print/templates/curved_closest codegen/print/templates/promise codegen/codegen_*.[ch]'
