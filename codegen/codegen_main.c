@@ -1,4 +1,4 @@
-/* footpoint-codegen: genomes in, code or a table of operation counts out. */
+/* footpoint-codegen: reads genomes and writes code or a table of operation counts. */
 #include "base/outfile.h"
 #include "codegen_options.h"
 #include "print/formulas.h"
@@ -53,8 +53,8 @@ static bool write_code(const struct unit *u, const struct codegen_options *o, st
     return false;
 }
 
-/* What the genome file decides: the precision, unless it was given, whether there are test points, and what samples look
- * like. */
+/* Reads samples and the settings that depend on the genome file: the precision, unless given, and whether test points
+ * exist. */
 static bool read_samples(const struct codegen_options *o, const struct genome_file *f, struct unit_options *unit,
                          struct measure_samples *samples, struct diag *d)
 {

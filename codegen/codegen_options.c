@@ -7,7 +7,7 @@
 #include <ctype.h>
 #include <string.h>
 
-/* "path/Some-name.h" to "some-name" as a C identifier that begins with footpoint_. */
+/* Writes the prefix: "path/Some-name.h" becomes "some-name" as a C identifier that begins with footpoint_. */
 static void prefix_from_path(const char *path, const char *ending, char prefix[160])
 {
     const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
@@ -120,7 +120,7 @@ static const char *ending_of(enum language language)
     return language == LANGUAGE_FORTRAN ? ".f90" : language == LANGUAGE_GENERIC ? ".hpp" : ".h";
 }
 
-/* A header of an edge has no genomes, and no choice but its names. */
+/* Completes the options for an edge, whose header has no genomes; only its names can be chosen. */
 static bool complete_edge(struct codegen_options *o, const bool *given, struct diag *d)
 {
     const struct option_table *t = &codegen_option_table;
@@ -137,7 +137,7 @@ static bool complete_edge(struct codegen_options *o, const bool *given, struct d
     return true;
 }
 
-/* What options tell of each other. */
+/* Fills in options that follow from others. Returns false with *d filled if options contradict each other. */
 static bool complete(struct codegen_options *o, const bool *given, struct diag *d)
 {
     const struct option_table *t = &codegen_option_table;
@@ -167,9 +167,8 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     return true;
 }
 
-/* The call that a header names: files without their folders, which are others elsewhere, the output by what its names
- * begin with, and neither how much is said meanwhile nor the file of test points, so that the same text goes wherever it
- * is written. */
+/* Writes the command that a header's banner quotes. Files have no folders, and the output is given by its prefix. The
+ * options for messages and test points are omitted. So the same text results wherever the header is written. */
 static void write_command(int argc, char **argv, struct codegen_options *o)
 {
     const size_t room = sizeof o->command;

@@ -12,21 +12,21 @@ enum language { LANGUAGE_C, LANGUAGE_GENERIC, LANGUAGE_FORTRAN, LANGUAGE_INFIX, 
 
 struct codegen_options {
     const char *genomes, *output;        /* files, not owned; output NULL: --count */
-    const char *points, *samples, *cost; /* files, not owned; NULL: none */
-    const char *edge;                    /* not owned: a kind of edge_find; NULL: genomes */
+    const char *points, *samples, *cost; /* files, not owned; NULL if not given */
+    const char *edge;                    /* not owned: a kind for edge_find; NULL: genomes */
     bool count;
-    const char *explain;  /* not owned: a pass, "" for the counts alone; NULL: not asked for */
-    bool precision_given; /* else the genomes' note `precision` counts */
+    const char *explain;  /* not owned: a pass, or "" for only the counts; NULL: nothing is explained */
+    bool precision_given; /* otherwise the genomes' note `precision` decides */
     size_t effort;
     uint64_t seed;
-    char prefix[CODEGEN_PREFIX], command[1000]; /* the latter without folders */
+    char prefix[CODEGEN_PREFIX], command[1000]; /* the command's files are without folders */
     enum language language;
-    struct unit_options unit; /* its prefix and command are those above; samples are yet to be read */
+    struct unit_options unit; /* contains prefix and command; samples are read later */
 };
 
 extern const struct option_table codegen_option_table;
 
-/** Reads the command line; OPTIONS_WRONG with *d filled. */
+/** Reads the command line. Returns OPTIONS_WRONG with *d filled on errors. */
 enum options_outcome codegen_options_read(int argc, char **argv, struct codegen_options *o, struct diag *d);
 
 #endif

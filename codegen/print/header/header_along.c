@@ -1,5 +1,5 @@
-/* Projection along a direction; see header_along.h.  Where the equations are of degree 2 it is in closed form, else by
- * Newton's steps, and where these do not tell by subdivision. */
+/* Projection along a direction; see header_along.h. Equations of degree 2 are solved in closed form. Others take
+ * Newton's steps and, if these decide nothing, subdivision. */
 #include "header_along.h"
 
 #include "../../base/text.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The template of the face in powers of xi and eta; NULL if there is none. */
+/* Returns the template of the face in powers of xi and eta; NULL if it does not exist. */
 static const char *powers_of(const struct segment_kind *k)
 {
     const size_t nodes = strlen(k->nodes);

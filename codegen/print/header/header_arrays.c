@@ -1,5 +1,5 @@
-/* Searches over arrays; see header_arrays.h.  The loops are templates, which call the search that they are given: as
- * FOOTPOINT_LOOP inlines them and it, they vectorise like loops of their own. */
+/* Searches over arrays; see header_arrays.h. The loops are templates that call the search passed to them.
+ * FOOTPOINT_LOOP inlines both, so they vectorise like hand-written loops. */
 #include "header_arrays.h"
 
 #include "../../base/text.h"
@@ -9,7 +9,7 @@
 
 #include <stdlib.h>
 
-/* Whether something belongs to the segment alone: where the search takes its corners in any order. */
+/* Returns true if some values depend only on the segment: if the search accepts corners in any order. */
 static bool prepares(const struct unit *u)
 {
     return u->file->order == CORNERS_ANY;

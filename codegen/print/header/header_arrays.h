@@ -4,10 +4,10 @@
 
 #include "../../compile/compiled_file.h"
 
-/** The loops, which all genomes share. */
+/** Prints the loops, which all genomes share. */
 void arrays_print_helpers(const struct unit *u, FILE *out);
 
-/** The functions of a genome. */
+/** Prints the functions of a genome. */
 void arrays_print(const struct unit *u, const struct function *f, FILE *out);
 
 #endif

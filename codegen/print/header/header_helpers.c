@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The geometry of a kind. */
+/* Prints the geometry of a kind. */
 static void print_kind(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
@@ -30,7 +30,7 @@ static void print_kind(const struct unit *u, FILE *out)
                           out);
 }
 
-/* Proofs, and answers where the quick way does not tell. */
+/* Prints proofs, and the answers if the quick way fails. */
 static void print_answers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;

@@ -99,7 +99,7 @@ bool lines_straight(const struct unit *u)
     return k->bilinear || strcmp(k->name, "tri3") == 0;
 }
 
-/* "reach * reach" */
+/* Returns "reach * reach" for power 2, and so on. */
 static char *power_text(const char *base, int power)
 {
     char *text = new_format("%s", base);

@@ -5,48 +5,52 @@
 #include "../../compile/compiled_file.h"
 #include "../templates.h"
 
-/** "double" or "float". */
+/** Returns "double" or "float". */
 const char *lines_real(const struct unit *u);
 
-/** "FUNCTION(const double xA[3], ..., const double xS[3], LAST)", broken where it gets long; `last` with REAL for the type,
- *  no blanks behind commas. */
+/** Prints "FUNCTION(const double xA[3], ..., const double xS[3], LAST)", broken if it gets long. `last` uses REAL for
+ *  the type and has no blanks after commas. */
 void lines_print_head(const struct unit *u, const char *function, const char *last, FILE *out);
 
-/** "xA, xB, ..., xS"; caller frees. */
+/** Returns "xA, xB, ..., xS"; the caller must free it. */
 char *lines_vectors(const struct unit *u);
 
-/** "NAME[0], NAME[1], ...", one of each vector; caller frees. */
+/** Returns "NAME[0], NAME[1], ...", an element for each vector; the caller must free it. */
 char *lines_rows(const struct unit *u, const char *name);
 
-/** Whether its edges are straight: of bilinear segments and flat triangles. */
+/** Returns true if the kind has straight edges: bilinear segments and flat triangles. */
 bool lines_straight(const struct unit *u);
 
-/** Words of templates, ended by a word NULL.  Texts are owned. */
+/** Words of templates; the last word is NULL. The texts are owned. */
 struct words {
     struct placeholder *word; /* owned */
     size_t n, room;
 };
-void words_add(struct words *w, const char *word, char *text); /* takes the text */
-void words_set(struct words *w, const char *word, char *text); /* in place of the one before; takes the text */
+void words_add(struct words *w, const char *word, char *text); /* adds a word; owns the text */
+void words_set(struct words *w, const char *word, char *text); /* replaces the text of a word; owns the new text */
 void words_clear(struct words *w);
 
-/** Returns words about the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES for contracts;
- *  VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES, CORNERS, COORDINATES, of all vectors;
- *  NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the vectors of pair i, is made
- *  of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", VECTOR_ROWS, "x[0], ...", and SEGMENT_ROWS,
- *  "c[0], ...", without the slave node; LEAST_SIZE, see sizes_least_name().  About a function, unless it is NULL: NAME;
- *  SCALED_NODES, how many vectors another unit of length changes, and SCALABLE, whether it changes any, in the search that NAME begins with. */
+/** Returns words about the kind and, unless it is NULL, about a function.
+ *  KIND, PREFIX; SHAPE: "square" or "triangle"; EDGES: for contracts;
+ *  VECTORS: number of vectors, with the slave node; SEGMENT_VECTORS: without it; NODES, CORNERS; COORDINATES: of all
+ *    vectors;
+ *  NODE_PARAMETERS: "const double xA[3], ..."; NODE_NAMES: "xA, ..., xS";
+ *  COLUMNS: the vectors p of pair i, "{x[0][i], x[1][i], x[2][i]}, ...";
+ *  ROWS: "p[0], p[1], ..."; VECTOR_ROWS: "x[0], ..."; SEGMENT_ROWS: "c[0], ...", without the slave node;
+ *  LEAST_SIZE: see sizes_least_name().
+ *  Of a function: NAME; SCALED_NODES: how many vectors a unit of length changes in the search that starts NAME;
+ *    SCALABLE: whether it changes any. */
 struct words lines_words(const struct unit *u, const struct function *f, const struct function *search);
 
 /** Prints templates that belong to no function, with these words.
- *  @param[in] guard  of an include guard FOOTPOINT_<KIND>_<guard>; NULL: there is none
- *  @param[in] names  templates, ended by NULL */
+ *  @param[in] guard  suffix of an include guard FOOTPOINT_<KIND>_<guard>; NULL: no guard
+ *  @param[in] names  templates; the last is NULL */
 void lines_print_templates(const struct unit *u, const char *guard, const char *const *names, FILE *out);
 
-/** The same with another KIND than the segment's. */
+/** Prints the same for another KIND than the segment's. */
 void lines_print_kind(const struct unit *u, const char *kind, const char *guard, const char *const *names, FILE *out);
 
-/** How many vectors another unit of length changes: none of a search that depends on it. */
+/** Returns how many vectors a unit of length changes; 0 if the search depends on the unit. */
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f);
 
 #endif

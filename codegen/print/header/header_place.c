@@ -1,10 +1,13 @@
-/* Text of functions at a place of a face: nodes, slave node and (xi, eta) to rows of values.  For a genome NAME
- *   NAME:    one pair, with a status; where the quick way does not tell, once more in another unit of length;
- *   NAME_n:  many pairs, from columns of coordinates;
- *   PREFIX_GENOME_OF(search), in capitals: a macro that defines the two joined with a search, search_GENOME and search_GENOME_n.
- * The row `require` is not written: its elements are > 0 where there is an answer.
- * The quick way is for moderate numbers, of which all rows are finite; of others they are computed in the other unit of
- * length and checked one by one, and so are tangents that might be rounding. */
+/* Prints functions at a place of a face, which map nodes, slave node and (xi, eta) to rows of values. A genome NAME
+ * becomes
+ *   NAME: one pair, with a status; if the quick way fails, it is computed again in another unit of length;
+ *   NAME_n: many pairs, from columns of coordinates;
+ *   PREFIX_GENOME_OF(search), in capitals: a macro that defines search_GENOME and search_GENOME_n, the search followed
+ *     by NAME.
+ *
+ * The row `require` is not written; its elements are > 0 if there is an answer. The quick way suits moderate numbers
+ * and finite rows. Otherwise rows are computed in another unit of length and checked one by one, and so are tangents
+ * that rounding may have made. */
 #include "header_place.h"
 
 #include "../../base/text.h"
@@ -19,14 +22,14 @@
 enum { MOST_ROWS = 16 };
 
 struct row {
-    const char *name;           /* not owned: of so many characters */
-    size_t length, first, size; /* outputs of the genome */
-    int degree;                 /* of lengths */
+    const char *name;           /* not owned; `length` characters */
+    size_t length, first, size; /* first, size: range of the genome's outputs */
+    int degree;                 /* the row's power of the unit of length */
 };
 
 struct rows {
     struct row row[MOST_ROWS];
-    size_t n, required; /* of the row `require` */
+    size_t n, required; /* size of the row `require` */
 };
 
 static bool row_is(const struct row *r, const char *name)
@@ -34,14 +37,14 @@ static bool row_is(const struct row *r, const char *name)
     return r->length == strlen(name) && strncmp(r->name, name, r->length) == 0;
 }
 
-/* An output that is 0 in any unit of length. */
+/* Returns true if the output is 0 in any unit of length. */
 static bool is_zero(const struct program *p, size_t output)
 {
     const struct op *op = &p->op[p->output[output]];
     return op->kind == OP_CONSTANT && fmpq_is_zero(&p->constant[op->input]);
 }
 
-/* Outputs are elements of rows, one row after the other. */
+/* Groups the outputs, which are elements of consecutive rows. */
 static struct rows find_rows(const struct unit *u, const struct function *f)
 {
     struct rows r = {.n = 0};
@@ -71,7 +74,7 @@ static bool is_one_of(const char *const *list, const char *name, size_t length)
     return *list != NULL;
 }
 
-/* Names of the emitted functions' variables, and words of C and C++. */
+/* Returns true for variables of the emitted functions and for words of C and C++. */
 static bool is_taken(const struct unit *u, const char *name, size_t length)
 {
     static const char *const own[] = {"xi",    "eta",      "loc",    "n",       "i",     "p",     "x",    "y",
@@ -107,7 +110,7 @@ bool place_check(const struct unit *u, struct diag *d)
         const char *row = "";
         size_t rows = 0;
         int degree = 0, first = 0;
-        bool known = false; /* the row's degree */
+        bool known = false; /* whether `degree` is known */
         for (size_t k = 0; k < f->genome->outs; k++) {
             const struct genome_expr *e = &f->genome->out[k];
             const size_t length = strcspn(e->name, "[");
@@ -146,7 +149,8 @@ static int role_of(const char *name)
     return length == strlen("gap") && strncmp(name, "gap", length) == 0 ? ROLE_GAP : ROLE_OTHER;
 }
 
-/* By vector: rows of these roles depend on it.  Divisors are tested as ROLE_REQUIRE is, so that its flaws show there. */
+/* Returns, indexed by vector, whether rows of these roles depend on it. Divisors are tested like ROLE_REQUIRE, which
+ * shows their flaws. */
 static bool *vectors_read(const struct unit *u, const struct function *f, int roles)
 {
     const struct program *p = f->program;
@@ -166,7 +170,7 @@ static bool *vectors_read(const struct unit *u, const struct function *f, int ro
     return vector;
 }
 
-/* The slave node is read by rows of these roles. */
+/* Returns true if rows of these roles depend on the slave node. */
 static bool slave_read(const struct unit *u, const struct function *f, int roles)
 {
     bool *read = vectors_read(u, f, roles);
@@ -175,13 +179,13 @@ static bool slave_read(const struct unit *u, const struct function *f, int roles
     return slave;
 }
 
-/* Only the row `gap` depends on the slave node. */
+/* Returns true if only the row `gap` depends on the slave node. */
 static bool gap_alone(const struct unit *u, const struct function *f)
 {
     return slave_read(u, f, ROLE_GAP) && !slave_read(u, f, ROLE_REQUIRE | ROLE_OTHER);
 }
 
-/* "    const double *const xA = x[0], *const xB = x[1];". */
+/* Returns "    const double *const xA = x[0], *const xB = x[1];". */
 static char *vectors_text(const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
@@ -213,7 +217,7 @@ static bool is_of_row(const struct row *r, const struct c_statement *s)
     return s->output >= (long)r->first && s->output < (long)(r->first + r->size);
 }
 
-/* Statements of temporaries and of the row `require`. */
+/* Returns the statements of temporaries and of the row `require`. */
 static char *statements_text(const struct unit *u, const struct function *f, const struct rows *r,
                              const struct c_code *c)
 {
@@ -230,7 +234,7 @@ static char *statements_text(const struct unit *u, const struct function *f, con
     return memory_close(m);
 }
 
-/* What is wanted of a row, with "[3 * step] = " for its element 3. */
+/* Returns the assignments to a row, with "[3 * step] = " for element 3. */
 static char *elements_text(const struct row *r, const struct c_code *c)
 {
     struct memory *m = memory_open();
@@ -241,7 +245,7 @@ static char *elements_text(const struct row *r, const struct c_code *c)
     return memory_close(m);
 }
 
-/* The value of the row `gap`; NULL if there is none. */
+/* Returns the value of the row `gap`, or NULL. */
 static const char *gap_value(const struct rows *r, const struct c_code *c)
 {
     for (size_t k = 0; k < r->n; k++)
@@ -251,7 +255,7 @@ static const char *gap_value(const struct rows *r, const struct c_code *c)
     return NULL;
 }
 
-/* The nodes that no test depends on, " | footpoint_detail_infinite(xF[0] + xF[1] + xF[2])". */
+/* Prints tests of the nodes that no other test reads: " | footpoint_detail_infinite(xF[0] + xF[1] + xF[2])". */
 static void add_hidden_nodes(const struct unit *u, const struct function *f, FILE *out)
 {
     bool *reads = vectors_read(u, f, ROLE_ANY), *shown = vectors_read(u, f, ROLE_REQUIRE);
@@ -265,9 +269,9 @@ static void add_hidden_nodes(const struct unit *u, const struct function *f, FIL
     free(shown);
 }
 
-/* What the quick way is not for: places far away, and slave nodes whose distance might take rows beyond all numbers.  On
- * faces whose tangents have no slopes but a twist, only the gap does; if nothing but the gap depends on the slave node, the
- * gap is tested in its place. */
+/* Returns the test that rejects the quick way: places far away, and slave nodes so distant that rows may overflow. On
+ * faces whose only second derivative is the twist, only the gap can overflow. If only the gap depends on the slave
+ * node, the gap is tested instead. */
 static char *far_text(const struct unit *u, const struct function *f, const char *gap)
 {
     const struct segment_kind *kind = u->file->segment;
@@ -302,7 +306,7 @@ static char *flaw_text(const struct unit *u, const struct function *f, const str
     return memory_close(broken);
 }
 
-/* The first function, no later than f, that gives tangents, rows r_xi and r_eta; *row: the number of r_xi.  NULL: none. */
+/* Returns the first function, at most f, with tangents (rows r_xi and r_eta), or NULL; *row is the index of r_xi. */
 static const struct function *tangents_of(const struct unit *u, const struct function *f, size_t *row)
 {
     for (const struct function *g = u->function; g <= f; g++) {
@@ -314,14 +318,14 @@ static const struct function *tangents_of(const struct unit *u, const struct fun
     return NULL;
 }
 
-/* The power of xi and eta that tangents grow with. */
+/* Returns the power of xi and eta with which tangents grow. */
 static int tangent_degree(const struct segment_kind *kind)
 {
     const size_t nodes = strlen(kind->nodes);
     return *kind->normals ? 5 : nodes == 9 ? 3 : nodes == 8 ? 2 : nodes == 3 ? 0 : 1;
 }
 
-/* "BEFORE phi AFTER, BEFORE r_xi AFTER". */
+/* Returns "BEFORE phi AFTER, BEFORE r_xi AFTER". */
 static char *list_text(const struct rows *r, const char *before, const char *after)
 {
     struct memory *m = memory_open();
@@ -338,7 +342,7 @@ static char *row_parameters_text(const struct rows *r)
     return memory_close(m);
 }
 
-/* Of each row "size, degree". */
+/* Returns "size, degree" of each row. */
 static char *shape_text(const struct rows *r)
 {
     struct memory *m = memory_open();
@@ -347,7 +351,7 @@ static char *shape_text(const struct rows *r)
     return memory_close(m);
 }
 
-/* Words of the templates in templates/place/. */
+/* Returns the words of the templates in templates/place/. */
 static struct words words_of(const struct unit *u, const struct function *f, const struct rows *r,
                              const struct c_code *c)
 {
@@ -401,7 +405,7 @@ static void print_detail(const struct unit *u, const struct function *f, const s
         words_clear(&row[i]);
 }
 
-/* A template as the text of a macro PREFIX_NAME_OF(search), in capitals. */
+/* Prints a template as the text of a macro PREFIX_NAME_OF(search), in capitals. */
 static void print_macro(const struct unit *u, const char *name, const char *template, const struct words *w, FILE *out)
 {
     char *prefix = unit_face_prefix(u->file, &u->options);
@@ -422,7 +426,7 @@ static void print_macro(const struct unit *u, const char *name, const char *temp
     free(prefix);
 }
 
-/* Whether f gives what derivatives along a direction are made of: its first rows are shape functions and tangents. */
+/* Returns true if f has the rows that derivatives along a direction need: shape functions and tangents come first. */
 static bool gives_slopes(const struct unit *u, const struct function *f)
 {
     const struct rows r = find_rows(u, f);
@@ -430,7 +434,7 @@ static bool gives_slopes(const struct unit *u, const struct function *f)
            row_is(&r.row[2], "r_eta");
 }
 
-/* The first of these functions; NULL: none. */
+/* Returns the first of these functions, or NULL. */
 static const struct function *slopes_of(const struct unit *u)
 {
     for (size_t k = 0; k < u->file->genomes; k++)

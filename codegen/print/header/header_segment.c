@@ -1,7 +1,8 @@
-/* Text of the search: nodes as a mesh has them to xi, eta and the gap.  For a genome NAME of a segment,
- *   NAME_at:  xi and eta by straight-line code, corners in the order that the scene assumes, nothing checked;
- *   NAME:     xi, eta and the signed gap (9), corners in any order, segments of any size, with a status;
- * from the last answer and over arrays, see header_arrays.h; and of faces that have it NAME_closest, see header_closest.h. */
+/* Prints the search: from nodes, numbered as in the mesh, to xi, eta and the gap. A genome NAME of a segment becomes
+ *   NAME_at: xi and eta by straight-line code, corners in the order that the scene assumes, unchecked;
+ *   NAME: xi, eta and the signed gap (9), corners in any order, segments of any size, with a status.
+ *
+ * header_arrays.h prints searches over arrays and from the last answer, header_closest.h NAME_closest. */
 #include "header_segment.h"
 
 #include "../../base/text.h"
@@ -21,7 +22,7 @@
 
 enum { WIDTH = 117 };
 
-/* Statements of NAME_detail, which set xi and eta. */
+/* Returns the statements of NAME_detail, which set xi and eta. */
 static char *statements_text(const struct unit *u, const struct function *f)
 {
     struct memory *m = memory_open();
@@ -37,7 +38,7 @@ static char *statements_text(const struct unit *u, const struct function *f)
     return memory_close(m);
 }
 
-/* The tests of its denominators. */
+/* Returns the tests of its denominators. */
 static char *denominators_text(const struct unit *u, const struct function *f)
 {
     char *flaw = c_flaw(u, f, true), *whole = new_format("%s;", flaw);
@@ -50,7 +51,7 @@ static char *denominators_text(const struct unit *u, const struct function *f)
     return text;
 }
 
-/* What puts corners into the order that the scene assumes; NULL: any will do. */
+/* Returns the template that puts corners into the order that the scene assumes; NULL: any order. */
 static const char *ordering(const struct unit *u)
 {
     return u->file->order == CORNERS_ANY ? NULL : u->file->order == CORNERS_NEAREST ? "nearest" : "nearest_shorter";
@@ -66,7 +67,7 @@ static char *call_text(const struct unit *u, const struct function *of)
     return call;
 }
 
-/* NAME_sure, a name of before that callers have. */
+/* Prints NAME_sure, a deprecated name that callers use. */
 static void print_sure(const struct unit *u, const struct function *f, const char *vectors, FILE *out)
 {
     char *head = new_format("FOOTPOINT_FN int %s_sure", f->name);
@@ -91,7 +92,7 @@ void search_print_contract(const struct unit *u, FILE *out)
         closest_print_contract(u, out);
 }
 
-/* The search by straight-line code.  Takes the text of the denominators' tests. */
+/* Prints the search by straight-line code. Takes ownership of the text of the denominators' tests. */
 static void print_straight(const struct unit *u, const struct function *f, char *denominators, FILE *out)
 {
     struct words w = lines_words(u, f, f);
@@ -102,7 +103,7 @@ static void print_straight(const struct unit *u, const struct function *f, char 
     words_clear(&w);
 }
 
-/* Where loops over arrays of patches begin, in both precisions.  Proofs follow, so that nothing is tested. */
+/* Prints the start of loops over arrays of patches, in both precisions. Proofs follow, so nothing is tested. */
 static void print_begin(const struct unit *u, const struct function *f, FILE *out)
 {
     struct unit single = *u;

@@ -4,13 +4,13 @@
 
 #include "../../compile/compiled_file.h"
 
-/** What each of the functions does, said once for all genomes. */
+/** Prints the contract of each function, once for all genomes. */
 void search_print_contract(const struct unit *u, FILE *out);
 
-/** What all of these begin with, printed before the first of them. */
+/** Prints the unchecked search that the functions share; must precede the first of them. */
 void search_print_bare(const struct unit *u, const struct function *f, FILE *out);
 
-/** NAME_at, NAME and NAME_n; in float, where there were samples, NAME_sure; those of header_closest.h. */
+/** Prints NAME_at, NAME and NAME_n, in float with samples also NAME_sure, and the functions of header_closest.h. */
 void search_print(const struct unit *u, const struct function *f, FILE *out);
 
 #endif
