@@ -3,10 +3,7 @@
 # READMEs and rewritten rooms, but for the files of `old`, must keep the limits; the rates of other rooms are printed.
 . tests/cli/expect.inc
 rewritten='evolve codegen runtime tests/fuzz tests/hard tests/paper tests/queries tests/support'
-old='codegen/print/header/header_along.c codegen/print/header/header_arrays.* codegen/print/header/header_closest.c
-    codegen/print/header/header_helpers.* codegen/print/header/header_lines.* codegen/print/header/header_p*.c
-    codegen/print/header/header_promise.h codegen/print/header/header_segment.* codegen/print/templates/along
-    codegen/print/templates/curved_closest codegen/print/templates/promise codegen/codegen_*.[ch]'
+old='codegen/print/templates/along codegen/print/templates/curved_closest codegen/print/templates/promise'
 others='evolve codegen runtime tests'
 pages='README.md */README.md'
 git ls-files --error-unmatch Makefile > "$work/log" 2>&1 || { echo 'ok 1 - comments and READMEs # SKIP no clone'; exit 0; }

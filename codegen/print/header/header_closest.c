@@ -1,9 +1,9 @@
 /* Closest points of closed segments; see header_closest.h.
  *
- * The closest point is a foot point inside, or it is the nearest point of an edge.  The latter is right to rounding; so
- * the nearer of the search's point, where that is inside, and of those of all edges is as good as the search, and where
- * the search has left the segment it is not asked any further.  No branch depends on the data but for nodes in need of
- * another unit of length, so that loops over arrays vectorise: theirs are done once more in a second loop. */
+ * The closest point is a foot point inside, or the nearest point of an edge, which is right to rounding. So the nearest
+ * of the edges' points and of the search's point, if that is inside, is as accurate as the search. Once the search has
+ * left the segment, it ends. Only nodes that need another unit of length cause branches, so loops over arrays
+ * vectorise; a second loop repeats those nodes. */
 #include "header_closest.h"
 
 #include "../../base/text.h"
@@ -18,7 +18,7 @@ bool closest_exists(const struct unit *u)
     return u->file->order == CORNERS_ANY && !*u->file->segment->normals;
 }
 
-/* What is nearest, where that is proved. */
+/* Prints closest points with a proof. */
 static void print_proved(const struct unit *u, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT;
@@ -47,7 +47,7 @@ static void print_proved(const struct unit *u, FILE *out)
     lines_print_templates(u, "NEAREST", is_curved ? curved : is_linear ? linear : bilinear, out);
 }
 
-/* Where it is not: of triangles and curved faces in float. */
+/* Prints closest points without a proof: triangles and curved faces in float. */
 static void print_nearest(const struct unit *u, FILE *out)
 {
     static const char *const flat[] = {"tri3_nearest", "tri3_found", NULL};
@@ -69,7 +69,7 @@ static void print_nearest(const struct unit *u, FILE *out)
     lines_print_templates(u, "NEAREST", names, out);
 }
 
-/* Whether answers are proved. */
+/* Returns true if answers are proved. */
 static bool is_proved(const struct unit *u)
 {
     const enum promise_kind kind = promise_kind_of(u);

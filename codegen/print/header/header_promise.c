@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What functions of faces, and of patches, are called for what they promise; others are right to rounding. */
+/* Promises by the names of functions, of faces and of patches; other functions are right to rounding. */
 static const struct {
     const char *name;
     double promise[2];
@@ -55,7 +55,7 @@ bool promise_follows(const struct unit *u)
     return !single(u) && (promise_kind_of(u) == PROMISE_BILINEAR || promise_kind_of(u) == PROMISE_CURVED);
 }
 
-/* What the name of f promises. */
+/* Returns the promise of f's name. */
 static double name_promise(const struct unit *u, const struct function *f)
 {
     const double least = finest[u->options.precision];
@@ -65,7 +65,7 @@ static double name_promise(const struct unit *u, const struct function *f)
     return least;
 }
 
-/* The error of all but 1 % of the samples that evolution held out; infinite if it is unknown. */
+/* Returns the 99 % error on held-out samples, the larger of xi and eta; infinite if it is unknown. */
 static double usual_error(const struct function *f)
 {
     if (f->measured)
@@ -75,20 +75,19 @@ static double usual_error(const struct function *f)
     return said && measure_errors_read(said, e) ? fmax(e[0].p99, e[1].p99) : INFINITY;
 }
 
-/* True if one step takes an error of e below `promise`, or so: a step of third order to the cube, in float one of second order to
- * the square. */
+/* Returns true if one step should bring an error e below `promise`. The step is of third order, in float of second. */
 static bool one_step_does(const struct unit *u, double e, double promise)
 {
     return single(u) ? e < 0.005 && e * e < 0.5 * promise : e < 0.02 && e * e * e < 20.0 * promise;
 }
 
-/* True if it does so but for a few in a hundred. */
+/* Returns true if the same holds for all but a few in a hundred. */
 static bool one_step_suffices(const struct unit *u, double e, double promise)
 {
     return e < 0.004 && one_step_does(u, e, (single(u) ? 0.02 : 0.015) * promise);
 }
 
-/* What NAME begins with: the cheapest function from which one step is most often enough. */
+/* Returns the start of NAME: the cheapest function from which one step is usually enough. */
 static const struct function *start_of(const struct unit *u, const struct function *f)
 {
     const struct function *start = NULL;
@@ -103,14 +102,15 @@ static const struct function *start_of(const struct unit *u, const struct functi
     return start ? start : f;
 }
 
-/* The error from which steps on a patch converge. */
+/* Steps on a patch converge from this error. */
 #define NEAR 0.02
 
-/* On a patch: how many steps come before one that is proved, from NEAR and within some ten times its error's square; and about what a step
- * costs. */
+/* On a patch: the most steps before the proved step, which needs an error below NEAR whose square, times ten, is below
+ * the promise; and the approximate cost of a step. */
 enum { PATCH_STEPS = 4, PATCH_STEP_COST = 550 };
 
-/* What such a step leaves of an error e, at most but for 1 % of the samples of gregory: from 0.084 1.3e-4, 0.027 2.3e-6, 0.013 6e-7. */
+/* Returns a bound of the error after a step from an error e, for 99 % of the samples of gregory: measured 1.3e-4 from
+ * 0.084, 2.3e-6 from 0.027, 6e-7 from 0.013. */
 static double step_leaves(double e)
 {
     return e * e * (0.3 * e + 0.003);
@@ -124,7 +124,7 @@ static int patch_steps(const struct function *start, double promise)
     return steps;
 }
 
-/* The function from which the way to a proof on a patch is the cheapest. */
+/* Returns the function with the cheapest way to a proof on a patch. */
 static const struct function *patch_start(const struct unit *u, const struct function *f)
 {
     const struct function *start = f;
@@ -141,17 +141,17 @@ static const struct function *patch_start(const struct unit *u, const struct fun
     return start;
 }
 
-/* How many steps f takes in a loop over arrays, where all pairs take as many, if the segment is bilinear; the few that need more are
- * done again behind it. */
+/* Returns the number of steps that f takes for all pairs of a loop over arrays, on bilinear segments. The few pairs
+ * that need more are repeated after the loop. */
 static int fixed_steps(const struct unit *u, const struct function *f)
 {
     return one_step_suffices(u, usual_error(start_of(u, f)), name_promise(u, f)) ? 1 : 2;
 }
 
-/* The promise that needs steps of third order. */
+/* Promises below this need steps of third order. */
 #define THIRD 1e-3
 
-/* Whether checked functions of f and g are the same but for what they promise. */
+/* Returns true if checked functions of f and g differ only in their promise. */
 static bool are_alike(const struct unit *u, const struct function *f, const struct function *g)
 {
     return start_of(u, f) == start_of(u, g) && fixed_steps(u, f) == fixed_steps(u, g) &&
@@ -169,7 +169,7 @@ double promise_of(const struct unit *u, const struct function *f)
     return promise;
 }
 
-/* The macro that says it. */
+/* Returns the name of the promise's macro, or a number that means no promise. */
 static char *promise_text(const struct unit *u, const struct function *f)
 {
     if (promise_of(u, f) == 0.0)
@@ -194,13 +194,13 @@ const struct function *promise_start(const struct unit *u, const struct function
     return kind == PROMISE_BILINEAR ? start_of(u, f) : kind == PROMISE_PATCH ? patch_start(u, f) : f;
 }
 
-/* How many steps of a curved face come before the first that is proved: from there on most are. */
+/* Returns how many steps on a curved face precede the first proved step; from there most steps are proved. */
 static int curved_steps(const struct unit *u, double promise)
 {
     return promise < 0.99e-7 ? 2 : promise < (u->file->segment->triangle ? 0.99e-3 : 0.99e-2) ? 1 : 0;
 }
 
-/* How many steps NAME takes in a loop over arrays. */
+/* Returns how many steps NAME takes in a loop over arrays. */
 static int promise_steps(const struct unit *u, const struct function *f)
 {
     switch (promise_kind_of(u)) {

@@ -4,39 +4,42 @@
 
 #include "header_lines.h"
 
-/* How functions of a unit prove their answers, in double: of plane triangles, which are exact but for rounding; of bilinear
- * segments with corners in any order, in float, too, by steps from what bred programs find, and with corners in an order
- * that is assumed, in the closed segment, the box of xi and eta; of faces of six to nine nodes, by steps of their polynomial
- * surface; of patches, by steps on them from what bred programs find.  Others prove nothing. */
+/* How functions of a unit prove their answers, in double unless stated.
+ *   LINEAR: plane triangles, which are exact but for rounding.
+ *   BILINEAR: four-node segments with corners in any order, also in float, by steps from bred programs.
+ *   BOX: four-node segments with an assumed order of corners, in the closed segment, the box of xi and eta.
+ *   CURVED: faces of six to nine nodes, by steps on their polynomial surface.
+ *   PATCH: patches, by steps from bred programs.
+ *   NONE: others; nothing is proved. */
 enum promise_kind { PROMISE_NONE, PROMISE_LINEAR, PROMISE_BILINEAR, PROMISE_BOX, PROMISE_CURVED, PROMISE_PATCH };
 
 enum promise_kind promise_kind_of(const struct unit *u);
 
-/** Returns KIND of the templates of answers and of loops over arrays: that of the segment, or "quad4_box". */
+/** Returns KIND for the templates of answers and of loops over arrays: the segment's kind, or "quad4_box". */
 const char *promise_answers(const struct unit *u);
 
-/** Whether searches can begin with the last answer: NAME_from. */
+/** Returns true if searches can begin with the last answer (NAME_from). */
 bool promise_follows(const struct unit *u);
 
-/** The largest error of xi and eta, relative to max(1, |xi|, |eta|), that FOOTPOINT_OK of a function allows; 0: it has no
- *  proof. */
+/** Returns the largest error of xi and eta, relative to max(1, |xi|, |eta|), that FOOTPOINT_OK of a function allows; 0
+ *  if it has no proof. */
 double promise_of(const struct unit *u, const struct function *f);
 
-/** Defines the macro that says it, NAME_PROMISE, if there is a proof. */
+/** Prints the definition of the macro NAME_PROMISE if there is a proof. */
 void promise_define(const struct unit *u, const struct function *f, FILE *out);
 
-/** The function that NAME begins with, itself or a cheaper one: steps that are proved do the rest. */
+/** Returns the function that starts NAME, itself or a cheaper one; proved steps follow. */
 const struct function *promise_start(const struct unit *u, const struct function *f);
 
-/** Whether the checked function of any genome begins with f. */
+/** Returns true if the checked function of any genome starts with f. */
 bool promise_starts(const struct unit *u, const struct function *f);
 
-/** lines_words() with KIND of promise_answers(), and PROMISE, the macro, or 0.0, in float -1.0; START, the function that NAME begins with; STEPS, those of it in loops over
- *  arrays. */
+/** Returns lines_words() with KIND from promise_answers(), and PROMISE: the macro, or 0.0, in float -1.0; START: the
+ *  function that starts NAME; STEPS: its steps in loops over arrays. */
 struct words promise_words(const struct unit *u, const struct function *f);
 
-/** NAME_detail_prove, if functions begin with f: from its xi and eta steps, their proof and the gap; see "quad4_steps" of the
- *  templates.  It takes what the search has computed, as gap_print does. */
+/** Prints NAME_detail_prove if functions start with f. It takes steps from the xi and eta of f and computes their proof
+ *  and the gap; see the template "quad4_steps". Like gap_print, it uses values that the search has computed. */
 void promise_print(const struct unit *u, const struct function *f, FILE *out);
 
 #endif
