@@ -1,7 +1,7 @@
-/* What callers get of the bench's searches: checked, the closest point of the face, along a direction, with derivatives;
- * ours, from calls.inc, and those written by hand, of which converged Newton asked the same stands first.  Compiled as
- * bench_methods.c, once for each instruction set.  Calls are a function's calls for each sample; over arrays the
- * header's own loop is called for a block, and what is written by hand is looped over. */
+/* Searches of the bench as callers use them: checked, closest point of the face, along a direction, with derivatives.
+ * The generated functions come from calls.inc, the others are hand-written; converged Newton comes first for each
+ * question. Compiled like bench_methods.c, once for each instruction set. In calls, a function is called for each
+ * sample. Over arrays, a generated loop is called for a block, and hand-written searches are looped over. */
 #include "bench_methods.h"
 
 #include "bench_loops.h"
@@ -21,12 +21,12 @@
 
 #include <string.h>
 
-/* CalculiX's own name for its search. */
+/* CalculiX's name for its search. */
 void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, double ratio[9], double *dist,
                 double *xil, double *etl);
 
-/* `call` is written with x, the vectors, and writes loc and gap, and s where derivatives are asked for; loc is untouched
- * where it has no answer. */
+/* `call` uses x, the vectors, and writes loc and gap, and s for derivatives. It leaves loc untouched if it has no
+ * answer. */
 #define DEFINE_ONE(name, call)                                                                                         \
     SCALAR_FN(name)                                                                                                    \
     {                                                                                                                  \
@@ -35,7 +35,7 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
             const double(*x)[3] = (const double(*)[3])in[i].x;                                                         \
             double loc[2] = {BENCH_NO_ANSWER, BENCH_NO_ANSWER}, gap = 0;                                               \
             double(*const s)[SEGMENT_INPUTS] = slope[i];                                                               \
-            if (!s) /* no row is NULL, as a compiler sees of a caller's own arrays */                                  \
+            if (!s) /* compilers see that no row is NULL, as with a caller's arrays */                                 \
                 __builtin_unreachable();                                                                               \
             call;                                                                                                      \
             found[i][0] = loc[0];                                                                                      \
@@ -44,7 +44,7 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
             NEXT_SAMPLE(loc[0], loc[1], gap);                                                                          \
         }                                                                                                              \
     }
-/* What follows the name is written with x, columns, and block b. */
+/* The arguments after the name use x, columns, and block b. */
 #define DEFINE_MANY(name, ...)                                                                                         \
     BATCH_FN(name)                                                                                                     \
     {                                                                                                                  \
@@ -54,7 +54,7 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
             x[k] = b->x[k];                                                                                            \
         __VA_ARGS__;                                                                                                   \
     }
-/* By hand: `found` says whether there is an answer. */
+/* Hand-written searches; `found` is true if there is an answer. */
 #define DEFINE_LOOP(name, found, derivatives)                                                                          \
     BATCH_FN(name)                                                                                                     \
     {                                                                                                                  \
@@ -81,7 +81,7 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
 #define NODES(kind) NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1])
 #define DIRECTION(kind) x[VECTORS_OF_##kind]
 
-/* xi, eta and distance of a search along a direction. */
+/* Copies xi, eta and distance of a search along a direction. */
 static inline int found_along(int found, const double at[3], double loc[2], double *dist)
 {
     loc[0] = at[0];
@@ -137,7 +137,7 @@ static inline int attach(const double (*x)[3], int nodes, double loc[2], double 
     return 1;
 }
 
-/* R(kind, name, question, found, coordinates by which it is differentiated) */
+/* R(kind, name, question, found, number of coordinates for derivatives) */
 #define SAME(R, kind, newton)                                                                                          \
     R(kind, newton##_checked, ASK_CHECKED, rival_##kind##_checked(x, loc, &gap), 0)                                    \
     R(kind, newton##_over, ASK_OVER, rival_##kind##_checked(x, loc, &gap), 0)                                          \
@@ -179,7 +179,7 @@ DEFINE_FAIR(newton_fair_over, BENCH_OVER)
 
 /* ---- by hand, from the last answer ---- */
 
-/* The last answer, for a call. */
+/* The last answer of a call. */
 #define LAST loc[0] = in[i].before[0], loc[1] = in[i].before[1]
 #define DEFINE_FROM_CALLS(name, found) DEFINE_ONE(name, LAST; if (!(found)) NO_ANSWER)
 #define DEFINE_FROM_LOOP(name, found)                                                                                  \
@@ -198,7 +198,8 @@ DEFINE_FAIR(newton_fair_over, BENCH_OVER)
             for (int i = 0; i < NEWTON_LANES; i++)                                                                     \
                 b->status[first + i] = answered[i] ? FOOTPOINT_OK : FOOTPOINT_ERR_NO_CONVERGENCE;                      \
         })
-/* R(name, tolerance, whether fair) and R(kind, name, found, whether fair); Newton to 1e-10 stands first of each kind. */
+/* R(name, tolerance, whether fair) and R(kind, name, found, whether fair). Newton to 1e-10 comes first for each
+ * kind. */
 #define FROM_LANES(R)                                                                                                  \
     R(newton_from, RIVAL_NEWTON_TOLERANCE, 0)                                                                          \
     R(newton_fair_from, RIVAL_FAIR_TOLERANCE, 1)                                                                       \
@@ -216,12 +217,12 @@ FROM_LANES(DEFINE_FROM_LANES)
 FROM_LOOPS(DEFINE)
 #undef DEFINE
 
-/* ---- of the library ---- */
+/* ---- the library ---- */
 
 DEFINE_ONE(footpoint_locate, (void)footpoint_locate(NODES(quad4), loc, &gap))
 BATCH_FN(footpoint_locate)
 {
-    /* Of search i, the coordinates of vector k are element i of columns 3 k and on. */
+    /* In search i, the coordinates of vector k are element i of columns 3 k to 3 k + 2. */
     static int seg[BENCH_BLOCK][4], slave[BENCH_BLOCK];
     for (int i = BENCH_BLOCK - 1; i >= 0 && !slave[0]; i--) {
         for (int k = 0; k < 4; k++)
@@ -265,7 +266,7 @@ DEFINE_ONE(footpoint_differentiate, {
         NO_ANSWER;
 })
 
-/* ---- ours ---- */
+/* ---- generated ---- */
 
 #define CHECKED(scene, kind, name)                                                                                     \
     DEFINE_ONE(name##_checked, (void)name(NODES(kind), loc, &gap))                                                     \
@@ -282,7 +283,7 @@ DEFINE_ONE(footpoint_differentiate, {
                 slaves[k] = x[3 * (VECTORS_OF_##kind - 1) + k] + i;                                                    \
             name##_over_n(nodes, BENCH_OVER, slaves, b->xi + i, b->eta + i, b->gap + i, b->status + i);                \
         })
-/* Answers replace the last ones, so that a loop over arrays begins with a copy. */
+/* Answers replace the last answers, so a loop over arrays begins with a copy. */
 #define FROM(scene, kind, name)                                                                                        \
     DEFINE_FROM_CALLS(name##_from, name##_from(NODES(kind), loc, &gap) >= 0)                                           \
     DEFINE_MANY(name##_from, memcpy(b->xi, b->before[0], sizeof b->xi); memcpy(b->eta, b->before[1], sizeof b->eta);   \
@@ -295,7 +296,7 @@ DEFINE_ONE(footpoint_differentiate, {
     DEFINE_MANY(name##_along,                                                                                          \
                 name##_along_n(BENCH_BLOCK, x, x + 3 * VECTORS_OF_##kind, b->xi, b->eta, b->gap, b->status))
 #define JOINED_WITH(KIND, name) FOOTPOINT_##KIND##_GRADIENTS_OF(name) FOOTPOINT_##KIND##_HESSIAN_OF(name)
-/* A second derivative is no answer of the bench: it is computed, and left. */
+/* The bench discards second derivatives after they are computed. */
 #define DERIVATIVES(scene, kind, KIND, name)                                                                           \
     JOINED_WITH(KIND, name)                                                                                            \
     DEFINE_ONE(name##_gradients,                                                                                       \

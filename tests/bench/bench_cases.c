@@ -1,4 +1,4 @@
-/* Questions with their answers; see bench_cases.h. */
+/* Questions and their answers; see bench_cases.h. */
 #include "bench_cases.h"
 
 #include "../../codegen/base/base.h"
@@ -15,7 +15,7 @@
 enum { SEED = 20271 };
 static const double turn = 2.399963229728653; /* the golden angle */
 
-/* How far the answer of the step before lies from the foot point; of the segment. */
+/* Returns how far the last step's answer lies from the foot point, in sizes of the segment. */
 static double move_of(enum bench_question question)
 {
     return question == ASK_FROM_NEAR ? 1e-3 : question == ASK_FROM_FAR ? 1e-1 : 1e-2;
@@ -54,7 +54,7 @@ static void ask_over(const struct surface *f, const struct bench_case *first, st
 
 /* ---- closest points ---- */
 
-/* Three and four nodes as the six and nine of the same face. */
+/* Copies three or four nodes as the six or nine of the same face. */
 static void curved_of(const struct segment_kind *kind, double (*x)[3], struct curved_face *f)
 {
     const size_t n = segment_vectors(kind);
@@ -124,7 +124,8 @@ static void ask_along(const struct surface *f, gsl_rng *stream, struct bench_cas
     }
 }
 
-/* The square root of the area: half the diagonals' product, or that of the parallelogram which the middle spans. */
+/* Returns the square root of the area: half the product of the diagonals, or the parallelogram of the tangents in the
+ * middle. */
 static double size_of(const struct segment_kind *kind, double (*x)[3])
 {
     const struct surface *f = surface_find(kind);
@@ -172,7 +173,7 @@ void bench_cases_free(struct bench_cases *cases)
 
 /* ---- errors ---- */
 
-/* The gap (9) at (xi, eta). */
+/* Returns the gap (9) at (xi, eta). */
 static double gap_at(const struct segment_kind *kind, double (*x)[3], const double at[2])
 {
     const double *const xs = x[segment_vectors(kind)];
@@ -184,7 +185,7 @@ static double gap_at(const struct segment_kind *kind, double (*x)[3], const doub
     return rival_dot(d, n);
 }
 
-/* The derivatives at the certain foot point, by the implicit function theorem. */
+/* Computes the errors of derivatives at the certain foot point, by the implicit function theorem. */
 static void slope_errors(const struct segment_kind *kind, const struct bench_case *c, bench_slopes slope,
                          double error[BENCH_FOUND])
 {

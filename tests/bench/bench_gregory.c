@@ -1,5 +1,5 @@
-/* The methods of the bench of Gregory patches, all compiled with the same flags; see rivals_gregory.h.  newton_plain is
- * Newton's iteration as it is usually written; the others spare what algebra spares. */
+/* The methods of the bench of Gregory patches, all compiled with the same flags; see rivals_gregory.h. newton_plain is
+ * Newton's iteration as usually written; the others avoid redundant operations. */
 #include "bench_gregory.h"
 
 #include <math.h>
@@ -8,11 +8,11 @@
 
 enum { MOST_STEPS = 50 };
 
-/* Memory changes between samples, as far as the compiler knows: each search stands for itself. */
+/* Compilers must assume that memory changes between samples, so they cannot join searches. */
 #define NEXT_SAMPLE __asm__ volatile("" ::: "memory")
 
-/* `steps` moves p, a point of `patch`, from the facet's foot point or the one along the normals; the result counts if
- * it is not 0. */
+/* `steps` moves p, a point of `patch`, from the facet's foot point or the foot point along the normals. The result
+ * counts if `steps` is not 0. */
 #define DEFINE_SEARCH(name, from, steps)                                                                               \
     __attribute__((noinline, flatten)) static void search_##name(const struct gregory_input *restrict in,              \
                                                                  const struct gregory_ready *ready, size_t count,      \
@@ -33,7 +33,7 @@ enum { MOST_STEPS = 50 };
         }                                                                                                              \
     }
 
-/* Newton's iteration as it is usually written, on the runtime's own evaluation.  Returns whether it converges. */
+/* Runs Newton's iteration as usually written, on the runtime's own evaluation. Returns true if it converges. */
 static int newton_plain(const struct footpoint_gregory *patch, const double xs[3], struct rival_point *p)
 {
     for (int i = 0; i < MOST_STEPS; i++) {

@@ -5,14 +5,14 @@
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
 #include "../rivals/rivals_gregory.h"
 
-/** Stands for xi and eta where a method gives none; finite, for code compiled without infinities. */
+/** Replaces xi and eta if a method has no answer; finite, because code may be compiled without infinities. */
 #define GREGORY_NO_ANSWER 1e300
 
 struct gregory_input {
     double x[4][3], n[4][3], xs[3];
 };
 
-/** Patches made before, of the same inputs. */
+/** Patches prepared from the same inputs. */
 struct gregory_ready {
     const struct rival_patch *patch;
     const struct footpoint_gregory *plain;
@@ -20,7 +20,7 @@ struct gregory_ready {
 
 struct gregory_method {
     const char *name;
-    /* Search all of `in`; on ready patches unless that is NULL. */
+    /* Searches all of `in`, on prepared patches unless `ready` is NULL. */
     void (*search)(const struct gregory_input *in, const struct gregory_ready *ready, size_t count,
                    enum rival_start start, double (*found)[2]);
 };

@@ -1,8 +1,8 @@
 /* Speed and error of hand-written searches on Gregory patches, on held-out samples of the paper's data set and of
- * smooth bodies; and how far facets and smoothed surfaces are from the bodies that they stand for.
+ * smooth bodies; and the distance of facets and smoothed surfaces from those bodies.
  *
- * ns: of one search after another, median over rounds in which the methods take turns; from nodes and node normals, and
- * on patches made ready before.  Errors: |xi - xi_ref| and |eta - eta_ref| together. */
+ * ns: independent searches, median over rounds in which the methods take turns, from nodes and node normals, and on
+ * prepared patches. Errors pool |xi - xi_ref| and |eta - eta_ref|. */
 #include "../../codegen/base/base.h"
 #include "../../evolve/samples/bodies.h"
 #include "../../evolve/samples/body_samples.h"
@@ -22,7 +22,7 @@ static struct rival_patch patches[SAMPLES];
 static struct footpoint_gregory plain[SAMPLES];
 static double answer[SAMPLES][2];
 
-/* Of processor time: others' turns on the processor do not count. */
+/* Returns processor time, which excludes other processes. */
 static double seconds(void)
 {
     struct timespec t;
@@ -42,7 +42,7 @@ static double median(double *x, size_t n)
     return x[n / 2];
 }
 
-/* ns per search of each method, [0] from nodes and normals, [1] on ready patches. */
+/* Measures ns per search of each method: [0] from nodes and normals, [1] on prepared patches. */
 static void time_methods(enum rival_start start, double ns[METHODS][2])
 {
     static double time[METHODS][2][ROUNDS];
@@ -51,7 +51,7 @@ static void time_methods(enum rival_start start, double ns[METHODS][2])
             const int m = (turn / 2 + round) % gregory_method_count, ready = turn % 2;
             const double from = seconds();
             for (size_t k = 0; k < TIMED / BLOCK * REPEATS;
-                 k++) { /* a block is searched again while it is in the cache */
+                 k++) { /* a block is searched repeatedly while it is in the cache */
                 const size_t at = k / REPEATS * BLOCK;
                 const struct gregory_ready made = {patches + at, plain + at};
                 gregory_methods[m].search(inputs + at, ready ? &made : NULL, BLOCK, start, answer);
@@ -90,7 +90,7 @@ static void bench_set(const char *name, const struct sample_set *set, enum rival
     }
 }
 
-/* ---- distance from the body ------------------------------------------------------------------------------------ */
+/* ---- distance from the body ---- */
 
 enum surface { FACET, BEZIER, GREGORY, GREGORY_EXACT, SURFACES };
 static const char *const surface_name[SURFACES] = {"facets", "bezier (44)", "gregory (44)", "gregory"};

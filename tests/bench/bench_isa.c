@@ -1,9 +1,9 @@
-/* Which of the tables of methods this machine can run; see bench_methods.h. */
+/* Selects a table of methods that this machine can run; see bench_methods.h. */
 #include "bench_methods.h"
 
 #include <string.h>
 
-/* Those that are linked, ISAS= of the Makefile; "quick" is what the tests compile, little optimised. */
+/* Tables that are linked, by ISAS= of the Makefile. Tests compile "quick", with little optimisation. */
 extern const struct bench_table bench_table_quick __attribute__((weak));
 #ifdef __x86_64__
 extern const struct bench_table bench_table_x86_64 __attribute__((weak)), bench_table_x86_64_v3 __attribute__((weak)),
@@ -22,7 +22,7 @@ static int has_v4(void)
            __builtin_cpu_supports("avx512vl");
 }
 
-/* The best first. */
+/* Lists the tables, best first, and returns their number. */
 static int tables(const struct bench_table *found[4])
 {
     int n = 0;

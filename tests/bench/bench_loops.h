@@ -1,13 +1,13 @@
-/* The loops over samples that the methods of bench_methods.h, included before, consist of: calls and columns. */
+/* Loops over samples, calls and columns, for the methods of bench_methods.h, which must be included before. */
 #ifndef FOOTPOINT_BENCH_LOOPS_H
 #define FOOTPOINT_BENCH_LOOPS_H
 
 #include <stdint.h>
 #include <string.h>
 
-/* Ends sample i.  As far as the compiler knows memory changes, so that it joins no two searches; the processor still
- * overlaps them.  In a chain it cannot: a coordinate of the next slave node is then made of what was found, with no change
- * to its value. */
+/* Ends sample i. Compilers must assume that memory changes, so they cannot join searches; the processor still overlaps
+ * them. A chain prevents that: a coordinate of the next slave node is made from the answer, without changing its
+ * value. */
 static inline void next_sample(struct bench_input *in, size_t n, size_t i, const struct bench_chain *chain,
                                const double found[BENCH_FOUND])
 {
@@ -41,7 +41,7 @@ static inline void next_sample(struct bench_input *in, size_t n, size_t i, const
             GATHERED(8), GATHERED(9), GATHERED(10)                                                                     \
     }
 
-/* Names of this compilation's instruction set. */
+/* Names that contain this compilation's instruction set. */
 #define JOIN(a, b) a##b
 #define JOINED(a, b) JOIN(a, b)
 #define OF_ISA(name) JOINED(name, BENCH_ISA)

@@ -1,8 +1,9 @@
-/* footpoint-bench: speed against error of every search, bare and as callers get it, on the same held-out samples of a scene.
+/* footpoint-bench: speed against error of every search, bare and as callers use it, on the same held-out samples of a
+ * scene.
  *
- * Errors are taken against certain answers.  Mode "chain" is calls that wait for one another, "scalar" independent calls,
- * "batch" a loop over columns of coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
- * the best that the machine has is taken. */
+ * Errors are measured against certain answers. Mode "chain" is dependent calls, "scalar" independent calls, "batch" a
+ * loop over columns of coordinates, which compilers may vectorise. All methods are compiled alike, for several
+ * instruction sets; the best that the machine supports is used. */
 #include "../../codegen/base/console.h"
 #include "../../codegen/base/options.h"
 #include "../../evolve/common/data_root.h"
@@ -51,12 +52,12 @@ static const struct option_table options = {
     .rows = sizeof rows / sizeof *rows,
     .surplus = "unexpected argument '%s'"};
 
-/* Every method on one part of a scene's samples; maps only where `map` is a folder. */
+/* Runs every method on one part of a scene's samples; writes maps only if `map` names a folder. */
 static bool bench_part(const struct bench_options *o, const struct bench_table *table, const struct scene *scene,
                        const struct sample_set *training, enum sample_part part, const char *map, struct diag *d)
 {
     struct sample_set set = {0};
-    /* Of a scene that is random anyway, what is held out is off any grid. */
+    /* In random scenes, held-out samples are off any grid. */
     const char *sample = part == PART_VALIDATION                                  ? "validation"
                          : part == PART_HELDOUT && scene->source != SOURCE_RANDOM ? "grid"
                                                                                   : "random";
@@ -102,7 +103,7 @@ static bool bench_scene(const struct bench_options *o, const struct bench_table 
     return done;
 }
 
-/* Scenes in float: all methods here are in double. */
+/* Returns true for scenes in float, which are skipped: all methods here are in double. */
 static bool is_float(const char *path)
 {
     struct diag d;
@@ -112,7 +113,7 @@ static bool is_float(const char *path)
     return single;
 }
 
-/* Scene i of those in `steps`, told on stderr where the table is not. */
+/* Runs scene i of `steps`, and reports progress on stderr if the table goes elsewhere. */
 static bool bench_step(const struct bench_options *o, const struct bench_table *table, struct steps *steps, size_t i,
                        const char *name, struct diag *d)
 {
@@ -126,7 +127,7 @@ static bool bench_step(const struct bench_options *o, const struct bench_table *
     return done;
 }
 
-/* What is done, on stderr; not beside a table that comes line by line. */
+/* Returns true if progress goes to stderr: not beside a table that is printed line by line. */
 static bool is_telling(const struct bench_options *o)
 {
     return !o->quiet && !o->contact && (o->csv || !o->all);

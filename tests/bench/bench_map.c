@@ -10,7 +10,7 @@ enum { SIDE = 32, SQUARES = SIDE * SIDE };
 
 struct map {
     double low[2], high[2];
-    double error[2][SQUARES]; /* means of xi's and eta's; xi runs fastest */
+    double error[2][SQUARES]; /* means of xi and of eta; xi runs fastest */
     long count[SQUARES];
 };
 

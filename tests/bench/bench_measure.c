@@ -1,7 +1,7 @@
 /* Errors and times; see bench_measure.h.
  *
- * The methods take turns, --rounds times, and the median of a method's turns counts, so that whatever else the machine
- * does falls on all of them alike.  How far the ratio to Newton, of the same round, scatters is the noise. */
+ * The methods take turns, --rounds times, and the median of a method's turns is its time, so that other load affects
+ * all methods alike. The noise is the scatter of the ratio to Newton in the same round. */
 #include "bench_measure.h"
 
 #include "../../codegen/base/base.h"
@@ -15,9 +15,9 @@
 #include <time.h>
 
 enum { TIMED_BLOCKS = 62, TIMED_SAMPLES = TIMED_BLOCKS * BENCH_BLOCK, REPEATS = 4 };
-#define TURN 2e6 /* nanoseconds that a turn may take */
+#define TURN 2e6 /* longest turn, ns */
 
-/* What errors are taken on at most: where samples are made into questions, those that are timed. */
+/* Most cases for errors. If samples are turned into questions, only the timed cases. */
 static const size_t most_cases[BENCH_QUESTIONS] = {600000,        600000,        TIMED_SAMPLES,
                                                    TIMED_SAMPLES, TIMED_SAMPLES, TIMED_SAMPLES,
                                                    TIMED_SAMPLES, TIMED_SAMPLES, TIMED_SAMPLES};
@@ -31,7 +31,7 @@ static bool has_mode(const struct bench_method *m, int mode)
     return mode != BENCH_BATCH || m->batch;
 }
 
-/* Searches n inputs of a kind of segment by calls; of BENCH_CHAIN each waits for the one before. */
+/* Calls a method for n inputs of a kind of segment; in BENCH_CHAIN each call waits for the last. */
 static void search_calls(const struct bench_result *r, int mode, struct bench_input *in, size_t n,
                          double (*found)[BENCH_FOUND], bench_slopes *slope)
 {
@@ -42,10 +42,10 @@ static void search_calls(const struct bench_result *r, int mode, struct bench_in
 
 /* ---- answers ---- */
 
-/* The derivatives of the last block. */
+/* Derivatives of the last block. */
 static struct bench_rows rows;
 
-/* The cases from `first` on as a block, n of them; the last one stands for those beyond. */
+/* Fills a block with n cases from `first` on; the last case fills the rest. */
 static void fill_block(struct bench_block *b, const struct bench_case *c, size_t n)
 {
     memset(b->status, 0, sizeof b->status);
@@ -117,13 +117,13 @@ static void measure_errors(struct bench_result *r, int mode, const struct bench_
 
 /* ---- times ---- */
 
-/* The cases that are timed, as structures and by columns. */
+/* The timed cases, as structures and by columns. */
 struct timed {
     struct bench_input *in; /* owned; TIMED_SAMPLES */
     struct bench_block *b;  /* owned; TIMED_BLOCKS */
 };
 
-/* Spread evenly over the cases; these are repeated if they are fewer. */
+/* Spreads the timed cases evenly over all; repeats them if they are fewer. */
 static struct timed timed_new(const struct bench_cases *cases)
 {
     struct timed t = {new_array(TIMED_SAMPLES, sizeof *t.in), aligned_alloc(64, TIMED_BLOCKS * sizeof *t.b)};
@@ -144,7 +144,7 @@ static void timed_free(struct timed *t)
     free(t->b);
 }
 
-/* Of processor time: others' turns on the processor do not count. */
+/* Returns processor time, which excludes other processes. */
 static double seconds(void)
 {
     struct timespec t;
@@ -152,7 +152,7 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Nanoseconds per search, of `blocks` spread evenly over all.  A block is searched several times while it is in the
+/* Returns ns per search over `blocks`, spread evenly over all. A block is searched several times while it is in the
  * cache. */
 static double time_blocks(const struct bench_result *r, int mode, const struct timed *t, int blocks, int repeats)
 {
@@ -170,7 +170,7 @@ static double time_blocks(const struct bench_result *r, int mode, const struct t
     return 1e9 * (seconds() - start) / ((double)blocks * repeats * BENCH_BLOCK);
 }
 
-/* How many blocks a turn has: all, or as many as are done in about TURN nanoseconds. */
+/* Returns the number of blocks in a turn: all, or as many as take about TURN nanoseconds. */
 static int blocks_of(const struct bench_result *r, int mode, const struct timed *t)
 {
     const double block = time_blocks(r, mode, t, 2, 1) * BENCH_BLOCK * REPEATS;
@@ -178,7 +178,7 @@ static int blocks_of(const struct bench_result *r, int mode, const struct timed 
     return blocks < 1 ? 1 : blocks > TIMED_BLOCKS ? TIMED_BLOCKS : (int)blocks;
 }
 
-/* Operations of a search: of an iteration its first step, and the later ones as often as they are taken on average. */
+/* Returns the operations of a search; for an iteration, the first step and the average number of later steps. */
 static struct bench_counts counts_of(const struct bench_result *r, const struct timed *t)
 {
     const struct bench_counts first = r->method->ops, step = r->method->step;
@@ -195,8 +195,9 @@ static struct bench_counts counts_of(const struct bench_result *r, const struct 
         first.add + lrint(later * (double)step.add), first.sqrt + lrint(later * (double)step.sqrt)};
 }
 
-/* A generated function is for its scene; a search that starts in A's quarter, for scenes where A is the nearest corner;
- * what callers get besides, for scenes that have functions of ours for it. */
+/* Returns true if a method applies to a scene. Generated functions apply to their scene, searches that start in A's
+ * quarter to scenes in which A is the nearest corner, other questions to scenes with generated functions that answer
+ * them. */
 static bool runs_on(const struct bench_method *m, const struct scene *scene, const bool asked[BENCH_QUESTIONS])
 {
     if (strcmp(m->kind, scene->segment->name) != 0)
@@ -206,7 +207,7 @@ static bool runs_on(const struct bench_method *m, const struct scene *scene, con
     return asked[m->question] && (m->start == RIVAL_CENTRE || scene->order != CORNERS_ANY);
 }
 
-/* The questions that there are functions of ours for. */
+/* Finds the questions that generated functions answer. */
 static void find_asked(const struct bench_table *table, const struct scene *scene, bool asked[BENCH_QUESTIONS])
 {
     for (int q = 0; q < BENCH_QUESTIONS; q++)
@@ -228,7 +229,7 @@ static void take_times(struct bench_result *r, int mode, size_t rounds, const do
     r->ns_min[mode] = sorted[0];
 }
 
-/* Compares times of the turns with Newton's, both indexed by round. */
+/* Computes the noise from the times of a method's and of Newton's turns, both indexed by round. */
 static void take_noise(struct bench_result *r, int mode, size_t rounds, const double *ns, const double *newton)
 {
     double ratio[BENCH_ROUNDS];
@@ -241,7 +242,7 @@ static void take_noise(struct bench_result *r, int mode, size_t rounds, const do
                      gsl_stats_median_from_sorted_data(ratio, 1, rounds);
 }
 
-/* Returns Newton asked the same as method i: the first of these or the fair one, whose median is less. */
+/* Returns Newton's iteration for the question of method i: converged or fair, whichever has the smaller median. */
 static int newton_of(const struct bench_run *run, int i, int mode)
 {
     int newton = 0;

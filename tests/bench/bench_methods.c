@@ -1,8 +1,8 @@
-/* The bare searches of the bench; compiled once for each instruction set, named by BENCH_ISA, with the same flags for all
- * methods.  Each is there twice, with the search inlined: as a loop over structures of one sample that may not be
- * vectorised across samples (calls, dependent or not), and as a loop over columns that may (arrays).  What callers get besides: bench_calls.c.
+/* The bare searches of the bench, compiled once for each instruction set BENCH_ISA with the same flags for all methods.
+ * Each search is inlined twice: in a loop over structures of one sample, which may not be vectorised across samples
+ * (calls, dependent or not), and in a loop over columns, which may (arrays). bench_calls.c has the other questions.
  *
- * A new rival: write it in a header of its own with FOOTPOINT_REAL as its scalar, list it there, and name the list in
+ * To add a rival, write it in its own header with FOOTPOINT_REAL as its scalar, list it there, and name the list in
  * METHODS below and in count_rivals.cpp. */
 #include "bench_methods.h"
 
@@ -18,7 +18,7 @@
 #include "footpoint_perceptron.h"
 #include "methods.h"
 
-/* `search` is written with xA ... xS, t, &xi, &eta; xi and eta hold the answer of the step before. */
+/* `search` uses xA ... xS, t, &xi and &eta; xi and eta contain the last step's answer. */
 #define DEFINE_SCALAR(name, search)                                                                                    \
     SCALAR_FN(name)                                                                                                    \
     {                                                                                                                  \
@@ -48,7 +48,7 @@
     }
 #define DEFINE_METHOD(name, search) DEFINE_SCALAR(name, search) DEFINE_BATCH(name, search)
 
-/* The same of any kind of segment; `search` is written with x, the nodes and S. */
+/* The same for any kind of segment; `search` uses x, the nodes and S. */
 #define DEFINE_SCALAR_OF(name, search)                                                                                 \
     SCALAR_FN(name)                                                                                                    \
     {                                                                                                                  \
@@ -90,7 +90,7 @@
     }                                                                                                                  \
     DEFINE_METHOD_OF(kind##_newton, found_##kind##_newton(x, &xi, &eta))
 
-/* Iterations until they stand: one sample, and how many steps it took. */
+/* Iterations until they converge: one sample, and the number of steps. */
 #define DEFINE_CONVERGED(name, search)                                                                                 \
     static inline void found_##name(const double xA[3], const double xB[3], const double xC[3], const double xD[3],    \
                                     const double xS[3], const struct rival_tuning *t, double *xi, double *eta)         \
@@ -188,7 +188,7 @@ RIVAL_PATCHES(PATCH_FIXED)
 #undef PATCH_CONVERGED
 #undef METHOD
 
-/* ops_NAME and step_NAME of the rivals. */
+/* defines ops_NAME and step_NAME of the rivals */
 #include "rival_counts.inc"
 
 #define LOOPS(name) .scalar = scalar_##name, .batch = batch_##name
@@ -208,7 +208,7 @@ RIVAL_PATCHES(PATCH_FIXED)
 #define METHOD(scene_, kind_, name_, mul, div, add, sqrt, promise)                                                     \
     {.name = #name_, .kind = #kind_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #define batch_trust_region NULL
-/* "newton" is the iteration as codes have it, in batches a loop of searches; the others step a batch together. */
+/* In batches "newton", the usual iteration, is a loop of searches; the others step a batch together. */
 #define scalar_newton_lanes scalar_newton
 #define steps_newton_lanes steps_newton
 #define OPS_newton_lanes OPS_newton
@@ -223,7 +223,7 @@ static const struct bench_method methods[] = {
         PATCH_CONVERGING(PATCH_CONVERGED) RIVAL_PATCHES(PATCH_FIXED)
 #include "methods.inc"
 #undef METHOD
-/* They go by perceptron_hidden_8 and so on. */
+/* Networks are named perceptron_hidden_8 and so on. */
 #define METHOD(scene_, kind_, name_, mul, div, add, sqrt, promise)                                                     \
     {.name = &#name_[sizeof "footpoint"], .kind = #kind_, .scene = scene_, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #include "footpoint_perceptron.inc"
@@ -231,7 +231,7 @@ static const struct bench_method methods[] = {
 
 static const struct bench_list bare = {methods, (int)(sizeof methods / sizeof *methods)};
 extern const struct bench_table OF_ISA(bench_table_);
-#ifdef BENCH_BARE /* make front times searches alone */
+#ifdef BENCH_BARE /* make front times only searches */
 static const struct bench_list OF_ISA(bench_calls_);
 #else
 extern const struct bench_list OF_ISA(bench_calls_);

@@ -1,7 +1,9 @@
-/* Batches of pairs out of a mesh's arrays beside a loop that only gathers the same coordinates and stores two doubles,
- * interleaved in one run: arrays far larger than any cache, pairs in the order of the mesh and in random order.
- *     bench_pairs [EDGE [ROUNDS]]     EDGE x EDGE segments, one slave node over each
- * prints lines  order,layout,index,what,ns,ratio  with the least ns per pair and its ratio to the loop's. */
+/* Compares batches of pairs from a mesh's arrays with a loop that only gathers the same coordinates and stores two
+ * doubles, interleaved in one run. The arrays are far larger than any cache; pairs are in the order of the mesh and in
+ * random order.
+ *   bench_pairs [EDGE [ROUNDS]]     EDGE x EDGE segments, one slave node over each
+ *
+ * Prints lines order,layout,index,what,ns,ratio with the least ns per pair and its ratio to the loop's. */
 #include "../../runtime/footpoint_batch.h"
 
 #include <math.h>
@@ -40,7 +42,7 @@ static double uniform(uint64_t *seed)
     return (double)draw(seed) / 2147483648.0 - 0.5;
 }
 
-/* Corners and slave nodes of a wavy square, moved at random by up to a tenth of an edge. */
+/* Returns corners and slave nodes of a wavy square, moved at random by up to a tenth of an edge. */
 static struct mesh mesh_new(size_t edge)
 {
     struct mesh m = {.n = edge * edge, .nodes = (edge + 1) * (edge + 1) + edge * edge};
@@ -70,7 +72,7 @@ static struct mesh mesh_new(size_t edge)
     return m;
 }
 
-/* Pairs in the order of the segments, or in random order. */
+/* Fills in the pairs in the order of the segments, or in random order. */
 static void mesh_pairs(struct mesh *m, size_t edge, int shuffled)
 {
     uint64_t seed = 2;
@@ -92,9 +94,9 @@ static void mesh_pairs(struct mesh *m, size_t edge, int shuffled)
     free(order);
 }
 
-/* ---- what is compared ---- */
+/* ---- contenders ---- */
 
-/* The loops: five nodes, fifteen coordinates; two doubles, or a third and a status, too. */
+/* Loops over five nodes, fifteen coordinates. They store two doubles, or also a third and a status. */
 #define ONLY_GATHER(name, INDEX, seg_, slave_, X, everything)                                                          \
     static void name(struct mesh *m)                                                                                   \
     {                                                                                                                  \
@@ -126,7 +128,7 @@ ONLY_GATHER(gather_triples64_more, int64_t, seg64, slave64, OF_TRIPLE, 1)
 ONLY_GATHER(gather_columns32_more, int32_t, seg, slave, OF_COLUMN, 1)
 ONLY_GATHER(gather_columns64_more, int64_t, seg64, slave64, OF_COLUMN, 1)
 
-/* What is asked for: a tier, and gap and status with it. */
+/* A batch by tier, with or without gap and status. */
 #define BATCH(name, tier, columns, wide, everything)                                                                   \
     static void name(struct mesh *m)                                                                                   \
     {                                                                                                                  \
@@ -158,8 +160,8 @@ BATCH(balanced, FOOTPOINT_BALANCED, 0, 0, 0)
 BATCH(accurate, FOOTPOINT_ACCURATE, 0, 0, 0)
 BATCH(accurate_more, FOOTPOINT_ACCURATE, 0, 0, 1)
 
-/* Each beside the loop over the same arrays that stores the same; a loop itself beside the one that stores two doubles.
- */
+/* Each batch is compared with the loop over the same arrays that stores the same results, each such loop with the loop
+ * that stores two doubles. */
 static const struct contender {
     const char *layout, *index, *what;
     int baseline;
@@ -185,7 +187,7 @@ static const struct contender {
                   {"columns", "64", "fast with gap and status", 17, fast_columns64_more}};
 enum { CONTENDERS = sizeof contenders / sizeof *contenders };
 
-/* Seconds of this program's own: the same on a machine that others use, but for the memory they share. */
+/* Returns processor seconds, which exclude other processes, except for the memory they share. */
 static double now(void)
 {
     struct timespec t;

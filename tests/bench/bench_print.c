@@ -1,4 +1,4 @@
-/* See bench_print.h. */
+/* Prints the bench's results; see bench_print.h. */
 #include "bench_print.h"
 
 #include "../../codegen/base/base.h"
@@ -13,7 +13,7 @@
 #define COMPILER "gcc " __VERSION__
 #endif
 
-/* Once, before the first row: a scene that cannot be read leaves nothing on standard output. */
+/* Returns true once, before the first row, so that a scene that cannot be read leaves standard output empty. */
 static bool is_first(void)
 {
     static bool done;
@@ -83,7 +83,7 @@ void bench_print_all(const struct scene *scene, const char *sample, const struct
 
 /* ---- the front ---- */
 
-/* Of xi and eta the larger; of closest points and along a direction it is the distance that counts. */
+/* Returns the larger error of xi and eta; for closest points and along a direction, the error of the distance. */
 static struct error_stats error_of(const struct bench_result *r, int mode)
 {
     const struct error_stats *const e = r->error[mode];
@@ -99,7 +99,7 @@ static bool is_answer(const struct bench_result *r, int mode)
     return !r->method->depth_only && has_mode(r, mode) && e.failures == 0 && e.mean < 1;
 }
 
-/* Whether no other method leaves r behind in one of the modes. */
+/* Returns true if no other method beats r in one of the modes. */
 static bool is_on_front(const struct bench_run *run, const struct bench_result *r, int mode)
 {
     if (!is_answer(r, mode))
@@ -150,7 +150,7 @@ static void print_row(const struct bench_result *r)
     puts("");
 }
 
-/* What a question is called above its rows; how many methods answer it. */
+/* Prints a question's title above its rows, with the number of methods that answer it. */
 static void print_question(const struct scene *scene, enum bench_question question, int methods)
 {
     static const char *const name[BENCH_QUESTIONS] = {"",

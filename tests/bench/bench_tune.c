@@ -1,4 +1,4 @@
-/* Rivals fitted to a scene; see bench_tune.h. */
+/* Fits rivals to a scene; see bench_tune.h. */
 #include "bench_tune.h"
 
 #include "../../codegen/base/base.h"
@@ -13,7 +13,7 @@
 enum { POINT_SAMPLES = 2000, POINT_STEPS = 60, COEFFICIENT_SAMPLES = 8000 };
 static const double point_tolerance = 1e-4;
 
-/* Training samples as a method takes them, and what it finds. */
+/* Training samples as inputs of a method, and its answers. */
 struct fit {
     const struct bench_method *method;
     struct rival_tuning *tuning;
@@ -44,7 +44,7 @@ static void fit_free(struct fit *f)
     free(f->found);
 }
 
-/* Start at (xi0, eta0); steps are kept in the scene's box. */
+/* Sets the start to (xi0, eta0); steps stay in the scene's box. */
 static void set_point(struct rival_tuning *t, double xi0, double eta0)
 {
     const double start[2] = {xi0, eta0};
@@ -71,7 +71,7 @@ static double mean_error(const gsl_vector *point, void *data)
     return isfinite(sum) ? sum / (2 * (double)f->n) : GSL_DBL_MAX;
 }
 
-/* From the middle of the box, by the simplex method. */
+/* Minimises the mean error over the starting point, from the middle of the box, by the simplex method. */
 static void tune_point(struct fit *f)
 {
     const struct rival_box *box = &f->tuning->box;
@@ -94,7 +94,8 @@ static void tune_point(struct fit *f)
     gsl_multimin_fminimizer_free(search);
 }
 
-/* The method is linear in its coefficients: what it finds with one of them 1 and the others 0 is a column. */
+/* Fills the matrix of a method that is linear in its coefficients: each column is its answer with one coefficient 1 and
+ * the others 0. */
 static void fill_columns(const struct fit *f, int output, gsl_matrix *columns, gsl_vector *wanted)
 {
     double *coefficient = output ? f->tuning->eta : f->tuning->xi;

@@ -1,6 +1,6 @@
-/* The genomes of four-node segments as C functions that compute each value as the genome writes it: one statement for each
- * value, in its order and association, for the compiler to simplify.  as_written_main FILE... prints of genome fast of
- * quad4.gen written_quad4_fast(xA, xB, xC, xD, xS, &xi, &eta).  Other files are left out. */
+/* Prints the genomes of four-node segments as C functions that compute each value as the genome writes it: a statement
+ * for each value, in its order and association; the compiler simplifies them. as_written_main FILE... prints genome
+ * fast of quad4.gen as written_quad4_fast(xA, xB, xC, xD, xS, &xi, &eta). It skips files of other kinds. */
 #include "../../codegen/genome/genome.h"
 
 #include <stdio.h>
@@ -15,7 +15,7 @@ static void print_symbol(const struct genome_file *f, size_t k)
         printf("v%zu", k - f->inputs);
 }
 
-/* The expression that begins at gene[0]; where it ends. */
+/* Prints the expression that begins at gene[0] and returns its end. */
 static const int *print_expression(const struct genome_file *f, const int *gene)
 {
     const int g = *gene++;

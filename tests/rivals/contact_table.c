@@ -8,7 +8,7 @@
 
 static const double rounding = 1e-9;
 
-/* Root of the area that the pinball test sees. */
+/* Returns the root of the area that the pinball test uses. */
 static double size_of(const struct sample *s)
 {
     double ac[3], bd[3];
@@ -61,7 +61,7 @@ static bool print_part(const struct scene *scene, enum sample_part part, const c
 
 bool contact_table(const struct scene *scene, struct diag *d)
 {
-    if (!scene->segment->bilinear) /* pinballs are of four-node segments */
+    if (!scene->segment->bilinear) /* pinballs exist only for four-node segments */
         return true;
     return scene->source == SOURCE_RANDOM
                ? print_part(scene, PART_HELDOUT, "random", d)

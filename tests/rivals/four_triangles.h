@@ -1,6 +1,6 @@
-/* The closest point of a four-node face as contact codes without a bilinear search have it: of four triangles about the
- * centroid, each by the regions of its corners, edges and inside (Ericson, Real-Time Collision Detection, 5.1.5).  Off the
- * bilinear surface where the face is warped. */
+/* The closest point of a four-node face in contact codes without a bilinear search: of four triangles about the
+ * centroid, each by the regions of its corners, edges and inside (Ericson, Real-Time Collision Detection, 5.1.5). On a
+ * warped face these triangles do not lie on the bilinear surface. */
 #ifndef FOOTPOINT_FOUR_TRIANGLES_H
 #define FOOTPOINT_FOUR_TRIANGLES_H
 
@@ -9,7 +9,7 @@ static inline double rival_triangle_dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Weights of b and c in the point of the triangle a, b, c nearest to s. */
+/* Computes the weights of b and c in the point of the triangle a, b, c nearest to s. */
 static inline void rival_closest_of_triangle(const double a[3], const double b[3], const double c[3], const double s[3],
                                              double *v, double *w)
 {
@@ -44,8 +44,8 @@ static inline void rival_closest_of_triangle(const double a[3], const double b[3
     }
 }
 
-/** The point r of the four triangles nearest to s, loc = {xi, eta}, which they share out, and the square of its
- *  distance. */
+/** Computes the point r of the four triangles nearest to s and loc = {xi, eta}, linear on each triangle. Returns the
+ *  square of its distance. */
 static inline double rival_four_triangles(const double *const corner[4], const double s[3], double loc[2], double r[3])
 {
     static const double at[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};

@@ -1,9 +1,8 @@
 /* The formulas of the shipped genomes (evolve/frames/parallelogram.gen, steps.gen) as a finite element programmer
- * writes them by hand: vectors, scalar products, and one function for each idea.  The reference for the speed of the
- * emitted code.
+ * writes them: vectors, scalar products, and a function for each idea. The reference for the speed of the emitted code.
  *
  * A method is a truncated iteration about the point (xi0, eta0): a start with the taper, then steps of Gauss, Newton
- * and Chebyshev, kept in a box or not.  FOOTPOINT_FN is that of the generated headers. */
+ * and Chebyshev, optionally kept in a box. FOOTPOINT_FN is defined as in the generated headers. */
 #ifndef FOOTPOINT_HANDWRITTEN_H
 #define FOOTPOINT_HANDWRITTEN_H
 
@@ -19,7 +18,7 @@ struct hand_point {
 };
 
 struct hand_box {
-    double lo, hi; /* of u and of v */
+    double lo, hi; /* limits of u and v */
 };
 
 FOOTPOINT_FN double hand_dot(const double a[3], const double b[3])
@@ -54,7 +53,8 @@ FOOTPOINT_FN struct hand_plane hand_in_plane(const struct hand_products *g)
                                g->e11 * g->c2 - g->e12 * g->c1};
 }
 
-/* Taper to second order, with one division: w = u v obeys a b w^2 - (1 + a q + b p) w + p q = 0 on a plane segment. */
+/* Solves for the taper to second order with one division. On a plane segment w = u v satisfies a b w^2 - (1 + a q + b
+ * p) w + p q = 0. */
 FOOTPOINT_FN struct hand_point hand_taper(const struct hand_products *g)
 {
     const struct hand_plane h = hand_in_plane(g);
@@ -64,7 +64,7 @@ FOOTPOINT_FN struct hand_point hand_taper(const struct hand_products *g)
     return (struct hand_point){(h.p - h.a * w) * r * linear, (h.q - h.b * w) * r * linear};
 }
 
-/* One Gauss-Newton step on (7), (8). */
+/* Takes one Gauss-Newton step on (7), (8). */
 FOOTPOINT_FN struct hand_point hand_gauss(const struct hand_products *g, struct hand_point x)
 {
     const double t = g->c1 + x.v * g->cc, s = g->c2 + x.u * g->cc, y = x.u * g->c1 + x.v * s, w = x.u * x.v;
@@ -74,7 +74,7 @@ FOOTPOINT_FN struct hand_point hand_gauss(const struct hand_products *g, struct 
     return (struct hand_point){(r22 * f1 - r12 * f2) * inverse, (r11 * f2 - r12 * f1) * inverse};
 }
 
-/* Centre of the segment, nothing kept in a box: one Gauss-Newton step or two, with the taper between or not. */
+/* Takes one or two Gauss-Newton steps from the centre, with or without the taper between them, and without a box. */
 FOOTPOINT_FN void hand_gauss_steps(HAND_NODES, int taper, int second, double *xi, double *eta)
 {
     const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
@@ -123,8 +123,8 @@ FOOTPOINT_FN struct hand_point hand_clamp_point(struct hand_point x, struct hand
     return (struct hand_point){hand_clamp(x.u, box), hand_clamp(x.v, box)};
 }
 
-/* About the point (x0,x0), for contact points within a box about it: one Gauss-Newton step; the taper to second order, in
- * the box. */
+/* Takes one Gauss-Newton step about the point (x0,x0), then the taper to second order, in the box about it that
+ * contains the contact points. */
 FOOTPOINT_FN void hand_lattice_gauss(HAND_NODES, double x0, double *xi, double *eta)
 {
     const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);

@@ -1,12 +1,12 @@
-/* Speed of the emitted functions against the same formulas written by hand (handwritten.h), and against the genomes'
- * values computed one by one as they stand (as_written.h, which as_written_main.c makes): CSV, one line for each method
- * and mode, for tests/timed/handwritten.sh.
+/* Compares the speed of the emitted functions with the same formulas written by hand (handwritten.h), and with the
+ * genomes' values computed one by one as written (as_written.h, which as_written_main.c makes). Prints CSV, a line for
+ * each method and mode, for tests/timed/handwritten.sh.
  *
  * All three are compiled alike, and inlined alike into a function of one search, "scalar", and into a loop over columns
- * of coordinates, "batch", which of ours is NAME_n.  They take turns, ROUNDS times, and a ratio is the median over the
- * rounds of another one's time over ours in the same round: what else the machine does falls on both. */
+ * of coordinates, "batch"; ours is NAME_n. They take turns, ROUNDS times. A ratio is the median over the rounds of the
+ * other's time over ours in the same round, so that other load affects both. */
 
-/* Clang leaves the larger ones out of line otherwise, and the loops without vectors. */
+/* Otherwise clang neither inlines the larger functions nor vectorises the loops. */
 #define FOOTPOINT_FN static inline __attribute__((always_inline))
 #include "../../generated/footpoint_blocks_quad4.h"
 #include "../../generated/footpoint_paper_quad4.h"
@@ -24,9 +24,9 @@
 #include <string.h>
 #include <time.h>
 
-/* A block, and its results, stay in the first cache; its columns are no power of two apart. */
+/* A block and its results fit into the first cache; its columns are not a power of two apart. */
 enum { SAMPLES = 120, BLOCKS = 24, REPEATS = 2, ROUNDS = 101 };
-#define TOLERANCE 1e-12 /* between what the three find, in xi and eta */
+#define TOLERANCE 1e-12 /* largest difference between the answers of the three, in xi and eta */
 
 static struct block {
     struct quad quad[SAMPLES];
@@ -64,7 +64,7 @@ struct rival_search {
             function(xA, xB, xC, xD, xS, &s->found[0][i], &s->found[1][i]);                                            \
         }                                                                                                              \
     }
-/* What nobody would write by hand, and what was bred, is compared with its genome as written alone. */
+/* Bred functions, and those that nobody would write by hand, are compared only with their genome as written. */
 #define METHODS(M)                                                                                                     \
     M(blocks_quad4_fast, hand_fast)                                                                                    \
     M(blocks_quad4_coarse, written_blocks_quad4_coarse)                                                                \
@@ -114,7 +114,7 @@ struct rival_search {
     M(whole_quad4_accurate, written_whole_quad4_accurate)                                                              \
     M(whole_quad4_full, written_whole_quad4_full)
 
-/* A name of its own for the hand-written one of each method, which several may share. */
+/* Names the hand-written function of each method, which several methods may share. */
 #define DEFINE_HAND(name, hand)                                                                                        \
     FOOTPOINT_FN void by_hand_##name(HAND_NODES, double *xi, double *eta)                                              \
     {                                                                                                                  \
@@ -161,7 +161,7 @@ static void run(const struct rival_search *search, enum mode mode, struct block 
     }
 }
 
-/* Nanoseconds per search. */
+/* Returns nanoseconds per search. */
 static double time_turn(const struct rival_search *search, enum mode mode)
 {
     const double start = now();
@@ -183,7 +183,7 @@ static double median(double *x)
     return x[ROUNDS / 2];
 }
 
-/* ns: medians; ratio: of each one's time to ours. */
+/* Measures medians (ns) and the ratios of the others' times to ours. */
 static void measure(const struct method *m, enum mode mode, double ns[RIVALS], double ratio[RIVALS])
 {
     static double time[RIVALS][ROUNDS], quotient[RIVALS][ROUNDS];
@@ -201,7 +201,7 @@ static void measure(const struct method *m, enum mode mode, double ns[RIVALS], d
     }
 }
 
-/* Largest difference between what the searches of a method find. */
+/* Returns the largest difference between the answers of a method's searches. */
 static double disagreement(const struct method *m)
 {
     double most = 0, ours[2][SAMPLES];
@@ -213,13 +213,13 @@ static double disagreement(const struct method *m)
             for (int i = 0; i < 2 * SAMPLES; i++) {
                 const double difference =
                     fabs(blocks[k].found[i / SAMPLES][i % SAMPLES] - ours[i / SAMPLES][i % SAMPLES]);
-                most = difference <= most ? most : difference; /* NaN counts as more */
+                most = difference <= most ? most : difference; /* NaN counts as larger */
             }
         }
     return most;
 }
 
-/* Ordinary segments with A the corner of the foot point's quarter, as the genomes of the paper's scene want it. */
+/* Draws ordinary segments with A the corner of the foot point's quarter, as the genomes of the paper's scene assume. */
 static void draw_samples(void)
 {
     for (int i = 0; i < BLOCKS * SAMPLES; i++) {

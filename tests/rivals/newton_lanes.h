@@ -1,6 +1,6 @@
-/* Converged Newton for columns of samples, NEWTON_LANES at a time: all lanes step until the last of them stands; those
- * that stand are left where they are, so that each finds what it finds alone.  Written so that compilers vectorise the
- * loops over lanes.  See rivals_converged.h. */
+/* Converged Newton for columns of samples, NEWTON_LANES at a time. All lanes step until the last converges; converged
+ * lanes stay unchanged, so each lane gets the answer of its own search. Compilers vectorise the loops over lanes. See
+ * rivals_converged.h. */
 #ifndef FOOTPOINT_NEWTON_LANES_H
 #define FOOTPOINT_NEWTON_LANES_H
 
@@ -8,7 +8,7 @@
 
 enum { NEWTON_LANES = 32 };
 
-/** Where lanes start: the centre, the u and v that they hold, or the taper, as fair Newton does. */
+/** Start of the lanes: the centre, their present u and v, or the taper, as in fair Newton. */
 enum newton_lanes_start { NEWTON_LANES_CENTRE, NEWTON_LANES_GIVEN, NEWTON_LANES_TAPER };
 
 struct newton_lanes {
@@ -61,8 +61,8 @@ RIVAL_FN void newton_lanes_read(struct newton_lanes *lanes, const double *const 
     }
 }
 
-/** Reads segments of `over` slave nodes each, to start from the taper: the segment of lane i is in the first column of its
- *  group. */
+/** Reads segments with `over` slave nodes each, to start from the taper. The segment of lane i is in the first column
+ *  of its group. */
 RIVAL_FN void newton_lanes_read_over(struct newton_lanes *lanes, const double *const x[15], int over)
 {
     for (int first = 0; first < NEWTON_LANES; first += over) {
@@ -87,7 +87,7 @@ RIVAL_FN void newton_lanes_read_over(struct newton_lanes *lanes, const double *c
     }
 }
 
-/* One step of all lanes; returns how many still move. */
+/* Takes one step in all lanes; returns how many still move. */
 RIVAL_FN long long newton_lanes_step(struct newton_lanes *lanes, int newton, double tolerance)
 {
     long long count = 0;
@@ -106,7 +106,7 @@ RIVAL_FN long long newton_lanes_step(struct newton_lanes *lanes, int newton, dou
     return count;
 }
 
-/** Steps lanes that have been read until all of them stand. */
+/** Takes steps until all lanes, which must have been read, converge. */
 RIVAL_FN void newton_lanes_run(struct newton_lanes *lanes, enum newton_lanes_start start, double tolerance)
 {
     const int most = start == NEWTON_LANES_TAPER ? RIVAL_FAIR_STEPS_MAX : RIVAL_STEPS_MAX;

@@ -1,12 +1,12 @@
-/* Fair Newton over arrays as callers want it, with gap and status; see newton_lanes.h. */
+/* Fair Newton over arrays with gap and status; see newton_lanes.h. */
 #ifndef FOOTPOINT_NEWTON_LANES_CALLS_H
 #define FOOTPOINT_NEWTON_LANES_CALLS_H
 
 #include "newton_lanes.h"
 #include "rivals_calls.h"
 
-/** Computes the gap of the segment and slave node in each column of x[15], and whether the lane stands and the segment has
- *  a normal there, as 1 or 0. */
+/** Computes, for each column of x[15], the gap, and 1 if the lane has converged and the segment has a normal there,
+ *  otherwise 0. */
 RIVAL_FN void newton_lanes_gap(const struct newton_lanes *lanes, const double *const x[15],
                                double gap[restrict NEWTON_LANES], long long answered[restrict NEWTON_LANES])
 {
@@ -24,12 +24,12 @@ RIVAL_FN void newton_lanes_gap(const struct newton_lanes *lanes, const double *c
     }
 }
 
-/** Searches NEWTON_LANES columns; `over` slave nodes share a segment, all in columns of their own. */
+/** Searches NEWTON_LANES columns. Groups of `over` slave nodes share a segment; each slave node has its own column. */
 RIVAL_FN void newton_lanes_fair(const double *const x[15], int over, double xi[], double eta[], double gap[],
                                 int answered[])
 {
     struct newton_lanes lanes;
-    double found[NEWTON_LANES]; /* of its own, so that a compiler sees that it overlaps no column */
+    double found[NEWTON_LANES]; /* a local array, which compilers know to overlap no column */
     long long stands[NEWTON_LANES];
     if (over > 1)
         newton_lanes_read_over(&lanes, x, over);

@@ -1,21 +1,23 @@
-/* What a good finite element programmer writes by hand for the local contact search: the methods that generated code
- * has to beat.  All are inline, so that a loop over them can be vectorised, and spend no multiplication that algebra
- * avoids.
+/* Local contact searches as a good finite element programmer writes them by hand: the methods that generated code must
+ * beat. All are inline, so that a loop over them can be vectorised, and spend no multiplication that algebra avoids.
  *
- * Truncated iterations.  Any bilinear segment is r = r0 + e1 u + e2 v + c3 u v about a point r0 of it, up to a common
- * factor of e1, e2, c3 and d = xS - r0 that cancels.  With e1, e2, c3, d known by their nine scalar products
- *     g11 = e1.e1  g12 = e1.e2  g13 = e1.c3  g22 = e2.e2  g23 = e2.c3  g33 = c3.c3  g1 = e1.d  g2 = e2.d  g3 = c3.d,
- * a Gauss-Newton step or a Newton step on (7), (8) costs the same 19 multiplications and a division.  From
- *     t = g13 + v g33,  s = g23 + u g33,  y = u g13 + v s = c3.(r - r0)
- * come r_u.r_u = g11 + v (g13 + t), r_v.r_v = g22 + u (g23 + s), r_u.r_v = g12 + y, and c3.(xS - r) = g3 - y.  Solving
- * for the new point instead of the increment leaves as right-hand sides
- *     Gauss-Newton:  g1 + v g3 + u v t,  g2 + u g3 + u v s         Newton:  g1 + v y + u v t,  g2 + u y + u v s.
- * The first step, from u = v = 0, needs five of the products only.
+ * Truncated iterations. Any bilinear segment is r = r0 + e1 u + e2 v + c3 u v about one of its points r0, up to a
+ * common factor of e1, e2, c3 and d = xS - r0 that cancels. The nine scalar products of e1, e2, c3, d are
+ *   g11 = e1.e1  g12 = e1.e2  g13 = e1.c3  g22 = e2.e2  g23 = e2.c3  g33 = c3.c3  g1 = e1.d  g2 = e2.d  g3 = c3.d.
  *
- * "centre" starts at (0,0), "quarter" at (-1/2,-1/2), the middle of corner A's quarter.  "clamped" keeps u and v of
- * every step within what the start stands for: the segment, or A's quarter of it.
+ * With them a Gauss-Newton step or a Newton step on (7), (8) costs the same 19 multiplications and a division. From
+ *   t = g13 + v g33,  s = g23 + u g33,  y = u g13 + v s = c3.(r - r0)
+ * follow r_u.r_u = g11 + v (g13 + t), r_v.r_v = g22 + u (g23 + s), r_u.r_v = g12 + y, and c3.(xS - r) = g3 - y. The
+ * equations for the new point, instead of the increment, have the right-hand sides
+ *   Gauss-Newton:  g1 + v g3 + u v t,  g2 + u g3 + u v s
+ *   Newton:  g1 + v y + u v t,  g2 + u y + u v s.
  *
- * A count of operations replaces the scalar type: define FOOTPOINT_REAL (and its sqrt) before. */
+ * The first step, from u = v = 0, needs only five of the products.
+ *
+ * "centre" starts at (0,0), "quarter" at (-1/2,-1/2), the middle of corner A's quarter. "clamped" keeps u and v of
+ * every step within the segment, or within A's quarter of it.
+ *
+ * A counter of operations may replace the scalar type: define FOOTPOINT_REAL (and its sqrt) before including. */
 #ifndef FOOTPOINT_RIVALS_H
 #define FOOTPOINT_RIVALS_H
 
@@ -37,7 +39,7 @@
 
 enum rival_start { RIVAL_CENTRE, RIVAL_QUARTER };
 
-/** Iterations until they stand give up after so many steps. */
+/** Iterations fail after this number of steps. */
 enum { RIVAL_STEPS_MAX = 50 };
 
 /** Truncated iterations: R(name, start, Gauss-Newton steps, Newton steps, clamped). */
@@ -109,7 +111,7 @@ RIVAL_FN FOOTPOINT_REAL rival_dot(const FOOTPOINT_REAL a[3], const FOOTPOINT_REA
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* About (0,0), all times 4; u = xi, v = eta. */
+/* Expands about (0,0), all vectors times 4; u = xi, v = eta. */
 RIVAL_FN void rival_basis_centre(RIVAL_NODES, struct rival_basis *b)
 {
     for (int i = 0; i < 3; i++) {
@@ -122,7 +124,7 @@ RIVAL_FN void rival_basis_centre(RIVAL_NODES, struct rival_basis *b)
     }
 }
 
-/* About (-1/2,-1/2): e1, e2 times 8, c3 times 4, d times 16, so that u = 2 xi + 1, v = 2 eta + 1. */
+/* Expands about (-1/2,-1/2): e1, e2 times 8, c3 times 4, d times 16, so that u = 2 xi + 1, v = 2 eta + 1. */
 RIVAL_FN void rival_basis_quarter(RIVAL_NODES, struct rival_basis *b)
 {
     for (int i = 0; i < 3; i++) {
@@ -137,7 +139,7 @@ RIVAL_FN void rival_basis_quarter(RIVAL_NODES, struct rival_basis *b)
     }
 }
 
-/* scale times the solution of a symmetric pair of equations. */
+/* Returns `scale` times the solution of a symmetric pair of equations. */
 RIVAL_FN struct rival_point rival_solve(FOOTPOINT_REAL k11, FOOTPOINT_REAL k12, FOOTPOINT_REAL k22, FOOTPOINT_REAL b1,
                                         FOOTPOINT_REAL b2, FOOTPOINT_REAL scale)
 {
@@ -148,7 +150,7 @@ RIVAL_FN struct rival_point rival_solve(FOOTPOINT_REAL k11, FOOTPOINT_REAL k12, 
     return p;
 }
 
-/* From u = v = 0. */
+/* Takes a step from u = v = 0. */
 RIVAL_FN struct rival_point rival_first(const struct rival_products *g, int newton, FOOTPOINT_REAL scale)
 {
     return rival_solve(g->g11, newton ? g->g12 - g->g3 : g->g12, g->g22, g->g1, g->g2, scale);
@@ -165,16 +167,16 @@ RIVAL_FN struct rival_point rival_step(const struct rival_products *g, int newto
     return rival_solve(k11, g->g12 + y, k22, g->g1 + p.v * g->g3 + w * t, g->g2 + p.u * g->g3 + w * s, scale);
 }
 
-/* What a step may yield: u and v from low to high. */
+/* Limits of u and v after a step. */
 struct rival_box {
     FOOTPOINT_REAL low[2], high[2];
 };
 
 struct rival_clamp {
-    struct rival_box plain, scaled; /* of the steps, and of the last one */
+    struct rival_box plain, scaled; /* for all steps but the last, and for the last */
 };
 
-/* The comparisons are those of the machine's maximum and minimum. */
+/* Clamps by comparisons that compile to the machine's maximum and minimum. */
 RIVAL_FN FOOTPOINT_REAL rival_between(FOOTPOINT_REAL low, FOOTPOINT_REAL x, FOOTPOINT_REAL high)
 {
     const FOOTPOINT_REAL above = x < low ? low : x;
@@ -190,7 +192,7 @@ RIVAL_FN struct rival_point rival_clamped(struct rival_point p, const struct riv
 
 enum rival_needs { RIVAL_ONE_GAUSS_NEWTON, RIVAL_ONE_NEWTON, RIVAL_MANY };
 
-/* All nine scalar products, or those that a single step needs. */
+/* Computes all nine scalar products, or those that a single step needs. */
 RIVAL_FN struct rival_products rival_products_of(const struct rival_basis *b, enum rival_needs needs)
 {
     struct rival_products g;
@@ -210,15 +212,15 @@ RIVAL_FN struct rival_products rival_products_of(const struct rival_basis *b, en
     return g;
 }
 
-/* What steps make up an iteration from u = v = 0: constants where it is called, so that no choice is left.  What the
- * last step yields is scaled, within its division. */
+/* The steps of an iteration from u = v = 0. They are constants at each call, so that no branch remains. The result of
+ * the last step is scaled within its division. */
 struct rival_plan {
     int gauss_newton, newton;
     FOOTPOINT_REAL scale;
     const struct rival_clamp *clamp; /* or NULL */
 };
 
-/* Step k, from 0, if there is one. */
+/* Takes step k, from 0, if the plan has it. */
 RIVAL_FN struct rival_point rival_advance(const struct rival_products *g, const struct rival_plan *plan, int k,
                                           struct rival_point p)
 {
@@ -243,7 +245,7 @@ RIVAL_FN struct rival_point rival_steps(const struct rival_basis *b, const struc
     return rival_advance(&g, plan, 3, p);
 }
 
-/* A truncated iteration.  A "quarter" is halved by its last step. */
+/* Runs a truncated iteration. The last step of a "quarter" is halved. */
 RIVAL_FN void rival_iterate(RIVAL_NODES, enum rival_start start, int gauss_newton, int newton, int clamped,
                             FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {

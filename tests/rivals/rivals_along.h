@@ -1,13 +1,13 @@
-/* Where a line meets a face, as contact codes have it: Newton's iteration in three unknowns, xi, eta and the distance
- * along the direction, from the middle until none moves; of a triangle the formula.  The iteration may end at a solution
- * outside of the face though there is one inside. */
+/* The intersection of a line with a face, as in contact codes: Newton's iteration from the middle in three unknowns,
+ * xi, eta and the distance along the direction; for a triangle the formula. The iteration may end at a solution outside
+ * of the face although another lies inside. */
 #ifndef FOOTPOINT_RIVALS_ALONG_H
 #define FOOTPOINT_RIVALS_ALONG_H
 
 #include "rivals_calls.h"
 
-/** xS = r(xi, eta) + distance p, |p| = 1, of corners x[0] to x[3] and the slave node x[4]; at = {xi, eta, distance}.
- *  Returns the steps taken, or 0 if `most` of them were not enough. */
+/** Solves xS = r(xi, eta) + distance p, |p| = 1, for corners x[0] to x[3] and slave node x[4]; at = {xi, eta,
+ *  distance}. Returns the number of steps, or 0 if `most` steps do not suffice. */
 static inline int rival_along_newton(const double (*x)[3], const double p[3], int most, double tolerance, double at[3])
 {
     double c[4][3], step = HUGE_VAL;
@@ -44,7 +44,7 @@ static inline int rival_along_newton(const double (*x)[3], const double p[3], in
     return step <= tolerance ? n : 0;
 }
 
-/** A plane triangle: Moeller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997. */
+/** Intersects a plane triangle: Moeller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997. */
 static inline int rival_along_tri3(const double (*x)[3], const double p[3], double at[3])
 {
     double u[3], v[3], s[3], pv[3], su[3];
@@ -62,7 +62,7 @@ static inline int rival_along_tri3(const double (*x)[3], const double p[3], doub
     return volume != 0;
 }
 
-/** A face of six, eight or nine nodes. */
+/** Intersects a face of six, eight or nine nodes. */
 static inline int rival_along_face(const struct rival_face *f, const double p[3], int most, double tolerance,
                                    double at[3])
 {

@@ -1,7 +1,7 @@
-/* What callers get besides xi and eta, as it is written by hand behind a search that iterates until it stands: the gap and
- * whether there is a normal; xi and eta clamped to the face with the distance there, which contact codes take for the
- * closest point; of a triangle the closest point itself.  rival_KIND_checked(x, loc, &gap) and rival_KIND_clamped(x, loc,
- * &dist) return 0 where there is no answer; x holds the vectors of the kind, the slave node last. */
+/* Hand-written results besides xi and eta, after a search that iterates until it converges: the gap, with a test for a
+ * normal; xi and eta clamped to the face with their distance, which contact codes use as the closest point; for a
+ * triangle the true closest point. rival_KIND_checked(x, loc, &gap) and rival_KIND_clamped(x, loc, &dist) return 0 if
+ * there is no answer. x contains the vectors of the kind, the slave node last. */
 #ifndef FOOTPOINT_RIVALS_CALLS_H
 #define FOOTPOINT_RIVALS_CALLS_H
 
@@ -9,12 +9,12 @@
 #include "rivals_faces.h"
 #include "rivals_patches.h"
 
-/* xS - r and the tangents there, all times the same factor. */
+/* xS - r and the tangents at r, all times the same factor. */
 struct rival_place {
     double d[3], u[3], v[3];
 };
 
-/* d . n of the unit normal; 0 if there is none. */
+/* Computes d . n with the unit normal n; returns 0 if it does not exist. */
 RIVAL_FN int rival_gap(const struct rival_place *p, double *gap)
 {
     double n[3];
@@ -29,7 +29,7 @@ RIVAL_FN double rival_length(const double d[3])
     return sqrt(rival_product(d, d));
 }
 
-/* Into -1..1, or on a triangle into xi, eta >= 0, xi + eta <= 1. */
+/* Clamps into -1..1, or on a triangle into xi, eta >= 0, xi + eta <= 1. */
 RIVAL_FN void rival_clamp(int triangle, double loc[2])
 {
     const double low = triangle ? 0 : -1, over = triangle ? loc[0] + loc[1] - 1 : 0;
@@ -109,7 +109,7 @@ RIVAL_FN int rival_basis_gap(const struct rival_basis *b, struct rival_point p, 
     return normal;
 }
 
-/** Fair Newton with gap and status. */
+/** Runs fair Newton and computes gap and status. */
 RIVAL_FN int rival_fair_checked(const double (*x)[3], double loc[2], double *gap)
 {
     struct rival_basis b;
@@ -122,7 +122,7 @@ RIVAL_FN int rival_fair_checked(const double (*x)[3], double loc[2], double *gap
     return rival_basis_gap(&b, p, gap) && found;
 }
 
-/** The closest point of four triangles about the centroid, and (xi, eta) there as the triangles share them out. */
+/** Computes the closest point of four triangles about the centroid, and its (xi, eta), linear on each triangle. */
 RIVAL_FN int rival_quad4_triangles(const double (*x)[3], double loc[2], double *dist)
 {
     const double *const corner[4] = {x[0], x[1], x[2], x[3]};
@@ -131,7 +131,7 @@ RIVAL_FN int rival_quad4_triangles(const double (*x)[3], double loc[2], double *
     return 1;
 }
 
-/** The closest point of a triangle. */
+/** Computes the closest point of a triangle. */
 RIVAL_FN int rival_tri3_regions(const double (*x)[3], double loc[2], double *dist)
 {
     struct rival_place p;
@@ -143,7 +143,7 @@ RIVAL_FN int rival_tri3_regions(const double (*x)[3], double loc[2], double *dis
 
 /* ---- six, eight and nine nodes ---- */
 
-/* The factor that a polynomial of rivals_faces.h has, and (u, v) of (xi, eta). */
+/* Returns the common factor of a polynomial of rivals_faces.h. */
 RIVAL_FN double rival_face_factor(const struct rival_face *f)
 {
     return f->mixed ? 4 : 9;

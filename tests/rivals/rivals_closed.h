@@ -1,4 +1,4 @@
-/* Closed forms that finite element programmers use for the local contact search: no step depends on another one.  See
+/* Closed forms that finite element programmers use for the local contact search, without dependent steps. See
  * rivals.h. */
 #ifndef FOOTPOINT_RIVALS_CLOSED_H
 #define FOOTPOINT_RIVALS_CLOSED_H
@@ -12,16 +12,16 @@
     R(plane)                                                                                                           \
     RIVAL_HAND(R)
 
-/* Twice the area of the triangle of the origin, a and b. */
+/* Returns twice the area of the triangle of the origin, a and b. */
 RIVAL_FN FOOTPOINT_REAL rival_triangle(const FOOTPOINT_REAL a[3], const FOOTPOINT_REAL b[3])
 {
     const FOOTPOINT_REAL x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
     return sqrt(x * x + y * y + z * z);
 }
 
-/** Area coordinates (12)-(16) with the triangles of S itself.  With D1 = SAB, D2 = SBC, D3 = SCD, D4 = SDA the shape
- *  functions of A, B, C, D are D2 D3, D3 D4, D4 D1, D1 D2 over (D1 + D3)(D2 + D4), and so
- *  xi = phi_B + phi_C - phi_A - phi_D = (D4 - D2)/(D4 + D2), eta = (D1 - D3)/(D1 + D3). */
+/** Computes area coordinates (12)-(16) with the triangles of S itself. With D1 = SAB, D2 = SBC, D3 = SCD, D4 = SDA the
+ *  shape functions of A, B, C, D are D2 D3, D3 D4, D4 D1, D1 D2 over (D1 + D3)(D2 + D4). So xi = phi_B + phi_C - phi_A
+ *  - phi_D = (D4 - D2)/(D4 + D2) and eta = (D1 - D3)/(D1 + D3). */
 RIVAL_FN void rival_area(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     FOOTPOINT_REAL a[3], b[3], c[3], d[3];
@@ -37,10 +37,10 @@ RIVAL_FN void rival_area(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
     *eta = (d1 - d3) / (d1 + d3);
 }
 
-/** Area ratios about the centroid, as explicit crash codes have them.  With the areas a_BC, a_DA, ... of the triangles
- * of the edges and the centroid, and b_BC, b_DA, ... of the edges and S, all projected along the normal AC x BD, xi =
- * (a_BC b_DA - b_BC a_DA)/(a_BC b_DA + b_BC a_DA), and the like for eta with AB, CD: 0 at the centroid, -1 and 1 on the
- * edges.  Lagrange's identity gives the areas from the products of AC and BD with the nodes about the centroid. */
+/** Computes area ratios about the centroid, as in explicit crash codes. With the areas a_BC, a_DA, ... of the triangles
+ *  of the edges and the centroid, and b_BC, b_DA, ... of the edges and S, all projected along the normal AC x BD, xi =
+ *  (a_BC b_DA - b_BC a_DA)/(a_BC b_DA + b_BC a_DA), and likewise eta with AB, CD: 0 at the centroid, -1 and 1 on the
+ *  edges. Lagrange's identity yields the areas from the products of AC and BD with the nodes about the centroid. */
 RIVAL_FN void rival_centroid(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     FOOTPOINT_REAL ac[3], bd[3], a[3], s[3]; /* a: four times A, s: four times S, about the centroid */
@@ -54,7 +54,7 @@ RIVAL_FN void rival_centroid(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *et
     }
     const FOOTPOINT_REAL cc = rival_dot(ac, ac), cd = rival_dot(ac, bd), dd = rival_dot(bd, bd);
     const FOOTPOINT_REAL cc2 = cc + cc, cd2 = cd + cd, dd2 = dd + dd;
-    /* Products p with AC, q with BD; C = A + AC, D = B + BD, A + B + C + D = 0. */
+    /* products p with AC, q with BD; C = A + AC, D = B + BD, A + B + C + D = 0 */
     const FOOTPOINT_REAL pa = rival_dot(ac, a), qa = rival_dot(bd, a), ps = rival_dot(ac, s), qs = rival_dot(bd, s);
     const FOOTPOINT_REAL pc = pa + (cc2 + cc2), qc = qa + (cd2 + cd2);
     const FOOTPOINT_REAL pb = -pa - (cc2 + cd2), qb = -qa - (cd2 + dd2);
@@ -71,9 +71,9 @@ RIVAL_FN void rival_centroid(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *et
     *eta = (below - above) / (below + above);
 }
 
-/** The exact answer of a plane segment: with d = p e1 + q e2 and c3 = a e1 + b e2 in its plane, u = p - a u v and
- *  v = q - b u v give b u^2 + (1 - k) u - p = 0, k = b p - a q.  A warped segment is projected onto the plane of its
- *  mid-lines; a negative discriminant counts as 0. */
+/** Computes the exact answer for a plane segment. With d = p e1 + q e2 and c3 = a e1 + b e2 in its plane, u = p - a u v
+ *  and v = q - b u v lead to b u^2 + (1 - k) u - p = 0, k = b p - a q. A warped segment is projected onto the plane of
+ *  its mid-lines; a negative discriminant counts as 0. */
 RIVAL_FN void rival_plane(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     const FOOTPOINT_REAL one = 1.0, none = 0.0;
@@ -92,7 +92,7 @@ RIVAL_FN void rival_plane(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
     *eta = q / (one + b * u);
 }
 
-/** The methods as a table, in the order of the lists of rivals.h and above. */
+/** The methods as a table, in the order of the lists in rivals.h and above. */
 typedef void rival_search(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta);
 struct rival {
     const char *name;

@@ -1,29 +1,29 @@
-/* Newton's iteration until it stands, four ways; see rivals.h. */
+/* Newton's iteration until it converges, in four variants; see rivals.h. */
 #ifndef FOOTPOINT_RIVALS_CONVERGED_H
 #define FOOTPOINT_RIVALS_CONVERGED_H
 
 #include "rivals.h"
 
-/** Of converged Newton: Gauss-Newton steps before it, and the step at which it stops.  A step of 1e-5
- *  is followed by an error of about its square: that is "loose". */
+/** Gauss-Newton steps before converged Newton. Iterations stop at a step below their tolerance; the error is then about
+ *  its square. "loose" stops at 1e-5. */
 enum { RIVAL_NEWTON_GAUSS = 3 };
 #define RIVAL_NEWTON_TOLERANCE 1e-10
 #define RIVAL_NEWTON_LOOSE 1e-5
 
-/** Fair Newton starts from the taper, and so needs no Gauss-Newton steps.  After a step of 1e-7 the error is about its
- *  square, the rounding of the answer.  The start counts as the first of the steps. */
+/** Fair Newton starts from the taper and so needs no Gauss-Newton steps. After a step of 1e-7 the error is about its
+ *  square, the rounding of the answer. The start counts as the first step. */
 enum { RIVAL_FAIR_STEPS_MAX = 1 + 20 };
 #define RIVAL_FAIR_TOLERANCE 1e-7
 
-/* 1 if a step moves neither xi nor eta by more than the tolerance. */
+/* Returns 1 if a step moves neither xi nor eta by more than the tolerance. */
 RIVAL_FN int rival_stands(struct rival_point p, struct rival_point next, double tolerance)
 {
     const FOOTPOINT_REAL limit = tolerance, du = next.u - p.u, dv = next.v - p.v;
     return (fabs(du) <= limit) & (fabs(dv) <= limit);
 }
 
-/** Newton's iteration from the centre, three Gauss-Newton steps first.  Returns the steps taken, or 0 if `most` of them
- *  were not enough (xi, eta are then where it stands). */
+/** Runs Newton's iteration from the centre after three Gauss-Newton steps. Returns the number of steps, or 0 if `most`
+ *  do not suffice (xi, eta are then the last point). */
 RIVAL_FN int rival_newton(RIVAL_NODES, int most, double tolerance, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     const FOOTPOINT_REAL one = 1.0;
@@ -42,7 +42,7 @@ RIVAL_FN int rival_newton(RIVAL_NODES, int most, double tolerance, FOOTPOINT_REA
     return stands ? n : 0;
 }
 
-/** The same from *xi, *eta, the answer of the step before: Newton's steps alone. */
+/** Runs only Newton's steps, from *xi, *eta, the last step's answer. Returns as rival_newton. */
 RIVAL_FN int rival_newton_from(RIVAL_NODES, int most, double tolerance, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     const FOOTPOINT_REAL one = 1.0;
@@ -74,7 +74,8 @@ RIVAL_FN struct rival_point rival_taper(const struct rival_products *g)
     return p;
 }
 
-/* Takes Newton's steps from the taper.  Returns the steps taken, the start among them, or 0 if `most` are not enough. */
+/* Takes Newton's steps from the taper. Returns the number of steps, including the start, or 0 if `most` do not
+ * suffice. */
 RIVAL_FN int rival_fair_steps(const struct rival_products *g, int most, double tolerance, struct rival_point *p)
 {
     const FOOTPOINT_REAL one = 1.0;
@@ -88,8 +89,8 @@ RIVAL_FN int rival_fair_steps(const struct rival_products *g, int most, double t
     return stands ? n : 0;
 }
 
-/** Newton's iteration as a good programmer writes it today: Newton's steps from the taper.  Returns the steps taken, the
- *  start among them, or 0 if `most` are not enough (xi, eta are then where it stands). */
+/** Runs Newton's iteration as a good programmer writes it today: Newton's steps from the taper. Returns the number of
+ *  steps, including the start, or 0 if `most` do not suffice (xi, eta are then the last point). */
 RIVAL_FN int rival_newton_fair(RIVAL_NODES, int most, double tolerance, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     struct rival_basis b;

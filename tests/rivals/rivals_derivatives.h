@@ -1,16 +1,17 @@
-/* Derivatives of xi, eta and the gap by all coordinates of the nodes and of the slave node, the last of x, as they are
- * written by hand: by the implicit function theorem, by forward differentiation through Newton's iteration, and by
- * central differences.  slope[0], [1] and [2] are those of xi, eta and the gap. */
+/* Hand-written derivatives of xi, eta and the gap by all coordinates of the nodes and of the slave node, the last of x:
+ * by the implicit function theorem, by forward differentiation through Newton's iteration, and by central differences.
+ * slope[0], [1] and [2] are the derivatives of xi, eta and the gap. */
 #ifndef FOOTPOINT_RIVALS_DERIVATIVES_H
 #define FOOTPOINT_RIVALS_DERIVATIVES_H
 
 #include <math.h>
 
-enum { RIVAL_COORDINATES = 30 }; /* at most */
+enum { RIVAL_COORDINATES = 30 }; /* most coordinates of a kind */
 
 /* ---- the implicit function theorem ---- */
 
-/** Of four nodes: (7), (8) differentiated by the nodes; the determinant divided by once.  Returns 0 if there is no normal. */
+/** Differentiates (7), (8) of a four-node segment by the nodes, with one division by the determinant. Returns 0 if
+ *  there is no normal. */
 static inline int rival_implicit(const double (*x)[3], const double loc[2], double *gap,
                                  double (*slope)[RIVAL_COORDINATES])
 {
@@ -50,8 +51,8 @@ static inline int rival_implicit(const double (*x)[3], const double loc[2], doub
     return nn > 0;
 }
 
-/** Of any face: phi holds the shape functions at the foot point and, in the rows after them, their derivatives by xi, eta,
- *  xi xi, xi eta and eta eta, as functions footpoint_KIND_shape give them. */
+/** Differentiates any face. phi contains the shape functions at the foot point and, in the following rows, their
+ *  derivatives by xi, eta, xi xi, xi eta and eta eta, in the order of footpoint_KIND_shape. */
 static inline int rival_implicit_face(int nodes, const double *phi, const double (*x)[3], double *gap,
                                       double (*slope)[RIVAL_COORDINATES])
 {
@@ -91,7 +92,7 @@ static inline int rival_implicit_face(int nodes, const double *phi, const double
     return nn > 0;
 }
 
-/* ---- forward differentiation, of four nodes ---- */
+/* ---- forward differentiation, four nodes ---- */
 
 struct rival_dual {
     double value, slope[15];
@@ -127,8 +128,8 @@ static inline struct rival_dual rival_dual_dot(const struct rival_dual a[3], con
                      1);
 }
 
-/* Newton's iteration from the centre in dual numbers, three Gauss-Newton steps first, until it stands, and a step more, in
- * which the derivatives arrive. */
+/* Runs Newton's iteration from the centre in dual numbers until it converges, after three Gauss-Newton steps. One more
+ * step makes the derivatives converge. */
 static inline int rival_forward(const double (*x)[3], double loc[2], double *gap, double (*slope)[RIVAL_COORDINATES])
 {
     int last = 0;
@@ -183,11 +184,11 @@ static inline int rival_forward(const double (*x)[3], double loc[2], double *gap
 
 /* ---- differences ---- */
 
-/* Of a millionth of an edge of about 1. */
+/* The step for edges of about 1. */
 #define RIVAL_DIFFERENCE 1e-6
 
-/** `search` finds xi, eta and the gap of so many vectors, or returns 0: once at them, and with each coordinate moved each
- *  way by `step`. */
+/** Differentiates `search`, which finds xi, eta and the gap or returns 0, by central differences: it searches once at
+ *  the given vectors, and with each coordinate moved by `step` in both directions. */
 static inline int rival_differences(int vectors, const double (*x)[3], double step,
                                     int search(const double (*)[3], double[2], double *), double loc[2], double *gap,
                                     double (*slope)[RIVAL_COORDINATES])

@@ -1,6 +1,7 @@
-/* What a good finite element programmer writes by hand for the other kinds of segments: Gauss-Newton and Newton steps
- * from the middle, the segment a polynomial about it, r = sum of c[i][j] u^i v^j by Horner's rule; of three nodes the
- * formula.  Compare rivals.h.  Nodes in the order of the kind, S last: x[0], x[1], ... */
+/* Searches on the other kinds of segments as a good finite element programmer writes them by hand: Gauss-Newton and
+ * Newton steps from the middle. The segment is a polynomial about the middle, r = sum of c[i][j] u^i v^j by Horner's
+ * rule; for three nodes there is a formula. Compare rivals.h. x[0], x[1], ... are the nodes in the order of the kind, S
+ * last. */
 #ifndef FOOTPOINT_RIVALS_FACES_H
 #define FOOTPOINT_RIVALS_FACES_H
 
@@ -19,13 +20,13 @@
     R(kind##_gn2n1, kind, 2, 1)                                                                                        \
     R(kind##_gn2n2, kind, 2, 2)
 
-/* The polynomial up to a common factor; which of its terms there are is known to the compiler. */
+/* The polynomial up to a common factor. Compilers know which terms exist. */
 struct rival_face {
-    FOOTPOINT_REAL c[3][3][3], d[3]; /* c[i][j]: of u^i v^j; d: xS less the middle */
-    int mixed, highest;              /* terms of degree 3; of degree 4 */
+    FOOTPOINT_REAL c[3][3][3], d[3]; /* c[i][j]: coefficient of u^i v^j; d: xS minus the middle */
+    int mixed, highest;              /* has terms of degree 3; has the term of degree 4 */
 };
 
-/* A single step from the middle needs the terms of degree 1 alone: `many` is 0. */
+/* Expands about the middle. A single step needs only the terms of degree 1: `many` is 0. */
 RIVAL_FN void rival_face_tri6(const FOOTPOINT_REAL (*x)[3], int many, struct rival_face *f)
 {
     const FOOTPOINT_REAL two = 2.0, three = 3.0, four = 4.0;
@@ -51,7 +52,7 @@ RIVAL_FN void rival_face_quad(const FOOTPOINT_REAL (*x)[3], const FOOTPOINT_REAL
     f->highest = nine;
     for (int k = 0; k < 3; k++) {
         const FOOTPOINT_REAL a = x[0][k], b = x[1][k], c = x[2][k], d = x[3][k];
-        const FOOTPOINT_REAL e = x[4][k], g = x[5][k], h = x[6][k], i = x[7][k]; /* of AB, BC, CD, DA */
+        const FOOTPOINT_REAL e = x[4][k], g = x[5][k], h = x[6][k], i = x[7][k]; /* mid-sides of AB, BC, CD, DA */
         const FOOTPOINT_REAL fh = g - i, ge = h - e, s = slave[k];
         f->c[1][0][k] = fh + fh;
         f->c[0][1][k] = ge + ge;
@@ -111,7 +112,7 @@ RIVAL_FN struct rival_point rival_face_first(const struct rival_face *f)
                        rival_product(f->d, e2), one);
 }
 
-/* xS - r, tangents and half of the second derivatives by u u and v v, all with the common factor. */
+/* xS - r, tangents and half the second derivatives by u u and v v, all with the common factor. */
 struct rival_face_jet {
     FOOTPOINT_REAL w[3], u[3], v[3], uu[3], uv[3], vv[3];
 };
@@ -164,7 +165,7 @@ RIVAL_FN struct rival_point rival_face_step(const struct rival_face *f, int newt
     return next;
 }
 
-/* From u and v to xi and eta. */
+/* Converts u or v to xi or eta. */
 RIVAL_FN FOOTPOINT_REAL rival_face_local(const struct rival_face *f, FOOTPOINT_REAL u)
 {
     const FOOTPOINT_REAL third = 1.0 / 3.0;
@@ -189,7 +190,8 @@ RIVAL_FN void rival_face_steps(const struct rival_face *f, int gauss_newton, int
     *eta = rival_face_local(f, p.v);
 }
 
-/* As rival_newton: three Gauss-Newton steps, then Newton's, until it stands; steps taken, or 0. */
+/* Takes three Gauss-Newton steps, then Newton's until they converge, like rival_newton. Returns the number of steps, or
+ * 0. */
 RIVAL_FN int rival_face_newton(const struct rival_face *f, int most, double tolerance, FOOTPOINT_REAL *xi,
                                FOOTPOINT_REAL *eta)
 {
@@ -205,7 +207,7 @@ RIVAL_FN int rival_face_newton(const struct rival_face *f, int most, double tole
     return stands ? n : 0;
 }
 
-/* rival_KIND_newton(x, most, tolerance, &xi, &eta) and rival_KIND_gn1(x, &xi, &eta), ... */
+/* Defines rival_KIND_newton(x, most, tolerance, &xi, &eta), rival_KIND_gn1(x, &xi, &eta), ... */
 #define RIVAL_DEFINE(kind, vectors)                                                                                    \
     RIVAL_FN int rival_##kind##_newton(const FOOTPOINT_REAL(*x)[3], int most, double tolerance, FOOTPOINT_REAL *xi,    \
                                        FOOTPOINT_REAL *eta)                                                            \
@@ -226,7 +228,8 @@ RIVAL_FACES(RIVAL_DEFINE)
 RIVAL_FACE_ITERATIONS(RIVAL_DEFINE)
 #undef RIVAL_DEFINE
 
-/* Three nodes: the normal n = AB x AC, and areas over its square (Ericson, Real-Time Collision Detection, 3.4). */
+/* Computes the foot point on three nodes: the normal n = AB x AC, and areas over its square (Ericson, Real-Time
+ * Collision Detection, 3.4). */
 RIVAL_FN void rival_tri3_areas(const FOOTPOINT_REAL (*x)[3], FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     const FOOTPOINT_REAL one = 1.0;

@@ -1,15 +1,15 @@
-/* Newton's iteration from the last answer, with gap and status, as a contact code has it that keeps xi and eta of its
- * pairs.  rival_KIND_from(x, tolerance, loc, &gap) begins at loc and returns 0 where there is no answer.
+/* Newton's iteration from the last answer, with gap and status, as in contact codes that store xi and eta of their
+ * pairs. rival_KIND_from(x, tolerance, loc, &gap) starts at loc and returns 0 if there is no answer.
  *
- * Four-node segments are expanded about the last answer, rivals.h's polynomial in the step from it, so that the first
- * step takes no polynomial.  Fixed numbers of steps: one or two of Newton's, and one of Chebyshev's, which corrects a
+ * Four-node segments are expanded about the last answer with the polynomial of rivals.h, so that the first step
+ * evaluates no polynomial. Fixed numbers of steps: one or two of Newton's, and one of Chebyshev's, which corrects a
  * step by the second derivatives of the slopes. */
 #ifndef FOOTPOINT_RIVALS_FROM_H
 #define FOOTPOINT_RIVALS_FROM_H
 
 #include "newton_lanes_calls.h"
 
-/* About (xi,eta), all times 4; u and v are the steps from there. */
+/* Expands about (xi,eta), all vectors times 4; u and v are the steps from there. */
 RIVAL_FN void rival_basis_about(const double (*x)[3], double xi, double eta, struct rival_basis *b)
 {
     const double s = 1 + xi, t = 1 + eta;
@@ -22,7 +22,7 @@ RIVAL_FN void rival_basis_about(const double (*x)[3], double xi, double eta, str
     }
 }
 
-/* Newton's steps from u = v = 0 until they stand. */
+/* Takes Newton's steps from u = v = 0 until they converge. */
 RIVAL_FN int rival_quad4_from(const double (*x)[3], double tolerance, double loc[2], double *gap)
 {
     struct rival_basis b;
@@ -40,7 +40,7 @@ RIVAL_FN int rival_quad4_from(const double (*x)[3], double tolerance, double loc
     return rival_basis_gap(&b, p, gap) && stands;
 }
 
-/* The correction of Chebyshev's step p from u = v = 0: terms of second order that p leaves in the slopes. */
+/* Returns the correction of Chebyshev's step p from u = v = 0: the second-order terms that p leaves in the slopes. */
 RIVAL_FN struct rival_point rival_chebyshev(const struct rival_products *g, struct rival_point p)
 {
     const double up = p.u * g->g13, vp = p.v * g->g23;

@@ -1,31 +1,30 @@
-/* What a good finite element programmer writes by hand for the local contact search on Gregory and Bezier patches: the
- * methods that generated code has to beat.  All vectors are of four lanes, of which three count, so that one search
- * alone uses the machine's vector registers.
+/* Local contact searches on Gregory and Bezier patches as a good finite element programmer writes them by hand: the
+ * methods that generated code must beat. All vectors have four lanes, of which three are used, so that a single search
+ * uses the machine's vector registers.
  *
- * Control points (runtime/geometry/gregory.c has the equations): at each corner, with the handles a and b towards its neighbours
- * along xi and eta and the normal n, k = n.(a x b)/(a.a) and h = a.b/(a.a) for the edge along xi, the same with -n over
- * b.b for the edge along eta.  Positions are powers of u = (1 + xi)/2 and v = (1 + eta)/2, relative to A, by Horner's
- * scheme with derivatives, plus q e for each corner.
+ * Control points (runtime/geometry/gregory.c has the equations): at each corner, with the handles a and b towards its
+ * neighbours along xi and eta and the normal n, k = n.(a x b)/(a.a) and h = a.b/(a.a) for the edge along xi, the same
+ * with -n over b.b for the edge along eta. Positions are powers of u = (1 + xi)/2 and v = (1 + eta)/2, relative to A,
+ * by Horner's scheme with derivatives, plus q e for each corner.
  *
- * Iterations start at the facet's own foot point, or where the facet is met along interpolated normals, and stay on the
- * patch.
- */
+ * Iterations start at the facet's foot point, or at its foot point along interpolated normals, and stay on the
+ * patch. */
 #ifndef FOOTPOINT_RIVALS_GREGORY_H
 #define FOOTPOINT_RIVALS_GREGORY_H
 
 #include "rivals.h"
 
-/* All of this is inlined: how vectors are passed between functions is of no account. */
+/* All functions are inlined, so the calling convention of vectors does not matter. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 typedef double rival_lanes __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double)), may_alias));
 
-/** A patch ready for searches. */
+/** A patch prepared for searches. */
 struct rival_patch {
     double origin[3];
     double c[4][4][4]; /* of u^i v^j; last index: coordinate */
-    double e[4][4];    /* twin less inner point at A, B, C, D */
-    int bezier;        /* there are no twins */
+    double e[4][4];    /* twin minus inner point at A, B, C, D */
+    int bezier;        /* has no twins */
 };
 
 /** Point and derivatives by u and v. */
@@ -60,7 +59,8 @@ RIVAL_FN rival_lanes rival_cross(rival_lanes a, rival_lanes b)
     return (rival_lanes){c[1], c[2], c[0], 0};
 }
 
-/* Inner points of an edge less its own, times 3: from the edge's three differences, turned handles g and factors. */
+/* Computes the inner points of an edge relative to the edge, times 3, from the edge's three differences, turned handles
+ * g and factors. */
 RIVAL_FN void rival_across(rival_lanes c0, rival_lanes c1, rival_lanes c2, rival_lanes g0, rival_lanes g3, double k0,
                            double k1, double h0, double h1, rival_lanes *a1, rival_lanes *a2)
 {
@@ -69,7 +69,7 @@ RIVAL_FN void rival_across(rival_lanes c0, rival_lanes c1, rival_lanes c2, rival
     *a2 = k1 * g0 + k * g3 + h0 * c2 + (h1 + h1) * c1;
 }
 
-/* Powers from Bernstein coefficients. */
+/* Converts Bernstein coefficients to powers. */
 RIVAL_FN void rival_powers(rival_lanes p[4])
 {
     const rival_lanes d0 = p[1] - p[0], d1 = p[2] - p[1], d2 = p[3] - p[2], dd = d1 - d0;
@@ -78,10 +78,10 @@ RIVAL_FN void rival_powers(rival_lanes p[4])
     p[2] = 3 * dd;
 }
 
-/* Net index of a corner. */
+/* Indices of the corners in the net. */
 static const int rival_place[4][2] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
 
-/* The net as powers of u and v. */
+/* Converts the net to powers of u and v. */
 RIVAL_FN void rival_net_powers(rival_lanes p[4][4], struct rival_patch *patch)
 {
     for (int i = 0; i < 4; i++)
@@ -94,7 +94,7 @@ RIVAL_FN void rival_net_powers(rival_lanes p[4][4], struct rival_patch *patch)
     }
 }
 
-/** A Bezier patch: the innermost points complete parallelograms. */
+/** Computes a Bezier patch, whose innermost points complete parallelograms. */
 RIVAL_FN void rival_bezier_of(const double x[4][3], const double n[4][3], struct rival_patch *patch)
 {
     const double third = 1.0 / 3;
@@ -144,7 +144,7 @@ RIVAL_FN void rival_patch_of(const double x[4][3], const double n[4][3], struct 
         p[i ? 2 : 1][j] = corner[c] + a[c];
         p[i][j ? 2 : 1] = corner[c] + b[c];
     }
-    for (int j = 0; j < 4; j += 3) { /* AB, DC; handles and turned handles of their far ends point back */
+    for (int j = 0; j < 4; j += 3) { /* AB, DC; handles and turned handles at their far ends point backwards */
         const int l = j ? 3 : 0, r = j ? 2 : 1, in = j ? 2 : 1;
         rival_lanes a1, a2;
         rival_across(a[l], p[2][j] - p[1][j], -a[r], ga[l], -ga[r], ka[l], -ka[r], ha[l], -ha[r], &a1, &a2);
@@ -165,7 +165,7 @@ RIVAL_FN void rival_patch_of(const double x[4][3], const double n[4][3], struct 
     rival_net_powers(p, patch);
 }
 
-/* The cubic's value, derivative, and half its second derivative. */
+/* Computes a cubic's value, derivative, and half its second derivative. */
 RIVAL_FN void rival_horner(const rival_lanes c[4], double t, rival_lanes *f, rival_lanes *df, rival_lanes *ddf)
 {
     const rival_lanes s2 = c[2] + t * c[3], d2 = s2 + t * c[3], s1 = c[1] + t * s2;
@@ -174,7 +174,7 @@ RIVAL_FN void rival_horner(const rival_lanes c[4], double t, rival_lanes *f, riv
     *ddf = d2 + t * c[3];
 }
 
-/* Adds the blend at a corner: u and v from there, su and sv the signs of their directions. */
+/* Adds the blend at a corner: u and v are measured from there, su and sv are the signs of their directions. */
 RIVAL_FN void rival_blend(rival_lanes e, double u, double v, double su, double sv, int second, struct rival_jet *jet)
 {
     const double s = 1 - u, t = 1 - v, w = v / (u + v + 1e-300), st = s * t, f = 9 * st * w, uv = u * v, sw = s * w;
@@ -190,7 +190,7 @@ RIVAL_FN void rival_blend(rival_lanes e, double u, double v, double su, double s
     jet->vv += (18 * s * s * (w * u * (v - 2 * t2w) + zt * zt * z)) * e;
 }
 
-/* second: with second derivatives. */
+/* Evaluates the patch; `second`: with second derivatives. */
 RIVAL_FN void rival_patch_jet(const struct rival_patch *patch, double u, double v, int second, struct rival_jet *jet)
 {
     rival_lanes f[4], g[4], h[4], spare;
@@ -212,7 +212,7 @@ RIVAL_FN void rival_patch_jet(const struct rival_patch *patch, double u, double 
     rival_blend(rival_load(patch->e[3]), u, 1 - v, 1, -1, second, jet);
 }
 
-/* One step of Newton's iteration, or of Gauss and Newton's, for d = xS - A. */
+/* Takes one step of Newton or Gauss-Newton for d = xS - A. */
 RIVAL_FN struct rival_point rival_patch_step(const struct rival_patch *patch, rival_lanes d, int newton,
                                              struct rival_point p)
 {
@@ -232,7 +232,7 @@ RIVAL_FN struct rival_point rival_patch_step(const struct rival_patch *patch, ri
     return p;
 }
 
-/** Where the facet itself has its foot point, but for what two steps leave: u, v, within 0..1. */
+/** Returns the facet's foot point after two steps: u, v, within 0..1. */
 RIVAL_FN struct rival_point rival_facet_foot(const double x[4][3], const double n[4][3], const double xs[3],
                                              enum rival_start start)
 {
@@ -244,7 +244,7 @@ RIVAL_FN struct rival_point rival_facet_foot(const double x[4][3], const double 
     return p;
 }
 
-/* A bilinear function's value and derivatives, of corners A, B, C, D. */
+/* Computes value and derivatives of a bilinear function with corners A, B, C, D. */
 RIVAL_FN void rival_bilinear(const double x[4][3], double u, double v, rival_lanes *r, rival_lanes *r_u,
                              rival_lanes *r_v)
 {
@@ -255,8 +255,8 @@ RIVAL_FN void rival_bilinear(const double x[4][3], double u, double v, rival_lan
     *r = a + u * b + v * *r_v;
 }
 
-/** Where the facet is met along the node normals, interpolated: r(u,v) + h n(u,v) = xS, but for what a Gauss-Newton
- * step on the facet and a Newton step leave.  Near the smoothed surface's foot point if the normals suit the nodes. */
+/** Returns the facet's foot point along the interpolated node normals, r(u,v) + h n(u,v) = xS, after a Gauss-Newton
+ *  step on the facet and a Newton step. It is near the smoothed surface's foot point if the normals suit the nodes. */
 RIVAL_FN struct rival_point rival_normal_foot(const double x[4][3], const double n[4][3], const double xs[3],
                                               enum rival_start start)
 {
@@ -276,7 +276,7 @@ RIVAL_FN struct rival_point rival_normal_foot(const double x[4][3], const double
     return p;
 }
 
-/** Fixed steps from a point on the patch. */
+/** Takes a fixed number of steps from a point on the patch. */
 RIVAL_FN struct rival_point rival_patch_steps(const struct rival_patch *patch, const double xs[3], int gauss_newton,
                                               int newton, struct rival_point p)
 {
@@ -288,8 +288,8 @@ RIVAL_FN struct rival_point rival_patch_steps(const struct rival_patch *patch, c
     return p;
 }
 
-/** Steps until they move neither u nor v by more than the tolerance, `gauss_newton` of Gauss and Newton's first.
- * Returns their number, or 0 if `most` of them were not enough. */
+/** Takes steps until u and v move by at most the tolerance, the first `gauss_newton` of them Gauss-Newton steps.
+ *  Returns their number, or 0 if `most` do not suffice. */
 RIVAL_FN int rival_patch_converge(const struct rival_patch *patch, const double xs[3], int gauss_newton, int most,
                                   double tolerance, struct rival_point *p)
 {

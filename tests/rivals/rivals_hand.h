@@ -1,6 +1,6 @@
-/* Functions of the scene quad4 that were derived by hand: Gauss-Newton and Newton steps, the first with taper and warp, as
- * the frame `parallelogram` defines them (u3, its `chebyshev` of uz, u4, u5, u6) and codegen schedules them.  What evolution
- * bred in their place must not lose to them. */
+/* Functions of the scene quad4 that were derived by hand: Gauss-Newton and Newton steps, the first with taper and warp,
+ * as the frame `parallelogram` defines them (u3, its `chebyshev` of uz, u4, u5, u6) and codegen schedules them. The
+ * bred functions that replaced them must not be slower or less accurate. */
 #ifndef FOOTPOINT_RIVALS_HAND_H
 #define FOOTPOINT_RIVALS_HAND_H
 

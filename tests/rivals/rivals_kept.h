@@ -1,15 +1,15 @@
-/* What the scenes of the paper's lattice had before they were bred: a start with the taper, and Newton or Chebyshev steps
- * whose determinant is kept from 0, about the best point of the scene and within its box.  Evolution composed its own of
- * the same steps (evolve/frames/steps.gen); they must not lose to these. */
+/* The hand-derived functions of the paper's lattice that bred functions replaced: a start with the taper, then Newton
+ * or Chebyshev steps whose determinant is kept away from 0, about the best point of the scene and within its box.
+ * Evolution composed its functions from the same steps (evolve/frames/steps.gen); they must not lose to these. */
 #ifndef FOOTPOINT_RIVALS_KEPT_H
 #define FOOTPOINT_RIVALS_KEPT_H
 
 #include "rivals_tuned.h"
 
-/* One Gauss-Newton step inside the box; with the taper to first order; to second. */
+/* One Gauss-Newton step inside the box, or with the taper to first or second order. */
 enum rival_kept_start { RIVAL_KEPT_GAUSS, RIVAL_KEPT_TAPER, RIVAL_KEPT_MORE };
 
-/** R(name, start, Newton steps, Chebyshev steps, the last of which takes its squares twice if there are two). */
+/** R(name, start, Newton steps, Chebyshev steps); if there are two, the last applies its squares twice. */
 #define RIVAL_KEPT(R)                                                                                                  \
     R(hand_kept_newton, RIVAL_KEPT_GAUSS, 1, 0)                                                                        \
     R(hand_kept_medium, RIVAL_KEPT_TAPER, 1, 0)                                                                        \
@@ -51,7 +51,7 @@ RIVAL_FN struct rival_point rival_kept_start(const struct rival_products *g, enu
     return p;
 }
 
-/* A Newton step, and so many times the squares that it leaves out, within a limit. */
+/* Takes a Newton step, then corrects it several times by the squares that it omits, within a limit. */
 RIVAL_FN struct rival_point rival_kept_step(const struct rival_products *g, struct rival_point p, int squares,
                                             const struct rival_box *box)
 {

@@ -1,6 +1,6 @@
-/* The hand-written searches on Gregory and Bezier patches (rivals_gregory.h) as methods of footpoint-bench: x holds
- * corners, normals and the slave node.  What has quarter_ in its name starts in A's quarter.  Operations are not
- * counted: vectors have lanes. */
+/* The hand-written searches on Gregory and Bezier patches (rivals_gregory.h) as methods of footpoint-bench. x contains
+ * corners, normals and the slave node. Names with quarter_ start in A's quarter. Operations are not counted, because
+ * vectors have lanes. */
 #ifndef FOOTPOINT_RIVALS_PATCHES_H
 #define FOOTPOINT_RIVALS_PATCHES_H
 
@@ -41,7 +41,7 @@
 RIVAL_PATCHES(RIVAL_DEFINE)
 #undef RIVAL_DEFINE
 
-/** Newton's iteration from the facet's foot point until it stands; steps taken, or 0. */
+/** Runs Newton's iteration from the facet's foot point until it converges. Returns the number of steps, or 0. */
 RIVAL_FN int rival_patch_newton(const double (*x)[3], int bezier, enum rival_start start, double tolerance, double *xi,
                                 double *eta)
 {
@@ -57,7 +57,7 @@ RIVAL_FN int rival_patch_newton(const double (*x)[3], int bezier, enum rival_sta
     return steps;
 }
 
-/** The same as it is usually written, on the library's own evaluation. */
+/** Runs the same iteration as usually written, on the library's evaluation. */
 RIVAL_FN int rival_patch_newton_plain(const double (*x)[3], int bezier, double tolerance, double *xi, double *eta)
 {
     struct footpoint_gregory patch;

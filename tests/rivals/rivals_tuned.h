@@ -1,17 +1,16 @@
-/* Rivals with numbers that are chosen for a scene on its training samples, as their best friend would: the point from
- * which truncated iterations start and the box that they are kept in, and the coefficients of polynomials.  See
- * rivals.h and bench_tune.h. */
+/* Rivals with numbers that are fitted to a scene's training samples, in the rivals' favour: the starting point and the
+ * box of truncated iterations, and the coefficients of polynomials. See rivals.h and bench_tune.h. */
 #ifndef FOOTPOINT_RIVALS_TUNED_H
 #define FOOTPOINT_RIVALS_TUNED_H
 
 #include "rivals.h"
 
-enum { RIVAL_TERMS = 165 }; /* of a full cubic in eight variables */
+enum { RIVAL_TERMS = 165 }; /* terms of a full cubic in eight variables */
 
 struct rival_tuning {
     FOOTPOINT_REAL s, t, xi0, eta0; /* the start: fractions of AB and AD, and xi0 = 2 s - 1, eta0 = 2 t - 1 */
-    struct rival_clamp clamp;       /* of fractions about it, twice them in the last step */
-    struct rival_box box;           /* where the scene's contact points lie */
+    struct rival_clamp clamp;       /* limits of the fractions about the start; twice these in the last step */
+    struct rival_box box;           /* the box of the scene's contact points */
     FOOTPOINT_REAL xi[RIVAL_TERMS], eta[RIVAL_TERMS];
 };
 
@@ -80,7 +79,7 @@ RIVAL_FN void rival_iterate_tuned(RIVAL_NODES, const struct rival_tuning *t, int
 RIVAL_TUNED_ITERATIONS(RIVAL_DEFINE)
 #undef RIVAL_DEFINE
 
-/* The paper's frame, section 3.1, from scalar products: A the origin, B = (1,0,0), D in the x-y plane. */
+/* Computes the paper's frame, section 3.1, from scalar products: A the origin, B = (1,0,0), D in the x-y plane. */
 enum { RIVAL_XC, RIVAL_YC, RIVAL_ZC, RIVAL_XD, RIVAL_YD, RIVAL_XS, RIVAL_YS, RIVAL_ZS, RIVAL_INPUTS };
 
 RIVAL_FN void rival_similarity(RIVAL_NODES, int heights, FOOTPOINT_REAL x[RIVAL_INPUTS])
@@ -112,7 +111,8 @@ RIVAL_FN void rival_similarity(RIVAL_NODES, int heights, FOOTPOINT_REAL x[RIVAL_
     }
 }
 
-/* Full polynomials in x[first..7] in Horner's form, of degree 1, 2 and 3; *c runs along the coefficients. */
+/* Evaluate full polynomials in x[first..7] by Horner's scheme, of degree 1, 2 and 3; *c advances along the
+ * coefficients. */
 RIVAL_FN FOOTPOINT_REAL rival_line(const FOOTPOINT_REAL *c, const FOOTPOINT_REAL x[RIVAL_INPUTS], int first)
 {
     FOOTPOINT_REAL sum = c[0];
@@ -165,7 +165,7 @@ RIVAL_FN void rival_cubic(RIVAL_NODES, const struct rival_tuning *t, FOOTPOINT_R
     *eta = rival_cube(t->eta, x);
 }
 
-/** The terms of (41) and (42); all of them without z. */
+/** Evaluates the terms of (41) and (42), or those without z. */
 RIVAL_FN void rival_ten_terms(RIVAL_NODES, const struct rival_tuning *t, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
     const FOOTPOINT_REAL *a = t->xi, *b = t->eta;

@@ -1,5 +1,5 @@
-/* The pinball test: known answers above a square, invariance under motion and change of scale, and what is counted as
- * right and wrong. */
+/* The pinball test: known answers above a square, invariance under motion and change of scale, and the classification
+ * of decisions. */
 #include "../support/ordinary_quad.h"
 #include "contact_table.h"
 #include "pinball.h"
@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-/* A square of edge `edge` about the origin, seen from above. */
+/* Returns a square of edge `edge` about the origin, seen from above, with a slave node. */
 static struct sample square(double edge, double x, double y, double z)
 {
     const double h = edge / 2;
@@ -33,7 +33,7 @@ static void test_square(void **state)
 {
     (void)state;
     const double pi = 3.14159265358979324;
-    /* Two spheres of the volume of a unit cube. */
+    /* two spheres with the volume of a unit cube */
     const double diameter = 2 * cbrt(3 / (4 * pi));
     const struct sample touching = square(1, 0, 0, 0), above = square(1, 0, 0, diameter - 1);
     const struct sample below = square(1, 0, 0, -0.3), aside = square(1, 0.6, 0.8, -1), big = square(4, 0, 0, 1);
@@ -68,12 +68,12 @@ static void test_decisions(void **state)
     (void)state;
     struct sample s[] = {
         square(2, 0, 0, -0.1),     /* right: contact */
-        square(2, 0, 0, 2),        /* right: none */
+        square(2, 0, 0, 2),        /* right: no contact */
         square(2, 0, 0, 0.1),      /* invented */
         square(2, 0.99, 0.99, -3), /* right: overlap at the same height, however deep */
-        square(2, 0.9, 0.9, -4.5), /* missed: out at the other side */
+        square(2, 0.9, 0.9, -4.5), /* missed: outside on the other side */
         square(2, 1.2, 0, -0.1),   /* invented: the foot point is off the segment */
-        square(2, 0, 0, 0),        /* either */
+        square(2, 0, 0, 0),        /* not counted */
     };
     const struct sample_set set = {.s = s, .n = sizeof s / sizeof *s};
     const struct contact_decisions c = contact_decide(&set);

@@ -1,4 +1,4 @@
-/* The hand-written methods: exact where theory says so, equal to textbook iterations, and within their range. */
+/* The hand-written methods: exact if theory predicts it, equal to textbook iterations, and within their range. */
 #include "../support/ordinary_quad.h"
 #include "rivals_calls.h"
 #include "rivals_closed.h"
@@ -38,7 +38,7 @@ static bool named(const char *part)
     return strstr(where, part) != NULL;
 }
 
-/* Gauss-Newton and Newton as a textbook has them: vectors, increments, no thought of cost. */
+/* Runs Gauss-Newton and Newton steps as in a textbook: vectors and increments, at any cost. */
 static void textbook(const struct quad *q, double xi, double eta, int gauss_newton, int newton, const double range[2],
                      double found[2])
 {
@@ -87,14 +87,14 @@ static void test_textbook(void **state)
     }
 }
 
-/* On a parallelogram every iteration is there after one step, whatever the gap. */
+/* On a parallelogram every iteration converges in one step, whatever the gap. */
 static void test_parallelogram(void **state)
 {
     const struct quad_limits limits = {0, 0, 0.5, 0.95};
     (void)state;
     for (number = 0; number < SEGMENTS; number++) {
         struct quad q = quad_draw(&limits, number);
-        /* Shear D and C alike, and S with them, within the plane: the foot point moves along. */
+        /* Shear moves D and C alike, and S with them, within the plane, and so the foot point. */
         const double shear = 0.4 * ((double)number / SEGMENTS - 0.5);
         for (int k = 0; k < 3; k++) {
             const double along = shear * (q.x[1][k] - q.x[0][k]);
@@ -105,7 +105,7 @@ static void test_parallelogram(void **state)
         for (int i = 0; i < rival_count; i++) {
             double xi, eta;
             where = rivals[i].name;
-            /* Newton's first step is not exact off the segment; a gap spoils areas. */
+            /* Newton's first step is not exact off the segment, nor are areas with a gap. */
             if (strcmp(where, "area") == 0 || (named("quarter_clamped") && (q.xi > 0 || q.eta > 0)))
                 continue;
             rivals[i].search(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, &xi, &eta);
@@ -160,7 +160,7 @@ static void test_newton(void **state)
     }
 }
 
-/* Fair Newton finds what the reference found, with its gap, and returns 0 if it may take too few steps. */
+/* Fair Newton finds the reference's foot point and gap, and returns 0 if it may take too few steps. */
 static void test_newton_fair(void **state)
 {
     (void)state;
@@ -181,7 +181,7 @@ static void test_newton_fair(void **state)
     }
 }
 
-/* Where nodes lie on a line, no step leads anywhere, and there is no normal. */
+/* If nodes lie on a line, no step succeeds, and there is no normal. */
 static void test_newton_fair_refuses(void **state)
 {
     const double x[5][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1, 1, 0}};

@@ -1,5 +1,5 @@
-/* The hand-written searches on Gregory patches do what they say: the same surface as the runtime's, the same foot point
- * as the reference. */
+/* The hand-written searches on Gregory patches use the same surface as the runtime and find the reference's foot
+ * points. */
 #include "../../codegen/base/base.h"
 #include "../../evolve/samples/body_samples.h"
 #include "rivals_gregory.h"
@@ -42,7 +42,7 @@ static void test_jet(void **state)
     (void)state;
     for (size_t i = 0; i < samples.n; i++) {
         const double(*x)[3] = (const double(*)[3])samples.s[i].x, (*n)[3] = x + 4;
-        /* Corners too, but for the second derivatives that are 0/0 there. */
+        /* corners, too, except for second derivatives, which are 0/0 there */
         const int corner = i % 100 == 0;
         const double xi = corner ? -1 : samples.s[i].xi, eta = corner ? 1 : samples.s[i].eta;
         struct footpoint_gregory g;
@@ -65,7 +65,7 @@ static void test_jet(void **state)
     }
 }
 
-/* Bezier patches: their jets, and Newton's iteration ends at the certain foot point. */
+/* Jets of Bezier patches are right, and Newton's iteration ends at the certain foot point. */
 static void test_bezier(void **state)
 {
     struct sample_set set = {0};

@@ -1,4 +1,4 @@
-/* The rivals that are tuned to a scene, those that iterate until they stand, and their forms for columns. */
+/* Rivals that are tuned to a scene, rivals that iterate until they converge, and their forms for columns. */
 #include "../support/ordinary_quad.h"
 #include "newton_lanes_calls.h"
 #include "rivals_kept.h"
@@ -25,7 +25,7 @@ static void close_to(double a, double b)
         fail_msg("%a instead of %a", a, b);
 }
 
-/* From the middle, in the whole segment, a tuned iteration is the one from the centre. */
+/* A tuned iteration that starts in the middle of the whole segment equals the iteration from the centre. */
 static void test_centre(void **state)
 {
     struct rival_tuning t = {.s = 0.5, .t = 0.5};
@@ -52,7 +52,7 @@ static void test_centre(void **state)
     }
 }
 
-/* From the answer itself, nothing moves. */
+/* A step from the answer does not move. */
 static void test_start(void **state)
 {
     (void)state;
@@ -69,7 +69,7 @@ static void test_start(void **state)
     }
 }
 
-/* Steps with kept determinants get nearer with each, and where there are enough of them, there; the box holds them. */
+/* Steps with kept determinants approach the foot point, and sufficiently many reach it; the box limits them. */
 static void test_kept(void **state)
 {
     struct rival_tuning t = {.s = 0.5, .t = 0.5};
@@ -97,7 +97,7 @@ static void test_kept(void **state)
     assert_true(xi == 0.2 && eta == 0.4);
 }
 
-/* The inputs are those of section 3.1: distances are kept, and A, B, D are where they belong. */
+/* The inputs are those of section 3.1: distances are kept, and A, B, D are in their places. */
 static void test_similarity(void **state)
 {
     (void)state;
@@ -124,7 +124,7 @@ static void test_similarity(void **state)
     }
 }
 
-/* Horner's form has every monomial once. */
+/* Horner's form contains every monomial once. */
 static void test_polynomials(void **state)
 {
     const struct quad q = quad_draw(&quad_ordinary, 7);
@@ -158,7 +158,7 @@ static void test_polynomials(void **state)
     close_to(eta, -square_sum);
 }
 
-/* Writes quads as columns; `over` of them share the segment of the first. */
+/* Writes quads as columns; groups of `over` share the segment of their first. */
 static void fill_columns(double columns[15][NEWTON_LANES], struct quad quads[NEWTON_LANES],
                          const struct quad_limits *limits, uint64_t first, uint64_t over)
 {
@@ -183,7 +183,7 @@ static int alone(const struct quad *q, enum newton_lanes_start start, double *xi
     }
 }
 
-/* Each lane finds what its sample finds alone, however long the others take. */
+/* Each lane finds what its sample's own search finds, however long the others take. */
 static void test_lanes(void **state)
 {
     const struct quad_limits limits = {0.45, 0.4, 0.8, 1.5};
@@ -216,7 +216,7 @@ static void test_lanes(void **state)
         }
 }
 
-/* Lanes of fair Newton find the gap and the status of calls, whether slave nodes share a segment or not. */
+/* Lanes of fair Newton return the gap and the status of calls, whether or not slave nodes share a segment. */
 static void test_lanes_checked(void **state)
 {
     const struct quad_limits limits = {0.25, 0.1, 0.3, 1.2};
@@ -245,7 +245,8 @@ static void test_lanes_checked(void **state)
         }
 }
 
-/* In the box; the closest point of it where that lies inside; never farther off than the middle or a corner's edge. */
+/* The result lies in the box, equals the box's closest point if that lies inside, and is never farther off than the
+ * middle, the corners or the edges. */
 static void test_trust_region(void **state)
 {
     const struct quad_limits limits = {0.45, 0.4, 0.8, 1.5};

@@ -1,16 +1,16 @@
 /* The closest point of a bilinear segment within a box of xi and eta, by Newton's method with a trust region: the
- * robust rival.  The model is quadratic with the true Hessian, the region a square; with the box it makes a rectangle,
- * over which the model is minimised exactly, indefinite or not.  Up to rounding the distance never grows.
+ * robust rival. The model is quadratic with the true Hessian. The region is a square; its intersection with the box is
+ * a rectangle, over which the model, indefinite or not, is minimised exactly. Up to rounding the distance never grows.
  *
  * In the products of rivals.h the square of the distance is, up to a constant, twice
- *     f = (u^2 g11 + v^2 g22 + w^2 g33)/2 + w g12 + u w g13 + v w g23 - u g1 - v g2 - w g3,  w = u v. */
+ *   f = (u^2 g11 + v^2 g22 + w^2 g33)/2 + w g12 + u w g13 + v w g23 - u g1 - v g2 - w g3,  w = u v. */
 #ifndef FOOTPOINT_TRUST_REGION_H
 #define FOOTPOINT_TRUST_REGION_H
 
 #include "rivals.h"
 
 #define TRUST_REGION_TOLERANCE 1e-10
-#define TRUST_REGION_ROUNDING 1e-13 /* a fall of the height, over squares of edges, that rounding may hide */
+#define TRUST_REGION_ROUNDING 1e-13 /* a decrease of the height, over squares of edges, that rounding may hide */
 
 /* m(p) = b1 p1 + b2 p2 + (k11 p1^2 + 2 k12 p1 p2 + k22 p2^2)/2; k11, k22 > 0. */
 struct trust_model {
@@ -43,7 +43,7 @@ RIVAL_FN FOOTPOINT_REAL trust_value(const struct trust_model *m, struct rival_po
     return p.u * (m->b1 + half * m->k11 * p.u + m->k12 * p.v) + p.v * (m->b2 + half * m->k22 * p.v);
 }
 
-/* Least point of the model on the four edges of the rectangle. */
+/* Returns the least point of the model on the four edges of the rectangle. */
 RIVAL_FN struct rival_point trust_edges(const struct trust_model *m, const struct rival_box *r)
 {
     const FOOTPOINT_REAL one = 1.0, per_k11 = one / m->k11, per_k22 = one / m->k22;
@@ -68,7 +68,7 @@ RIVAL_FN struct rival_point trust_edges(const struct trust_model *m, const struc
     return best;
 }
 
-/* Least point of the model in the rectangle. */
+/* Returns the least point of the model in the rectangle. */
 RIVAL_FN struct rival_point trust_least(const struct trust_model *m, const struct rival_box *r)
 {
     const FOOTPOINT_REAL none = 0.0, one = 1.0;
@@ -85,8 +85,8 @@ RIVAL_FN FOOTPOINT_REAL trust_larger(FOOTPOINT_REAL a, FOOTPOINT_REAL b)
     return a < b ? b : a;
 }
 
-/** From the middle of the box until a step is within the tolerance.  Returns the steps taken, or 0 if `most` of them
- *  were not enough. */
+/** Runs from the middle of the box until a step is within the tolerance. Returns the number of steps, or 0 if `most` do
+ *  not suffice. */
 RIVAL_FN int rival_trust_region(RIVAL_NODES, const struct rival_box *box, int most, double tolerance,
                                 FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
