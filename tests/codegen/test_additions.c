@@ -1,5 +1,5 @@
-/* The fewest additions for the vectors of a segment: what is found makes them, and is as short as is known; and the
- * code of such a segment, which adds differences of coordinates alone. */
+/* The fewest additions for the vectors of a segment: the additions found compute the vectors and are as few as known;
+ * and code for such a segment adds only differences of coordinates. */
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/passes/addition_chain.h"
 #include "../../codegen/program/evaluate.h"
@@ -10,7 +10,7 @@
 
 enum { POINTS = 5, ROUNDS = 40 };
 
-/* Every value is what its addition says, of points or of differences; all wanted ones are among them. */
+/* Every value equals its addition, of points or of differences; all wanted values are among them. */
 static void check_found(const struct additions *x, const struct vector *wanted, int n)
 {
     for (int i = 0; i < x->points; i++)
@@ -34,7 +34,7 @@ static void check_found(const struct additions *x, const struct vector *wanted, 
     }
 }
 
-/* Corners A, B, C, D and the slave node: base vectors at the centre, the way from there to the slave node, the mixed
+/* Corners A, B, C, D and the slave node: base vectors at the centre, the vector from there to the slave node, the mixed
  * derivative. */
 static void test_quad(void **state)
 {
@@ -51,7 +51,7 @@ static void test_quad(void **state)
     assert_int_equal(x.values - POINTS, 9);
 }
 
-/* Eight nodes and the slave node: base vectors, the second and third derivatives, the way to the slave node. */
+/* Eight nodes and the slave node: base vectors, second and third derivatives, the vector to the slave node. */
 static void test_tree(void **state)
 {
     (void)state;
@@ -73,10 +73,10 @@ static void test_tree(void **state)
         const int cost = x.values - x.points + x.multiplications;
         least = cost < least ? cost : least;
     }
-    assert_true(least <= 25); /* 19 additions and 5 multiplications where sums of coordinates are allowed */
+    assert_true(least <= 25); /* sums of coordinates would allow 19 additions and 5 multiplications */
 }
 
-/* Vectors made by hand are found again, in no more additions. */
+/* Random vectors, made by additions, are found again in at most as many additions. */
 static void test_random(void **state)
 {
     (void)state;
@@ -104,7 +104,7 @@ static void test_random(void **state)
     }
 }
 
-/* One Gauss-Newton step from the centre of a segment, its vectors as they come. */
+/* One Gauss-Newton step from the centre of a segment, with plain vectors. */
 static const char step[] =
     "footpoint-genome 1\ninput xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS\nsegment quad4 any\n"
     "let ux = - + xB xC + xA xD\nlet uy = - + yB yC + yA yD\nlet uz = - + zB zC + zA zD\n"

@@ -1,5 +1,5 @@
-/* Enclosures and error bounds against exact values: intervals, random programs, known programs.  With
- * FOOTPOINT_LONG set, at a million points each. */
+/* Enclosures and error bounds against exact values: intervals, random programs, known programs. With FOOTPOINT_LONG
+ * set, at a million points each. */
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/program/evaluate.h"
 #include "../../codegen/region/enclosure.h"
@@ -15,12 +15,12 @@
 
 enum { INPUTS = 3, OPS = 24, PROGRAMS = 400, BOXES = 6, POINTS = 8, INTERVALS = 100000 };
 
-/* Searches go on as long as bounds come closer. */
+/* Searches continue while bounds improve. */
 static const struct bound_goal closest = {INFINITY, INFINITY, 0};
 
 /* ---- intervals ---- */
 
-/* Zeros, small whole numbers, any exponent, the smallest and the largest. */
+/* Draws zeros, small whole numbers, any exponent, the smallest and the largest number. */
 static double odd_number(uint64_t *seed)
 {
     static const double special[] = {0, 1, -1, 2, 0x1p-1074, -0x1p-1074, DBL_MIN, DBL_MAX, -DBL_MAX, 0.5};
@@ -113,7 +113,7 @@ static void add_constant(struct program *p, uint64_t *seed)
     add(p, (struct op){.kind = OP_CONSTANT, .a = -1, .b = -1, .input = (int)p->constants++, .quotient = quotient});
 }
 
-/* All operations are outputs. */
+/* Draws a program whose operations are all outputs. */
 static struct program *random_program(uint64_t *seed)
 {
     static const enum op_kind kind[] = {OP_ADD, OP_ADD, OP_SUB, OP_SUB, OP_MUL, OP_MUL,  OP_MUL,
@@ -140,7 +140,7 @@ static struct program *random_program(uint64_t *seed)
     return p;
 }
 
-/* Exact values of operations 0..op, where they have some; false if `op` has none. */
+/* Computes exact values of operations 0..op if they exist; returns false if `op` has no value. */
 static bool exact_values(struct program *p, int op, const double *input, arb_ptr exact)
 {
     const size_t ops = p->ops, outputs = p->outputs;
@@ -151,7 +151,7 @@ static bool exact_values(struct program *p, int op, const double *input, arb_ptr
     return good;
 }
 
-/* A box inside the ranges; often one that ends at 0, which may have a sign. */
+/* Draws a box inside the ranges; many end at 0, which may have a sign. */
 static void random_box(const struct known *x, uint64_t *seed, struct interval *box)
 {
     for (size_t k = 0; k < x->variables; k++) {
@@ -172,8 +172,8 @@ static void point_in(struct subject *s, uint64_t *seed)
     region_inputs(s->region, s->at, s->input);
 }
 
-/* At points of the box that belong to the region, the last value's errors are below the bound, and all values are within
- * what is known of them: by the forms, or where these are NULL, by the region. */
+/* At points of the box that belong to the region, the last value's errors stay below the bound, and all values stay in
+ * their enclosures: by the forms, or by the region if the forms are NULL. */
 static bool check_points(struct subject *s, const struct forms *w, double bound, uint64_t *seed)
 {
     const int last = (int)s->program->ops - 1;
@@ -205,7 +205,7 @@ static bool check_points(struct subject *s, const struct forms *w, double bound,
     return any && bound < INFINITY;
 }
 
-/* The bound over all of the region, by those of half of the values before it in each box. */
+/* Computes the bound over the whole region, linked through the bounds of half the earlier values in each box. */
 static bool check_links(struct subject *s, uint64_t *seed)
 {
     const int last = (int)s->program->ops - 1;
@@ -242,7 +242,7 @@ static void check_random_programs(const char *requires)
         subject_free(&s);
     }
     print_message("of %d programs, %ld have a bound\n", PROGRAMS, linked);
-    assert_true(bounded > PROGRAMS && linked > PROGRAMS / 5); /* enough of them have a bound */
+    assert_true(bounded > PROGRAMS && linked > PROGRAMS / 5); /* enough programs have a bound */
 }
 
 static void test_random_programs(void **state)
@@ -261,7 +261,7 @@ static void test_random_programs_with_requires(void **state)
 
 struct bounded {
     const char *ranges, *code;
-    double tight; /* the bound is at most so many times the worst error found */
+    double tight; /* the bound is at most this multiple of the worst error found */
 };
 
 #define BOX_2 "range a -1 1\nrange b -1 1"
@@ -281,7 +281,7 @@ static const struct bounded known[] = {
     {BOX_2, "*out_r = sqrt(in_a * in_a + 1.0);", 2.5},
     {BOX_2, "*out_r = (in_a < 0.3 ? in_a : 0.3) * (in_b > in_a ? in_b : in_a) + fabs(in_a - in_b);", 2.5},
     {BOX_2, "*out_r = (7.0 / 3.0) * in_a + 0.1 * in_b;", 2.5},
-    {BOX_2, "*out_r = -(in_a * in_a);", 2.5}, /* 0 is at the ends of boxes, and may have a sign */
+    {BOX_2, "*out_r = -(in_a * in_a);", 2.5}, /* 0 is at the ends of boxes and may have a sign */
     {BOX_2, "const double u1 = 3.0 * in_b;\n*out_r = fabs(in_b) * (u1 < in_a ? u1 : in_a);", 2.5},
     {BOX_6,
      "const double t1 = in_a * in_b - in_d * in_e;\nconst double t2 = 1.0 / t1;\n"
@@ -319,7 +319,8 @@ static void test_known_programs(void **state)
 
 /* ---- the rows that a header tests itself with ---- */
 
-/* A region block: x and y lie on curved lines, z is a multiple of what the block knows better, w is near its t. */
+/* A region block: x and y lie on curved lines, z is a multiple of a value that the block bounds better, w is near its
+ * t. */
 static void test_region(void **state)
 {
     (void)state;
@@ -345,7 +346,7 @@ static void test_region(void **state)
     }
 }
 
-/* Whether a point belongs to the region does not depend on the box that was looked at last. */
+/* Membership in the region does not depend on the box that was tested last. */
 static void test_points(void **state)
 {
     (void)state;
@@ -363,7 +364,7 @@ static void test_points(void **state)
 
 /* ---- single programs ---- */
 
-/* A program of one output. */
+/* A program with one output. */
 struct tested {
     struct genome_file *file;
     struct subject subject;
@@ -412,8 +413,8 @@ static void small_constants_are_bounded_in_float(void **state)
     tested_free(&t);
 }
 
-/* The same product in two sums, the small difference of which is divided by: contracted in one of them alone, its rounding does
- * not cancel; as a factor it is never contracted, and does. */
+/* The same product occurs in two sums, whose small difference is a divisor. If only one is contracted, its rounding
+ * does not cancel. As a factor it is never contracted, so it does. */
 static void products_contracted_in_one_use_are_bounded(void **state)
 {
     (void)state;
@@ -430,7 +431,7 @@ static void products_contracted_in_one_use_are_bounded(void **state)
     tested_free(&factors);
 }
 
-/* Where a clamp chooses 0.5, t is 1 without an error, however large the result's derivative by it. */
+/* If a clamp chooses 0.5, t is 1 without an error, however large the result's derivative by it. */
 static void chosen_numbers_have_no_error(void **state)
 {
     (void)state;
@@ -442,7 +443,7 @@ static void chosen_numbers_have_no_error(void **state)
     tested_free(&exact);
 }
 
-/* Products that underflow at all points, or may overflow: bounds are of what is exact. */
+/* Products that underflow at all points, or may overflow: the bounds hold for the exact values. */
 static void bounds_hold_at_the_ends_of_the_range(void **state)
 {
     (void)state;
@@ -461,8 +462,8 @@ static void bounds_hold_at_the_ends_of_the_range(void **state)
     tested_free(&over);
 }
 
-/* Newton's steps for x x + p x = q, from far away: enclosures grow with each of them.  A search whose goal is out of reach takes
- * a small part of its work, and what it returns is a bound all the same. */
+/* Newton's steps for x x + p x = q, from far away: enclosures grow with each step. A search with an unreachable goal
+ * takes a small part of its work and still returns a bound. */
 static void hopeless_searches_end_early(void **state)
 {
     (void)state;
@@ -486,7 +487,7 @@ static void hopeless_searches_end_early(void **state)
     tested_free(&t);
 }
 
-/* As bad as the tests' own search finds them, within a factor of two. */
+/* Samples reach the worst error that the tests' own search finds, within a factor of two. */
 static void samples_come_near_the_worst_errors(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* Codegen: what simplification may do and what not, operation counts, and that the proof refuses wrong code. */
+/* Codegen: allowed and forbidden simplifications, operation counts, and proofs that refuse wrong code. */
 #include "../../codegen/base/random.h"
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/program/evaluate.h"
@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-/* Whether statements, read back, are proved to equal the file's first genome. */
+/* Returns true if the statements, read back, are proved to equal the file's first genome. */
 static bool proved(const struct genome_file *f, const char *statements, struct diag *d)
 {
     struct proof how;
@@ -23,8 +23,8 @@ static bool proved(const struct genome_file *f, const char *statements, struct d
     return good;
 }
 
-/* Compiles `r = expression` over inputs x y z and returns the statement that sets r, without temporaries if there are
- * none; proved equal on the way.  Caller frees. */
+/* Compiles `r = expression` over inputs x y z, proves it, and returns the statement that sets r, without temporaries if
+ * possible. The caller must free it. */
 static char *compile(const char *expression, struct operations *ops)
 {
     char text[4000];
@@ -80,7 +80,7 @@ static void test_rules(void **state)
     check("/ 7 3", "(7.0 / 3.0)");
 }
 
-/* Neither choice of a clamp turns what is no number into a number, and their constants are variables. */
+/* A clamp never turns NaN into a number, and its constants are variables. */
 static void test_clamp(void **state)
 {
     (void)state;
@@ -119,7 +119,7 @@ static void test_counts(void **state)
     }
 }
 
-/* Ten-term cubics of the form (41), (42) with made-up coefficients: both in at most 25 multiplications. */
+/* Ten-term cubics of the form (41), (42) with invented coefficients: both together in at most 25 multiplications. */
 static void test_ten_term_pair(void **state)
 {
     (void)state;
@@ -167,7 +167,7 @@ static void test_shared_quotient(void **state)
         }
 }
 
-/* A wrong sign, operand or constant in the emitted text is found. */
+/* Proofs find a wrong sign, operand or constant in the emitted text. */
 static void test_proof_refuses(void **state)
 {
     (void)state;
@@ -205,7 +205,7 @@ static void test_proof_refuses(void **state)
     genome_file_free(f);
 }
 
-/* Random genomes with shared parts: each is proved, and is never dearer than its genes. */
+/* Random genomes with shared parts are proved and never cost more than their genes. */
 static void test_random_genomes(void **state)
 {
     (void)state;
@@ -233,8 +233,8 @@ static void test_random_genomes(void **state)
     }
 }
 
-/* Outputs of a segment's function at a random face, moved by a whole number of edges.  Coordinates are multiples of
- * 2^-32: doubles up to 2^21, as are their differences, but not their sums. */
+/* Evaluates the outputs of a segment's function at a random face, moved by a whole number of edges. Coordinates are
+ * multiples of 2^-32, so up to 2^21 they and their differences are doubles, but their sums are not. */
 static void evaluate_moved(const struct program *p, uint64_t seed, double shift, double out[2])
 {
     double *value = new_array(p->ops, sizeof *value), *input = new_array(p->inputs, sizeof *input);
@@ -267,7 +267,7 @@ static void check_far(const struct genome_file *f, size_t k, const struct cost_m
     compiled_free(&c);
 }
 
-/* Differences of nodes come first, whatever operations cost: a face a million edges away loses no digit. */
+/* Differences of nodes come first, whatever the cost of operations, so a face a million edges away loses no digit. */
 static void far_faces_lose_nothing(void **state)
 {
     (void)state;

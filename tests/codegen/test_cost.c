@@ -1,4 +1,4 @@
-/* Cost models: the built-in ones, and files: what is read, and what is refused where. */
+/* Cost models: the built-in models, and files, valid and refused. */
 #include "../../codegen/graph/cost.h"
 
 #include <setjmp.h>

@@ -23,9 +23,9 @@ static void test_products(void **state)
     static const struct graph_row row[] = {
         {"genome g\nr = * * a b c\nq = * * a b d", "t1 = a*b; r = t1*c; q = t1*d", 3, 0, 0},
         {"genome g\nr = * * a b c\nq = * a b", "t1 = a*b; r = t1*c; q = t1", 2, 0, 0},
-        /* of three that hold a b, one multiplication each but the first */
+        /* of three that contain a b, all but the first cost one multiplication */
         {"genome g\nr = + * * a b c * * a b d\nq = * * a b x", "t1 = a*b; r = t1*c + t1*d; q = t1*x", 4, 1, 0},
-        /* a power is a pair of the factor with itself */
+        /* a power is a pair of equal factors */
         {"genome g\nr = * x x\nq = * * x x y", "t1 = x^2; r = t1; q = t1*y", 2, 0, 0},
         {"* * x x * x x", "(x^2)^2", 2, 0, 0},
         {"* * * x x * x x * * x x * x x", "((x^2)^2)^2", 3, 0, 0},
@@ -57,7 +57,7 @@ static void test_sums(void **state)
     CHECK_GRAPHS(share, row);
 }
 
-/* 2 x y and 2 x z: x stands as a sum of one term where it is a factor twice, for a scale of its own. */
+/* 2 x y and 2 x z: x becomes a sum of one term, with its own scale, because it is a factor twice. */
 static void test_multiples(void **state)
 {
     (void)state;

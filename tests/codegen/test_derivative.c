@@ -1,4 +1,4 @@
-/* Derivatives in genome text are those of calculus, and faces read back as they are printed. */
+/* Derivatives in genome text agree with calculus, and faces read back as they are printed. */
 #include "../../codegen/base/text.h"
 #include "../../codegen/graph/from_genome.h"
 
@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-/* Lets, which end with s, and what s is. */
+/* Lets that end with s, and the value of s. */
 static const struct row {
     const char *lets, *expected;
 } row[] = {
@@ -24,7 +24,7 @@ static const struct row {
     {"let v = / + x y - x y\nlet s = derivative v x\n", "/ * -2 y * - x y - x y"},
     {"let v = / x y\nlet s = derivative v x\n", "/ 1 y"},
     {"let v = sqrt + 1 * x x\nlet s = derivative v x\n", "/ x sqrt + 1 * x x"},
-    /* of lets, of derivatives, by a let, and where minima are of something else */
+    /* of lets, of derivatives, by a let, and of minima of other values */
     {"let v = * x y\nlet w = * v + v x\nlet s = derivative w x\n", "+ * 2 * x * y y * 2 * x y"},
     {"let v = * x * x x\nlet w = derivative v x\nlet s = derivative w x\n", "* 6 x"},
     {"let v = * x y\nlet w = * v + v x\nlet s = derivative w v\n", "+ * 2 * x y x"},
@@ -39,7 +39,7 @@ static struct genome_file *parse(const char *head, const char *lets, const char 
     return f;
 }
 
-/* All outputs are 0. */
+/* Checks that all outputs are 0. */
 static void expect_zero(const char *head, const char *lets, const char *outputs)
 {
     struct diag d = {0};

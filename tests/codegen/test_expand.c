@@ -1,4 +1,4 @@
-/* Forms of the same values: multiplied out, common denominators, one division for several. */
+/* Forms of the same values: multiplied out, with common denominators, with one division for several. */
 #include "../../codegen/passes/expand.h"
 #include "../support/graph_text.h"
 
@@ -49,7 +49,7 @@ static void test_expand(void **state)
     CHECK_GRAPHS(expand, row);
 }
 
-/* A policy that dissolves nothing, and one that keeps differences of inputs, which are exact. */
+/* One policy dissolves nothing; another keeps differences of inputs, which are exact. */
 static void test_policies(void **state)
 {
     (void)state;
@@ -78,14 +78,14 @@ static void test_common_denominators(void **state)
         {"- / 1 x / 1 y", "-(x - y)/(x*y)", 1, 1, 1},
         {"+ / 1 x / 1 * x y", "(1 + y)/(x*y)", 1, 1, 1},
         {"+ / a * x x / b x", "(a + b*x)/(x^2)", 2, 1, 1},
-        /* quotients inside quotients go */
+        /* quotients inside quotients disappear */
         {"/ a + b / c d", "a*d/(b*d + c)", 2, 1, 1},
         {"/ + 1 / x y - 1 / x y", "-(x + y)/(x - y)", 0, 2, 1},
         {"/ 1 + / 1 x / 1 y", "x*y/(x + y)", 1, 1, 1},
         /* inside a function, but not through it */
         {"sqrt + / a b / c b", "sqrt((a + c)/b)", 0, 1, 1},
         {"+ sqrt / a b sqrt / c b", NULL, 0, 0, 0},
-        /* nothing to bring together */
+        /* nothing to combine */
         {"/ a b", NULL, 0, 0, 0},
         {"+ * a b c", NULL, 0, 0, 0},
         {"/ + a b c", NULL, 0, 0, 0},
@@ -101,17 +101,17 @@ static void test_one_division(void **state)
         {"genome g\nr = / a x\nq = / b y", "t1 = 1/(x*y); r = t1*a*y; q = t1*b*x", 5, 0, 1},
         {"genome g\nr = / 1 x\nq = / 1 * 2 y", "t1 = 1/(x*y); r = t1*y; q = 0.5*t1*x", 4, 0, 1},
         {"+ / a x / b y", "t1 = 1/(x*y); r = t1*a*y + t1*b*x", 5, 1, 1},
-        /* one alone, and quotients that one division makes already */
+        /* a single quotient, and quotients that already share a division */
         {"/ a x", NULL, 0, 0, 0},
         {"genome g\nr = / a x\nq = / b x", NULL, 0, 0, 0},
         {"genome g\nr = / x y\nq = sqrt x", NULL, 0, 0, 0},
-        /* a division that waits for another has a level of its own */
+        /* a division that waits for another has its own level */
         {"/ a + b / c d", NULL, 0, 0, 0},
     };
     CHECK_GRAPHS(shape_join, row);
 }
 
-/* Coordinates of a four-node segment as differences alone, or otherwise. */
+/* Coordinates of a four-node segment as differences only, or otherwise. */
 static void test_relative(void **state)
 {
     static const struct {

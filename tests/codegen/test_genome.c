@@ -1,4 +1,4 @@
-/* Genome text: what is printed reads back as the same program, and random text ends in a program or a diagnostic. */
+/* Genome text: printed text reads back as the same program, and random text ends in a program or a diagnostic. */
 #include "../../codegen/genome/genome.h"
 
 #include <setjmp.h>
@@ -97,7 +97,7 @@ static void test_round_trip(void **state)
     genome_file_free(g);
 }
 
-/* The genes of a let, as text. */
+/* Checks the genes of a let, as text. */
 static void assert_let(const struct genome_file *f, size_t k, const char *text)
 {
     char *let = genome_expr_text(f, f->let[k].name, &f->let[k]);
@@ -125,7 +125,7 @@ static void test_expansion(void **state)
     genome_file_free(f);
 }
 
-/* What a file prints, read back. */
+/* Prints a file's needed parts and reads them back. */
 static struct genome_file *read_needed(const struct genome_file *f, char **text)
 {
     struct diag d;
@@ -138,7 +138,7 @@ static struct genome_file *read_needed(const struct genome_file *f, char **text)
     return g;
 }
 
-/* What is printed for a genome is what it needs. */
+/* The text printed for a genome contains exactly its needs. */
 static void test_needed(void **state)
 {
     (void)state;
@@ -155,7 +155,7 @@ static void test_needed(void **state)
     genome_file_free(g);
 }
 
-/* A function's own names need no later let that is called the same. */
+/* A function's local names do not require later lets with the same name. */
 static void test_needed_own_names(void **state)
 {
     (void)state;
@@ -194,7 +194,7 @@ static void test_suffix(void **state)
     genome_file_free(f);
 }
 
-/* What stands on one line is printed on one line, as far as it is needed and there is room; requires share lines. */
+/* Names on one line stay on one line if they are needed and fit; requires share lines. */
 static void test_lists(void **state)
 {
     (void)state;
@@ -285,7 +285,7 @@ static void test_functions_of_frames(void **state)
     }
 }
 
-/* A region block reads as it is printed; its inputs are known to the requires behind it alone. */
+/* A region block reads as it is printed; only the requires after it know its inputs. */
 static void test_region(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* Genome to graph: every value once, whatever its form; exact rationals, and their text. */
+/* Genome to graph: every value once in any form; exact rationals, and their text. */
 #include "../../codegen/graph/constant_text.h"
 #include "../../codegen/graph/from_genome.h"
 #include "../../codegen/graph/rewrite.h"
@@ -15,7 +15,7 @@ static void test_values(void **state)
         {"- x x", "0", 0, 0, 0},
         {"* 0 / x y", "0", 0, 0, 0},
         {"- - - x y z a", "-(a - x + y + z)", 0, 3, 0},
-        /* constants fold wherever they stand, exactly */
+        /* constants fold exactly, wherever they are */
         {"* 0.5 * x 4", "2*x", 1, 0, 0},
         {"+ 1 + x 2.5", "3.5 + x", 0, 1, 0},
         {"/ x 3", "(1.0 / 3.0)*x", 1, 0, 0},
@@ -33,17 +33,17 @@ static void test_values(void **state)
         {"/ - * x x * y y * - x y + x y", "1", 0, 0, 0},
         {"genome g\nr = + x y\nq = + y x", "t1 = x + y; r = t1; q = t1", 0, 1, 0},
         {"* + x y + y x", "(x + y)^2", 1, 1, 0},
-        /* quotients: one inverse of all divisors, what cancels is gone */
+        /* quotients: one inverse of all divisors, common factors cancel */
         {"/ / x y z", "x/(y*z)", 1, 0, 1},
         {"* x / y x", "y", 0, 0, 0},
         {"/ 1 / 1 x", "x", 0, 0, 0},
         {"/ x * 2 x", "0.5", 0, 0, 0},
-        /* a protected quotient is 1 only where it is by definition; it is not cancelled */
+        /* a protected quotient is 1 only by definition; it is not cancelled */
         {"% x x", "1", 0, 0, 0},
         {"% x 0", "1", 0, 0, 0},
         {"% x 4", "0.25*x", 1, 0, 0},
         {"% * x y x", "pdiv(x*y,x)", 1, 0, 0},
-        /* other functions are what they are of equal values */
+        /* other functions of equal values are equal */
         {"- max + x y z max z + y x", "0", 0, 0, 0},
         {"+ sqrt x sqrt x", "2*sqrt(x)", 1, 0, 0},
     };
@@ -72,7 +72,7 @@ static void test_removed(void **state)
         {"let v = / 1 y\ngenome g\nr = / x v", 1, 0},
         {"let v = / x y\ngenome g\nr = / z v\nq = v", 0, 0},
         {"let v = + 1 / 1 y\ngenome g\nr = / v v", 2, 0},
-        /* what poles are inside of */
+        /* poles inside of other functions */
         {"- min y / y x min y / y x", 1, 0},
         {"* - y y min y / y x", 1, 0},
         {"* 0 max y / y * x z", 2, 0},
@@ -92,7 +92,7 @@ static void test_removed(void **state)
         {"- * 2 sqrt x sqrt x", 0, 0},
         {"+ - sqrt x sqrt x sqrt x", 0, 0},
         {"/ sqrt x sqrt x", 1, 1},
-        /* the divisor is another multiple of the same sum once z is made before y */
+        /* the divisor is another multiple of the same sum, if z is made before y */
         {"genome g\nr = z\nq = + * 0 / x + * 2 y z / a + * 2 y z", 0, 0},
         {"genome g\nr = z\nq = + * 0 sqrt + * 2 y z sqrt + * 2 y z", 0, 0},
         {"genome g\nr = z\nq = + * 0 sqrt + * 2 y z sqrt - * -2 y z", 0, 1},
@@ -165,7 +165,7 @@ static void test_rationals(void **state)
     assert_int_equal(rational_pow(third, 0), ONE);
     assert_int_equal(rational_sign(sixth), -1);
     assert_int_equal(rational_sign(ZERO), 0);
-    /* a residue is that of the quotient: 3 (1/3) = 1 modulo the prime */
+    /* a residue equals the quotient's: 3 (1/3) = 1 modulo the prime */
     for (int k = 0; k < PRIMES; k++) {
         nmod_t prime;
         nmod_init(&prime, rational_prime[k]);

@@ -1,5 +1,5 @@
-/* No bound that a generated header claims is below an error, at a million random points of its region each, and the worst
- * samples that it tells are not far below what is found there. */
+/* At a million random points of its region, no error exceeds a bound that a generated header claims. The worst samples
+ * that it reports are not far below the errors found there. */
 #include "../../codegen/compile/compile.h"
 #include "../support/genome_text.h"
 #include "../support/rounding_subject.h"
@@ -12,7 +12,7 @@
 
 static const char searches[] = "evolve/genomes";
 
-/* The header that is made from a file of genomes. */
+/* Makes the header of a file of genomes. */
 static char *read_header(const char *file, const char *suffix)
 {
     char path[600], *text;
@@ -30,7 +30,7 @@ static char *read_header(const char *file, const char *suffix)
     return text;
 }
 
-/* What a banner says of a genome's rounding errors, in one line.  Caller frees. */
+/* Returns the banner's line about a genome's rounding errors. The caller must free it. */
 static char *rounding_line(const char *header, const char *name)
 {
     static const char fold[] = "\n *     ";
@@ -40,7 +40,7 @@ static char *rounding_line(const char *header, const char *name)
     assert_non_null(banner);
     banner = strstr(banner, "\n *   rounding:");
     assert_non_null(banner);
-    const char *end = strchr(banner, '('); /* how many points */
+    const char *end = strchr(banner, '('); /* number of points */
     assert_non_null(end);
     char *line = new_array((size_t)(end - banner) + 1, 1), *to = line;
     for (; banner < end; banner++)
@@ -52,8 +52,8 @@ static char *rounding_line(const char *header, const char *name)
     return line;
 }
 
-/* What a header says of outputs of a genome of that name: the number before `mark`, " proved" or " sampled"; infinite if it
- * says nothing. */
+/* Returns the error that a header claims for outputs of a genome: the number before `mark`, " proved" or " sampled";
+ * infinite if it has none. */
 static double claimed_error(const char *header, const struct genome *g, const char *output, const char *mark)
 {
     char name[100], *line = rounding_line(header, g->name);
@@ -73,7 +73,7 @@ static double claimed_error(const char *header, const struct genome *g, const ch
     return error;
 }
 
-/* The text with all declarations that follow one another side by side, as headers have them as far as there is room. */
+/* Joins consecutive declarations, as headers do if there is room. */
 static char *joined(const char *text)
 {
     static const char *const between[] = {";\n    const double ", ";\n    double "};
@@ -99,7 +99,7 @@ static bool holds(const char *header, const char *statements)
 
 enum { OUTPUTS = 16, ROWS = 1000, FUNCTIONS = 1000 };
 
-/* A function, and what its bounds are over the worst errors that were found, by output; 0: none. */
+/* A function, and its bounds over the worst errors found, indexed by output; 0: no bound. */
 struct claimant {
     const char *path;
     const struct genome *genome;
@@ -107,7 +107,8 @@ struct claimant {
     double *ratio;
 };
 
-/* The outputs' names, several of which may be rows of one, and which one each row is; SIZE_MAX: what a function tests. */
+/* The outputs' names, several of which may be elements of a row, and the row of each output; SIZE_MAX: a value that the
+ * function tests. */
 struct claims {
     size_t outputs, row[ROWS];
     char name[OUTPUTS][60];
@@ -184,7 +185,7 @@ static void check_genome(const struct genome_file *f, size_t k, const char *head
 }
 
 struct share {
-    long job, jobs, number; /* every `jobs`-th function, from number `job` on; how many there were so far */
+    long job, jobs, number; /* tests every `jobs`-th function, from number `job` on; `number` counts the functions */
     double *ratio;
 };
 
@@ -217,7 +218,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* How near the bounds are to the errors, all of them. */
+/* Compares all bounds with the errors found. */
 static void check_ratios(double *ratio)
 {
     const size_t most = (size_t)OUTPUTS * FUNCTIONS;
@@ -235,7 +236,7 @@ static void check_ratios(double *ratio)
     assert_true(ratio[(most + none) / 2] <= 30 && far == 0);
 }
 
-/* No bound that a header claims is below an error; by JOBS processes. */
+/* Runs JOBS processes, each of which attacks a share of the functions. */
 static void test_headers(void **state)
 {
     (void)state;
@@ -255,7 +256,7 @@ static void test_headers(void **state)
             struct share share = {job, jobs, 0, ratio};
             check_folder(&share, searches, "");
             check_folder(&share, "codegen/derivatives", "_derivatives");
-            fflush(stdout); /* unless a check failed, and main returns */
+            fflush(stdout); /* needed if a check fails and main returns */
             _exit(0);
         }
     while (wait(&status) > 0)

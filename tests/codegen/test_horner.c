@@ -26,17 +26,17 @@ static void test_horner(void **state)
         {"+ * x x * y * x * x x", "x^2*(1 + x*y)", 3, 1, 0},
         {"+ 3 * 5 * * x x * x x", "5*(0.6 + x^4)", 4, 1, 0},
         {"+ * x * x * x x * x x", "x^2*(1 + x^2)", 3, 1, 0},
-        /* the factor that most terms hold goes first */
+        /* the factor of most terms comes out first */
         {"+ * x y + * x z + * x a * b y", "b*y + x*(a + y + z)", 2, 3, 0},
         {"+ * a * b c + * a * b d * a x", "a*(b*(c + d) + x)", 2, 2, 0},
-        /* what is left, itself factored, may be a factor of other terms */
+        /* the factored rest may be a factor of other terms */
         {"+ * a c + * a d + * b c * b d", "(a + b)*(c + d)", 1, 2, 0},
         /* coefficients stay with their terms */
         {"+ * * 2 x y * * 3 x z", "2*x*(y + 1.5*z)", 3, 1, 0},
         /* inside functions and divisors */
         {"sqrt + * x y * x z", "sqrt(x*(y + z))", 1, 1, 0},
         {"/ 1 + * x y * x z", "1/(x*(y + z))", 1, 1, 1},
-        /* a sum that is a term of another one alone is part of it */
+        /* a sum that is a term of only one other sum becomes part of it */
         {"let s = + * a b c\ngenome g\nr = + s * a d", "a*(b + d) + c", 1, 2, 0},
         /* nothing in common */
         {"+ x y", NULL, 0, 0, 0},
@@ -48,7 +48,7 @@ static void test_horner(void **state)
     CHECK_GRAPHS(horner, row);
 }
 
-/* Nothing is factored where the policy says so. */
+/* Nothing is factored if the policy forbids it. */
 static void test_plain(void **state)
 {
     (void)state;
@@ -60,7 +60,7 @@ static void test_plain(void **state)
     CHECK_GRAPHS(horner_plain, row);
 }
 
-/* a b + a c + b d, factored by a, by b, or not at all: what is decided by the policy is recorded, and can be overruled. */
+/* a b + a c + b d, factored by a, by b, or not at all: the policy's decisions are recorded and can be overruled. */
 static void test_choices(void **state)
 {
     (void)state;
@@ -101,7 +101,7 @@ static void test_factor(void **state)
         {"+ + * x x * 5 x 6", "(2 + x)*(3 + x)", 1, 2, 0},
         {"+ * a c + * a d + * b c * b d", "(a + b)*(c + d)", 1, 2, 0},
         {"+ * x x x", "x*(1 + x)", 1, 1, 0},
-        /* quotients are cancelled by what both hold */
+        /* quotients cancel common factors */
         {"/ - * x x * y y + x y", "x - y", 0, 1, 0},
         {"/ + * x x * x y + * x z x", "(x + y)/(1 + z)", 0, 2, 1},
         /* irreducible over the rationals */

@@ -1,5 +1,4 @@
-/* Genome text of version 3: infix expressions read as the prefix expressions that they stand for, and refusals stand at the
- * words that are at fault. */
+/* Genome text of version 3: infix expressions read as their prefix forms, and refusals point to the wrong word. */
 #include "../../codegen/genome/genome.h"
 
 #include <setjmp.h>
@@ -100,7 +99,7 @@ static void test_infix_prints_as_prefix(void **state)
     assert_same(infix, prefix);
 }
 
-/* Values of a row, and of requires, are parted by commas; another output may follow in the line. */
+/* Commas separate the values of a row and of requires; another output may follow in the line. */
 static void test_rows(void **state)
 {
     (void)state;

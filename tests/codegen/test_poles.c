@@ -1,4 +1,4 @@
-/* Zeros of denominators: cases whose answer is known, and random ones whose answer is known by construction. */
+/* Zeros of denominators: cases with a known answer, and random cases whose answer is known by construction. */
 #include "../../codegen/program/evaluate.h"
 #include "../../codegen/region/region.h"
 #include "../../codegen/rounding/evidence.h"
@@ -19,8 +19,8 @@ enum { ROOM = 4000, POINTS = 2000, BOXES = 6000, RANDOM_CASES = 6, RANDOM_CASES_
 /* Code for in_a .. in_h and *out_r; requires and ranges as in a genome file. */
 struct trial {
     const char *ranges, *code;
-    enum pole_verdict verdict; /* of the denominator that comes last */
-    double least;              /* POLE_FREE: the least |D| there is, where it is known */
+    enum pole_verdict verdict; /* of the last denominator */
+    double least;              /* POLE_FREE: the least |D|, if it is known */
 };
 
 struct subject {
@@ -134,7 +134,7 @@ static void test_polynomials(void **state)
         {"range a 1 2", "*out_r = 1.0 / in_a;", POLE_FREE, 1},
         {"range a -1 1", "*out_r = 1.0 / in_a;", POLE_EXISTS, 0},
         {"range a 0 1", "*out_r = 1.0 / in_a;", POLE_EXISTS, 0},
-        {"range a 0.1 1", "*out_r = 1.0 / (in_a - 0.1);", POLE_EXISTS, 0}, /* an end that is no double */
+        {"range a 0.1 1", "*out_r = 1.0 / (in_a - 0.1);", POLE_EXISTS, 0}, /* an end that is not a double */
         {"range a 0.3 1", "*out_r = 1.0 / (in_a - (1.0 / 3.0));", POLE_EXISTS, 0},
         {"range a 0.34 1", "*out_r = 1.0 / (in_a - (1.0 / 3.0));", POLE_FREE, 0.34 - 1.0 / 3},
         {"range a 1 2", "*out_r = 1.0 / (in_a * in_a - 2.0);", POLE_EXISTS, 0}, /* an irrational zero */
@@ -196,9 +196,9 @@ static void test_functions(void **state)
          0},
         {"range a 1 2\nrange b 1 3", "const double t1 = in_a / (in_a + in_b);\n*out_r = 1.0 / (t1 - 0.6);", POLE_EXISTS,
          0},
-        /* a change of sign through a pole is no zero */
+        /* a change of sign through a pole is not a zero */
         {"range a -1 1", "const double t1 = 1.0 / (in_a * 3.0 - 0.5);\n*out_r = 1.0 / t1;", POLE_UNDECIDED, 0},
-        /* protected quotients are not continuous where they are protected */
+        /* protected quotients are not continuous at their protected points */
         {"range a -1 1", "*out_r = 1.0 / (in_a == 0.0 ? 1.0 : 2.0 / in_a);", POLE_UNDECIDED, 0},
         {"range a 1 2", "*out_r = 1.0 / (in_a == 0.0 ? 1.0 : 2.0 / in_a);", POLE_FREE, 1},
         {UNIT_2, "*out_r = 1.0 / ((in_a < in_b ? in_a : in_b) + 1.5);", POLE_FREE, 0.5},
@@ -211,7 +211,7 @@ static void test_functions(void **state)
         {UNIT_2, "*out_r = 1.0 / sqrt(in_a * in_a + in_b * in_b);", POLE_EXISTS, 0},
         {UNIT_2, "*out_r = 1.0 / (sqrt(in_a * in_a + 1.0) - 1.2);", POLE_EXISTS, 0},
         {UNIT_2, "*out_r = 1.0 / (sqrt(in_a * in_a + 1.0) - 0.9);", POLE_FREE, 0.1},
-        {"range a -1 1", "*out_r = 1.0 / (sqrt(in_a) + 1.0);", POLE_UNDECIDED, 0}, /* no number for a < 0 */
+        {"range a -1 1", "*out_r = 1.0 / (sqrt(in_a) + 1.0);", POLE_UNDECIDED, 0}, /* not a number for a < 0 */
     };
     for (size_t i = 0; i < sizeof trials / sizeof *trials; i++)
         check(&trials[i]);
@@ -223,7 +223,7 @@ static void test_requires(void **state)
     static const struct trial trials[] = {
         {UNIT_2 "\nrequire - a 0.5", "*out_r = 1.0 / in_a;", POLE_FREE, 0.5},
         {UNIT_2 "\nrequire - a b", "*out_r = 1.0 / (in_a - in_b);", POLE_REQUIRED, 0}, /* > 0, but not by any margin */
-        /* where a and b are nearly equal the quotient is too large, where they are equal it is none */
+        /* if a and b are nearly equal, the quotient is too large; if they are equal, it does not exist */
         {UNIT_2 "\nrequire - 10 abs / 1 - a b", "*out_r = 1.0 / (in_a - in_b);", POLE_REQUIRED, 0},
         {UNIT_2 "\nrequire - 10 abs % 1 - a b", "*out_r = 1.0 / (in_a - in_b);", POLE_UNDECIDED, 0}, /* protected */
         {UNIT_2 "\nrequire - 10 abs / 1 - a b", "*out_r = 1.0 / (in_a + in_b);", POLE_EXISTS, 0},
@@ -234,19 +234,19 @@ static void test_requires(void **state)
         {UNIT_2 "\nrequire - + * a a * b b 0.25", "*out_r = 1.0 / (in_a * in_a * in_a + 1.001 + 0.0 * in_b);",
          POLE_FREE, 0.001},
         {UNIT_2 "\nrequire - 0.5 abs a\nrequire - 0.5 abs b", "*out_r = 1.0 / (in_a * in_b + 0.26);", POLE_FREE, 0.01},
-        /* a value of the program that a require bounds, in other words and another scale */
+        /* a require bounds a value of the program, in another form and scale */
         {UNIT_8 "\nlet s = + + + * a b * c d * e f * g h\nrequire - s 0.2",
          "const double t1 = -0.5 * (in_h * in_g + in_f * in_e + in_d * in_c + in_b * in_a);\n*out_r = 1.0 / t1;",
          POLE_FREE, 0.1},
         {UNIT_8 "\nlet s = + + + * a b * c d * e f * g h\nlet t = + 1 * s s\nrequire - s * 0.2 t",
          "const double t1 = in_h * in_g + in_f * in_e + in_d * in_c + in_b * in_a;\n*out_r = 1.0 / t1;", POLE_FREE, 0},
         {UNIT_2 "\nrequire - a 2", "*out_r = 1.0 / in_a;", POLE_FREE, 0}, /* the region is empty */
-        /* several cut off parts of one side */
+        /* several requires cut off parts of one side */
         {"range a -2 1\nrequire neg a\nrequire - -0.5 a", "*out_r = 1.0 / (in_a + 0.7601);", POLE_EXISTS, 0},
         {"range a -2 1\nrequire neg a\nrequire - -0.5 a", "*out_r = 1.0 / (in_a + 0.25);", POLE_FREE, 0.25},
         {"range a -1 2\nrequire a\nrequire - a 0.5\nrequire - a 0.6", "*out_r = 1.0 / (in_a - 0.9301);", POLE_EXISTS,
          0},
-        /* it is known of a before that it is below -0.47 */
+        /* an earlier require already implies a < -0.47 */
         {"range a -2 1\nrequire - -0.5 a\nrequire + a 1",
          "const double t1 = 1.0 / in_a;\n*out_r = 1.0 / (in_a + 0.9801 + 0.0 * t1);", POLE_EXISTS, 0},
     };
@@ -254,7 +254,7 @@ static void test_requires(void **state)
         check(&trials[i]);
 }
 
-/* Without all ranges, only what holds for all real numbers is said. */
+/* Without all ranges, a verdict must hold for all real numbers. */
 static void test_no_ranges(void **state)
 {
     (void)state;
@@ -276,7 +276,8 @@ static void test_no_ranges(void **state)
     }
 }
 
-/* A constant denominator is none; one that divides twice counts once; the names are those of the text. */
+/* A constant denominator does not count, a denominator that divides twice counts once, and names are those in the
+ * text. */
 static void test_denominators(void **state)
 {
     (void)state;
@@ -291,7 +292,7 @@ static void test_denominators(void **state)
     subject_free(&s);
 }
 
-/* (a - p)^2 + (b - q)^2 + (c - s)^2 + m with p, q, s inside: free of zeros for m > 0, not for m < 0. */
+/* (a - p)^2 + (b - q)^2 + (c - s)^2 + m with p, q, s inside: free of zeros for m > 0, but not for m < 0. */
 static void test_random_spheres(void **state)
 {
     (void)state;
@@ -315,8 +316,8 @@ static void test_random_spheres(void **state)
 
 #define NEAR "range a 1 1.000000000001\nrange b 1 1.000000000002\nrequire - - * a a b "
 
-/* Free of zeros is said of exact values: a divisor is safe where its rounding error is below its least value, or where
- * intervals of computed values have no 0, and else not. */
+/* Freedom from zeros concerns exact values. A divisor is safe if its rounding error is below its least value, or if
+ * intervals of computed values exclude 0, and not otherwise. */
 static void rounding_may_turn_divisors_round(void **state)
 {
     (void)state;
@@ -347,7 +348,7 @@ static void rounding_may_turn_divisors_round(void **state)
     }
 }
 
-/* A value just below 1 is 1 in float: what float computes is not enclosed by intervals of doubles. */
+/* A value just below 1 is 1 in float, so intervals of doubles do not enclose the result of float. */
 static void computed_values_in_float_are_enclosed(void **state)
 {
     (void)state;

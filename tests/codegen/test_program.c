@@ -1,4 +1,4 @@
-/* Reading the emitted statements back: operations in order, every form the text can have, and refusals. */
+/* Reads the emitted statements back: operations in order, every form of text, and refusals. */
 #include "../../codegen/compile/compile.h"
 #include "../support/genome_text.h"
 
@@ -61,7 +61,7 @@ static void test_operations(void **state)
     genome_file_free(f);
 }
 
-/* The value of `r` as a prefix expression: what binds to what. */
+/* Prints the value of `r` as a prefix expression, which shows precedence. */
 static void print_op(const struct program *p, int op, char *text)
 {
     static const char *const name[] = {
@@ -143,7 +143,7 @@ static void test_refusals(void **state)
         "1e5",
         "1.0e99999",
         "in_w",
-        "in_z", /* a let is no input */
+        "in_z", /* a let is not an input */
         "x",
         "t1",
         "xA[0]",
@@ -225,7 +225,7 @@ static void test_segment(void **state)
     genome_file_free(f);
 }
 
-/* Long chains and deep nesting, a megabyte each and more, take time in proportion and no stack. */
+/* Long chains and deep nesting, at least a megabyte each, take time in proportion and no stack. */
 static void test_sizes(void **state)
 {
     (void)state;
@@ -250,7 +250,7 @@ static void test_sizes(void **state)
     genome_file_free(f);
 }
 
-/* What the emitter counts is what the text holds. */
+/* The emitter's counts equal the counts of the text. */
 static void test_counts(void **state)
 {
     (void)state;

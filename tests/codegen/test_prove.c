@@ -1,4 +1,4 @@
-/* The proof: what it accepts, what it refuses, by polynomials and by points. */
+/* The proof, by polynomials and by points: accepted and refused code. */
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/prove/prove.h"
 
@@ -14,7 +14,7 @@
 
 enum { WIDE = 130, ROOM = 8000 };
 
-/* The start of a genome file over x y z and, if wide, more inputs than the comparison of polynomials takes. */
+/* Begins a genome file over x y z and, if wide, more inputs than the comparison of polynomials accepts. */
 static void begin_genome(char text[ROOM], bool wide)
 {
     size_t n = (size_t)sprintf(text, "footpoint-genome 1\ninput x y z");
@@ -23,7 +23,7 @@ static void begin_genome(char text[ROOM], bool wide)
     sprintf(text + n, "\n");
 }
 
-/* An output that reads them all; genome and code the same. */
+/* Adds an output that reads all inputs to genome and code. */
 static void add_wide(char genome[ROOM], char code[ROOM], bool wide)
 {
     size_t g = strlen(genome), c = strlen(code);
@@ -48,7 +48,7 @@ static enum answer ask(const struct genome_file *f, const char *code, struct pro
     return answer;
 }
 
-/* Both ways of comparing `r = expression` with code that sets *out_r; they must agree. */
+/* Compares `r = expression` with code that sets *out_r in both ways, which must agree. */
 static enum answer compare(const char *expression, const char *code)
 {
     enum answer answer[2];
@@ -134,7 +134,7 @@ static void test_different(void **state)
         {"/ 1 3", "*out_r = 0.3333333333333333;"},
         {"abs * -3 x", "*out_r = -3.0 * fabs(in_x);"},
         {"abs x", "*out_r = in_x;"},
-        {"abs x", "*out_r = sqrt(in_x * in_x);"}, /* true, but no rule that the passes have */
+        {"abs x", "*out_r = sqrt(in_x * in_x);"}, /* true, but not a rule of any pass */
         {"* abs x abs y", "*out_r = fabs(in_x * in_y);"},
         {"min x y", "*out_r = (in_x > in_y ? in_x : in_y);"},
         {"min x y", "*out_r = (in_x < in_z ? in_x : in_z);"},
@@ -158,7 +158,7 @@ static void test_different(void **state)
     }
 }
 
-/* ---- changes of code that is right ---- */
+/* ---- changes of correct code ---- */
 
 struct tally {
     const struct genome_file *file;
@@ -186,7 +186,7 @@ static void try_letter(struct tally *t, size_t at, char letter)
     t->code[at] = kept;
 }
 
-/* Without the characters from..to. */
+/* Tries the code without the characters from..to. */
 static void try_without(struct tally *t, size_t from, size_t to)
 {
     const size_t size = strlen(t->code);
@@ -195,7 +195,7 @@ static void try_without(struct tally *t, size_t from, size_t to)
     try_changed(t, t->changed);
 }
 
-/* Where the term ends that begins at `at`. */
+/* Returns the end of the term that begins at `at`. */
 static size_t term_end(const char *code, size_t at)
 {
     int depth = 0;
@@ -207,7 +207,7 @@ static size_t term_end(const char *code, size_t at)
     return at;
 }
 
-/* Every sign turned, every digit of a constant raised, every name in place of every other, every term dropped. */
+/* Tries every sign turned, every digit of a constant raised, every name replaced by every other, every term dropped. */
 static void change(struct tally *t)
 {
     const char *code = t->code;
@@ -272,7 +272,7 @@ static void test_changes(void **state)
     assert_true(tried > 300);
 }
 
-/* ---- what it says ---- */
+/* ---- messages ---- */
 
 static void test_refused_genomes(void **state)
 {
@@ -293,8 +293,8 @@ static void test_refused_genomes(void **state)
     genome_file_free(f);
 }
 
-/* (x + 1)^(2^n), in lets and the same statements: powers are not multiplied out, so that degree is no matter unless
- * there are too many variables; then no prime may be large enough. */
+/* (x + 1)^(2^n), in lets and the same statements. Powers are not multiplied out, so the degree does not matter until
+ * there are too many variables; then every prime may be too small. */
 static void test_high_degrees(void **state)
 {
     (void)state;

@@ -1,7 +1,6 @@
-/* Codegen on random programs like those of searches: named values that share divisors, protected quotients, minima and
- * maxima inside one another, constants close to 1.  What is compiled is proved equal.
- *     test_random_programs [COUNT [FIRST]]    so many programs, from that number on; 20000 when FOOTPOINT_LONG is set
- */
+/* Codegen on random programs like those of searches: named values that share divisors, protected quotients, nested
+ * minima and maxima, constants close to 1. Each compiled program is proved equal.
+ *   test_random_programs [COUNT [FIRST]]    COUNT programs, from number FIRST on; 20000 with FOOTPOINT_LONG */
 #include "../../codegen/base/text.h"
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/prove/prove.h"
@@ -17,15 +16,15 @@
 
 static uint64_t count = 60, first = 1;
 
-/* A program in the making. */
+/* A program under construction. */
 struct writer {
     uint64_t state;
     struct growing text;
-    const char *const *input; /* names, NULL ends */
+    const char *const *input; /* names, ended by NULL */
     int inputs, lets;
-    const char *own;                   /* a constant that comes again and again */
-    enum { TREES, SUMS, STEPS } style; /* of outputs; in steps, named values are one operation on others each */
-    const char *operators;             /* to choose from: one letter each, see write_operation */
+    const char *own;                   /* a constant that recurs */
+    enum { TREES, SUMS, STEPS } style; /* of outputs; in STEPS, each named value is one operation on others */
+    const char *operators;             /* choices, one letter each; see write_operation */
 };
 
 static const char *const familiar[] = {"1", "-1", "2", "0.5", "0.25", "4", "-3", "0.1", "1.00003", "1.16612"};
@@ -38,7 +37,7 @@ static unsigned below(struct writer *w, unsigned n)
     return (unsigned)((z ^ z >> 31) % n);
 }
 
-/* Every other one is the program's own, so that coefficients meet. */
+/* Writes a constant; every other one is the program's own, so that coefficients meet. */
 static void write_constant(struct writer *w)
 {
     char number[32];
@@ -58,7 +57,7 @@ static void write_leaf(struct writer *w)
         write_constant(w);
         return;
     }
-    if (w->style != TREES && w->lets > 0 && below(w, 3) == 0) /* the one that all others share */
+    if (w->style != TREES && w->lets > 0 && below(w, 3) == 0) /* the value that all others share */
         snprintf(name, sizeof name, " v0");
     else if (w->lets > 0 && below(w, 5) < 3)
         snprintf(name, sizeof name, " v%u", below(w, (unsigned)w->lets));
@@ -69,7 +68,7 @@ static void write_leaf(struct writer *w)
 
 static void write_expression(struct writer *w, unsigned depth);
 
-/* An operator and its operands. */
+/* Writes an operator and its operands. */
 static void write_operation(struct writer *w, unsigned depth)
 {
     const char letter = w->operators[below(w, (unsigned)strlen(w->operators))];
@@ -91,7 +90,7 @@ static void write_operation(struct writer *w, unsigned depth)
     }
 }
 
-/* At most `depth` operations deep. */
+/* Writes an expression at most `depth` operations deep. */
 static void write_expression(struct writer *w, unsigned depth)
 {
     if (depth == 0 || below(w, 5) == 0)
@@ -100,7 +99,7 @@ static void write_expression(struct writer *w, unsigned depth)
         write_operation(w, depth - 1);
 }
 
-/* A sum of products of leaves, as multiplying out leaves them. */
+/* Writes a sum of products of leaves, like the result of multiplying out. */
 static void write_sum(struct writer *w)
 {
     for (unsigned terms = 1 + below(w, 4); terms > 0; terms--) {
@@ -117,7 +116,7 @@ static void write_sum(struct writer *w)
     }
 }
 
-/* A value that is worth a name: a quotient by one leaf or by a sum, a multiple, a product or a choice. */
+/* Writes a value that deserves a name: a quotient by a leaf or by a sum, a multiple, a product or a choice. */
 static void write_named(struct writer *w)
 {
     const unsigned form = w->lets == 0 ? 0 : w->style == SUMS ? below(w, 8) : 2 + below(w, 6);
@@ -143,7 +142,7 @@ static void write_named(struct writer *w)
         write_operation(w, w->style == STEPS ? below(w, 2) : below(w, 3));
 }
 
-/* The program of a number; the caller frees it. */
+/* Returns the program with a given number; the caller must free it. */
 static char *random_program(uint64_t number)
 {
     static const char *const operators[] = {"++--***k", "++--***/k", "+-**//k",      "+-**/k<>",
@@ -188,7 +187,7 @@ static char *random_program(uint64_t number)
     return w.text.text;
 }
 
-/* Whether the program compiled; what did not must say why. */
+/* Compiles a program and returns true; a failure must have a message. */
 static bool compile(const char *text, uint64_t number)
 {
     static const char *const model[] = {"throughput", "throughput", "throughput", "operations", "paper"};

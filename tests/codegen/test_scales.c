@@ -1,5 +1,5 @@
-/* The scale of each value, operands in order, products distributed, multiples shared: what the schedule makes of a graph
- * when its form is settled. */
+/* The schedule of a graph whose form is settled: the scale of each value, order of operands, distributed products,
+ * shared multiples. */
 #include "../../codegen/schedule/balance.h"
 #include "../../codegen/schedule/distribute.h"
 #include "../../codegen/schedule/lower.h"
@@ -15,7 +15,7 @@ static struct cost_model costs(const char *name)
     return m;
 }
 
-/* Multiplications with every value as the graph has it, and in scales that a search finds. */
+/* Counts multiplications with every value as in the graph, and with the scales that a search finds. */
 static void test_scales(void **state)
 {
     (void)state;
@@ -28,11 +28,11 @@ static void test_scales(void **state)
         {"sqrt + * 2 x y", 2, 1},
         {"* + * 2 x y + * 3 z a", 4, 3},
         {"genome g\nr = * a + * 3 x y\nq = * b + * 3 x y", 5, 3},
-        /* a mean of four, squared: 1/16 once, where it is used */
+        /* a mean of four, squared: 1/16 once, at its use */
         {"let m = * 0.25 + + x y + z a\ngenome g\nr = * m m", 2, 2},
-        /* a coefficient that several products have goes to the factor that they share */
+        /* a coefficient that several products share moves to their common factor */
         {"genome g\nr = * b * * 3 x - y z\nq = * c * * 3 x - y z", 6, 5},
-        /* an inverse that several use takes their coefficient */
+        /* an inverse that several values use takes their coefficient */
         {"genome g\nr = * 3 / x z\nq = * 3 / y z", 4, 2},
         /* nothing to gain */
         {"* a + x y", 1, 1},
@@ -72,7 +72,7 @@ static void test_scales(void **state)
     assert_int_equal(wrong, 0);
 }
 
-/* In a chain from left to right what is ready first stands first. */
+/* In a chain from left to right, the operand that is ready first comes first. */
 static void test_chains(void **state)
 {
     (void)state;
@@ -119,7 +119,7 @@ static void test_distribute(void **state)
         {"genome g\nr = * a + x 1\nq = * a - x 1", "t1 = a*x; r = a + t1; q = -a + t1", 1, 2, 0},
         {"genome g\nr = * a x\nq = * a + 1 x", "t1 = a*x; r = t1; q = a + t1", 1, 1, 0},
         {"genome g\nr = * x x\nq = * x + 1 x", "t1 = x^2; r = t1; q = x + t1", 1, 1, 0},
-        /* a (x + 1) + b (x + 1) is written once already; a (x + 1) + b (x - 1) is a - b + x (a + b) */
+        /* a (x + 1) + b (x + 1) is already shared; a (x + 1) + b (x - 1) is a - b + x (a + b) */
         {"+ * a + x 1 * b - x 1", "a - b + x*(a + b)", 1, 3, 0},
         /* a (x + 3) costs a multiplication in either form */
         {"genome g\nr = * a + x 1\nq = * b + x 1", NULL, 0, 0, 0},

@@ -1,4 +1,4 @@
-/* Statements and their order: the text of a schedule, what is named, what is counted, and what waits for what. */
+/* Statements and their order: the text of a schedule, names, counts, and dependences. */
 #include "../../codegen/schedule/lower.h"
 #include "../../codegen/schedule/scales.h"
 #include "../support/graph_text.h"
@@ -28,7 +28,7 @@ static void check_statements(const struct statement_row *row, size_t rows)
         struct lowered e;
         lower(f, s, &e);
         char *code = row_code(f, e.program);
-        program_free(read_program(f, 0, code)); /* it is what the prover reads */
+        program_free(read_program(f, 0, code)); /* the prover reads this text */
         char text[1000] = "";
         for (const char *line = strtok(code, "\n"); line; line = strtok(NULL, "\n")) {
             strcat(text, *text ? " " : "");
@@ -61,7 +61,7 @@ static void test_statements(void **state)
         {"/ x y", "*out_r = in_x / in_y;", 0, 0, 1, 0, 0},
         {"/ 1 x", "*out_r = 1.0 / in_x;", 0, 0, 1, 0, 0},
         {"/ x + y z", "*out_r = in_x / (in_y + in_z);", 0, 1, 1, 0, 0},
-        /* constants: exact decimals, else quotients, which are no operations */
+        /* constants: exact decimals, otherwise quotients, which do not count as operations */
         {"* 0.25 x", "*out_r = 0.25 * in_x;", 1, 0, 0, 0, 0},
         {"/ x 3", "*out_r = (1.0 / 3.0) * in_x;", 1, 0, 0, 0, 0},
         {"7", "*out_r = 7.0;", 0, 0, 0, 0, 0},
@@ -69,12 +69,12 @@ static void test_statements(void **state)
         /* functions */
         {"abs x", "*out_r = fabs(in_x);", 0, 0, 0, 0, 1},
         {"sqrt x", "*out_r = sqrt(in_x);", 0, 0, 0, 1, 0},
-        /* what is used twice has a name; what is short and used once has none */
+        /* a value that is used twice has a name; a short value that is used once has no name */
         {"* + x y + x y", "const double t1 = in_x + in_y; *out_r = t1 * t1;", 1, 1, 0, 0, 0},
         {"genome g\nr = * x y\nq = + 1 * x y", "const double t1 = in_x * in_y; *out_r = t1; *out_q = t1 + 1.0;", 1, 1,
          0, 0, 0},
         {"* x x", "*out_r = in_x * in_x;", 1, 0, 0, 0, 0},
-        /* a divisor that several need is inverted once */
+        /* a divisor that several values need is inverted once */
         {"genome g\nr = / x z\nq = / y z", "const double t1 = 1.0 / in_z; *out_r = in_x * t1; *out_q = in_y * t1;", 2,
          0, 1, 0, 0},
         /* equal coefficients of a sum are taken out together */
@@ -93,8 +93,8 @@ static const char *const genomes[] = {
     "let n = abs - x y\nlet m = max n 1\ngenome g\nr = * n min m 2\nq = + * m m * a sqrt m",
 };
 
-/* No value before its operands; no operand of a later stage; choices in odd stages, arithmetic in even ones; everything
- * that is used, once. */
+/* No value precedes its operands or uses an operand of a later stage. Choices are in odd stages, arithmetic in even
+ * stages. Each used value occurs once. */
 static void test_order(void **state)
 {
     (void)state;
@@ -128,7 +128,7 @@ static void test_order(void **state)
     }
 }
 
-/* What a long chain waits for comes first: the operand of the root, though it is named last. */
+/* The operand of the root, on which a long chain waits, comes first although it is named last. */
 static void test_urgent(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Like beside like: Newton and footpoint one pair at a time, and both over columns of pairs, where Newton's steps are
- * taken by a whole block together until all of it stands.  For a comparison: penalty.h is the part to copy. */
+/* A fair comparison: Newton and footpoint for one pair at a time, and both over columns of pairs, where a whole block
+ * takes Newton's steps together until all its pairs converge. penalty.h is the part to copy. */
 #ifndef ALIKE_H
 #define ALIKE_H
 
@@ -57,7 +57,7 @@ static void search_footpoint_one(const struct model *m, struct world *w)
     }
 }
 
-/* What is compared, Newton's first. */
+/* The ways to search, each first with Newton. */
 enum { ONE_AT_A_TIME, OVER_ARRAYS, WAYS };
 static void (*const alike[WAYS][2])(const struct model *, struct world *) = {{search_newton, search_footpoint_one},
                                                                              {search_newton_block, search_footpoint}};

@@ -1,9 +1,9 @@
-/* What an implicit code has before contact comes in: a mesh, forces of the elements and their tangent, a linear solver.
+/* An implicit code without contact: a mesh, forces of the elements and their tangent, a linear solver.
  *
- * Two blocks of solid elements, one on the other, whose faces are of one of five kinds: tetrahedra of 4 and 10 nodes have
- * tri3 and tri6, hexahedra of 8, 20 and 27 nodes quad4, quad8 and quad9.  Total Lagrangian, St. Venant-Kirchhoff: strain
- * is E = (F'F - 1)/2, energy lambda (tr E)^2/2 + mu E:E.  Nodes lie on a lattice, two steps of it to a cell.
- * Units: mm, N, MPa. */
+ * Two blocks of solid elements, one on the other, whose faces are of one of five kinds: tetrahedra of 4 and 10 nodes
+ * have tri3 and tri6, hexahedra of 8, 20 and 27 nodes quad4, quad8 and quad9. Total Lagrangian, St. Venant-Kirchhoff:
+ * strain is E = (F'F - 1)/2, energy lambda (tr E)^2/2 + mu E:E. Nodes lie on a lattice with two steps per cell. Units:
+ * mm, N, MPa. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
 
@@ -19,7 +19,7 @@ static const double YOUNG = 1000.0, POISSON = 0.3; /* MPa */
 static const char *const kind_name[FOOTPOINT_FACES] = {"tri3", "tri6", "quad4", "quad8", "quad9"};
 enum { MOST_FACE = 9, MOST_SOLID = 27, MOST_POINTS = 27 };
 
-/* An element, in coordinates from 0 to 1: its nodes, and gradients of the shape functions at points of quadrature. */
+/* An element, in coordinates from 0 to 1: its nodes, and gradients of the shape functions at quadrature points. */
 struct solid {
     int nodes, points;
     vec place[MOST_SOLID], gradient[MOST_POINTS][MOST_SOLID];
@@ -29,12 +29,12 @@ struct solid {
 struct model {
     enum footpoint_face kind;
     struct solid solid;
-    int nodes, elements, faces, slaves, unknowns, first_upper; /* nodes from first_upper on are the upper block's */
-    vec *X;                                                    /* nodes, undeformed */
-    int *unknown; /* of each node's coordinates the first, -1: prescribed */
+    int nodes, elements, faces, slaves, unknowns, first_upper; /* nodes from first_upper on belong to the upper block */
+    vec *X;                                                    /* indexed by node; undeformed */
+    int *unknown; /* first unknown of each node's coordinates, -1: prescribed */
     int (*element)[MOST_SOLID];
-    int *face;  /* nodes of the lower block's faces, one after the other, counter-clockwise from above */
-    int *slave; /* nodes below the upper block */
+    int *face;  /* nodes of the lower block's faces, face by face, counter-clockwise from above */
+    int *slave; /* nodes on the underside of the upper block */
     double lambda, mu;
 };
 
@@ -54,7 +54,8 @@ static void exchange(int n, double *a, double *b)
     }
 }
 
-/* A (n x n) Z = B (n x columns), rows one after the other: Z in B, A overwritten; pivots by columns.  0: A is singular. */
+/* Solves A (n x n) Z = B (n x columns), rows first: Z replaces B, A is overwritten; pivots by columns. Returns 0 if A
+ * is singular. */
 static int solve(int n, double *A, int columns, double *B)
 {
     for (int k = 0; k < n; k++) {
@@ -92,8 +93,8 @@ static int is_tetrahedron(enum footpoint_face kind)
     return kind == FOOTPOINT_TRI3 || kind == FOOTPOINT_TRI6;
 }
 
-/* Whether a kind's element has a node that is that many half steps along each axis from its first one; and x^p y^q z^r
- * among its shape functions' monomials, as it turns out. */
+/* Returns true if a kind's element has a node this many half steps along each axis from its first node. Then x^p y^q
+ * z^r is among its shape functions' monomials. */
 static int has_node(enum footpoint_face kind, const int half[3])
 {
     const int sum = half[0] + half[1] + half[2], middles = (half[0] == 1) + (half[1] == 1) + (half[2] == 1);
@@ -111,7 +112,8 @@ static int has_node(enum footpoint_face kind, const int half[3])
     }
 }
 
-/* Powers, of the monomial that stands for that node: half steps 0, 1, 2 are 1, x^2 and x, in tetrahedra of degree 2. */
+/* Computes the powers of the monomial for that node: half steps 0, 1, 2 become 1, x^2 and x in tetrahedra of degree
+ * 2. */
 static void powers_of(enum footpoint_face kind, const int half[3], int power[3])
 {
     for (int i = 0; i < 3; i++)
@@ -128,7 +130,7 @@ static struct solid solid_of(enum footpoint_face kind)
     static const double gauss[3][3] = {
         {0.5, 0, 0}, {0.2113248654051871, 0.7886751345948129, 0}, {0.1127016653792583, 0.5, 0.8872983346207417}};
     static const double share[3][3] = {{1, 0, 0}, {0.5, 0.5, 0}, {5.0 / 18, 8.0 / 18, 5.0 / 18}};
-    static const double near = 0.1381966011250105, far = 0.5854101966249685; /* of a tetrahedron's four points */
+    static const double near = 0.1381966011250105, far = 0.5854101966249685; /* a tetrahedron's quadrature points */
     struct solid s = {0};
     vec point[MOST_POINTS];
     int power[MOST_SOLID][3];
@@ -157,7 +159,7 @@ static struct solid solid_of(enum footpoint_face kind)
                 s.weight[s.points] *= share[order - 1][at[k]];
             }
         }
-    /* Shape function a is the sum over m of shape[m][a] times monomial m: 1 at node a, 0 at the others. */
+    /* Shape function a is the sum over m of shape[m][a] times monomial m: 1 at node a, 0 at the other nodes. */
     for (int a = 0; a < s.nodes; a++)
         for (int m = 0; m < s.nodes; m++) {
             value[a * s.nodes + m] = power_of(s.place[a][0], power[m][0]) * power_of(s.place[a][1], power[m][1]) *
@@ -198,7 +200,7 @@ static void place_node(const struct block *b, const int at[3], vec X)
     X[2] = b->low[2] + b->size[2] * u[2] + b->wave * u[2] * sin(1.1 * x + 0.4) * cos(0.9 * y);
 }
 
-/* Whether any element has a node at that place of the lattice. */
+/* Returns true if an element has a node at that place of the lattice. */
 static int is_node(enum footpoint_face kind, const int at[3])
 {
     const int middles = at[0] % 2 + at[1] % 2 + at[2] % 2;
@@ -207,8 +209,8 @@ static int is_node(enum footpoint_face kind, const int at[3])
                                                                : 1;
 }
 
-/* The elements of a cell whose lowest corner is `at`: one hexahedron, or the six tetrahedra along the ways from there to
- * the opposite corner.  index: of nodes, on a lattice of n. */
+/* Adds the elements of a cell whose lowest corner is `at`: one hexahedron, or the six tetrahedra along the paths from
+ * there to the opposite corner. index: of nodes, on a lattice of n. */
 static void add_cell(struct model *m, const int at[3], const int n[3], const int *index)
 {
     static const int way[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -218,7 +220,7 @@ static void add_cell(struct model *m, const int at[3], const int n[3], const int
             int place[3];
             for (int k = 0; k < 3; k++)
                 place[k] = at[k] + (int)(2 * u[k]);
-            if (is_tetrahedron(m->kind)) { /* its corners are 0 and the ends of one, two and three edges of the way */
+            if (is_tetrahedron(m->kind)) { /* its corners are 0 and the ends of one, two and three edges of the path */
                 place[way[t][0]] = at[way[t][0]] + (int)(2 * (u[0] + u[1] + u[2]));
                 place[way[t][1]] = at[way[t][1]] + (int)(2 * (u[1] + u[2]));
                 place[way[t][2]] = at[way[t][2]] + (int)(2 * u[2]);
@@ -229,7 +231,7 @@ static void add_cell(struct model *m, const int at[3], const int n[3], const int
     }
 }
 
-/* The faces above such a cell. */
+/* Adds the faces on top of such a cell. */
 static void add_faces(struct model *m, const int at[3], const int n[3], const int *index)
 {
     static const int quad[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}};
@@ -244,7 +246,7 @@ static void add_faces(struct model *m, const int at[3], const int n[3], const in
     }
 }
 
-/* Nodes layer by layer, so that few equations are far apart; the block's far side, `held`, is prescribed. */
+/* Adds a block, with its nodes layer by layer to keep the bandwidth small. Its outer side, `held`, is prescribed. */
 static void add_block(struct model *m, const struct block *b, int lower)
 {
     const int n[3] = {2 * b->cells[0] + 1, 2 * b->cells[1] + 1, 2 * b->cells[2] + 1}, all = n[0] * n[1] * n[2];
@@ -301,7 +303,7 @@ static void free_model(struct model *m)
 
 /* ---- elements ---- */
 
-/* Of two nodes: what a force on the one changes by when the other moves. */
+/* Adds the tangent between two nodes: the change of the force on a when b moves. */
 static void add_tangent(const struct model *m, double *K, int a, int b, double tangent[3][3])
 {
     const int row = m->unknown[a], column = m->unknown[b];
@@ -310,7 +312,7 @@ static void add_tangent(const struct model *m, double *K, int a, int b, double t
             row_of(K, m->unknowns, row + i)[column + j] += tangent[i][j];
 }
 
-/* What an element's point of quadrature adds to forces f on the nodes and, as their derivatives are -K, to K. */
+/* Adds the forces f of a quadrature point on the nodes and, since their derivatives are -K, its part of K. */
 static void add_point(const struct model *m, const int *node, int q, const vec *x, vec *f, double *K)
 {
     const struct solid *const s = &m->solid;
@@ -359,7 +361,7 @@ static void add_point(const struct model *m, const int *node, int q, const vec *
     }
 }
 
-/* Forces of the elements on the nodes, and their tangent, -df/dx, of the unknowns: added. */
+/* Adds the forces of the elements on the nodes, and their tangent -df/dx by the unknowns. */
 static void add_elements(const struct model *m, const vec *x, vec *f, double *K)
 {
     for (int e = 0; e < m->elements; e++)

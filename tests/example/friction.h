@@ -1,5 +1,5 @@
 /* Contact with friction in an implicit code, the part to copy: for each slave node a face, a foot point without
- * iteration, and the contact element's force and consistent tangent, whatever the kind of the faces.  Units: blocks.h. */
+ * iteration, and the contact element's force and consistent tangent, for any kind of face. Units: blocks.h. */
 #ifndef FRICTION_H
 #define FRICTION_H
 
@@ -8,9 +8,9 @@
 static const double PENALTY = 4000.0, TANGENTIAL = 2000.0; /* N/mm */
 enum { MOST_COORDINATES = 3 * MOST_FACE + 3 };
 
-/* Of a slave node, between steps: its face, where on it the node would stand without friction's force (xi, eta), and how
- * far it is from there, on the face.  Of the state at hand: its foot point, from which the next search starts, and gap;
- * the pressing force, and whether it slides. */
+/* State of a slave node. Between steps: its face, the place (xi, eta) on the face that it would take without friction's
+ * force, and its distance from there along the face. At present: its foot point, from which the next search starts, the
+ * gap, the pressing force, and whether it slides. */
 struct touch {
     int face;
     double stick[2];
@@ -19,7 +19,7 @@ struct touch {
     int slides;
 };
 
-/* What the contact element takes of a foot point. */
+/* The contact element's input from a foot point. */
 struct foot {
     double loc[2], gap, phi[MOST_FACE];
     vec r_xi, r_eta, normal;
@@ -35,7 +35,7 @@ static void check(int status)
     }
 }
 
-/* Nodes of a slave node's face and, last, itself; their coordinates. */
+/* Gathers the nodes of a slave node's face and, last, the slave node, and their coordinates. */
 static void gather(const struct model *m, const vec *x, const struct touch *t, int slave, int *node, double *y)
 {
     const int nodes = footpoint_face_nodes(m->kind);
@@ -55,8 +55,8 @@ static double along(const vec a, const vec b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Before a step: each slave node's nearest face, which it keeps until the step is done.  Where it would stand on that
- * face without friction's force is as far from its foot point as before, whichever the face. */
+/* Chooses each slave node's nearest face before a step; the node keeps it during the step. The place that it would take
+ * without friction's force keeps its distance from the foot point, whichever the face. */
 static void choose_faces(const struct model *m, const vec *x, struct touch *touch)
 {
     for (int i = 0; i < m->slaves; i++) {
@@ -80,10 +80,10 @@ static void choose_faces(const struct model *m, const vec *x, struct touch *touc
     }
 }
 
-/* A local search: from the last answer in loc, or without it. */
+/* A local search, from the last answer in loc or without it. */
 typedef int local_search(enum footpoint_face, const double *y, double loc[2], double *gap);
 
-/* The foot points of all slave nodes. */
+/* Finds the foot points of all slave nodes. */
 static void find_feet(const struct model *m, const vec *x, local_search search, struct touch *touch)
 {
     for (int i = 0; i < m->slaves; i++) {
@@ -94,7 +94,8 @@ static void find_feet(const struct model *m, const vec *x, local_search search, 
     }
 }
 
-/* Forces of contact on the nodes, at the foot points, and their tangent, -df/dx: added.  The slave nodes' sum, in `force`. */
+/* Adds the contact forces on the nodes at the foot points and their tangent -df/dx, and the sum over slave nodes to
+ * `force`. */
 static void add_contact(const struct model *m, const vec *x, double friction, struct touch *touch, vec *f, double *K,
                         vec force)
 {

@@ -1,10 +1,10 @@
 /* The nearest of many faces, with a grid of cells as broad phase.
  *
- * grid [FACES]: a wavy sheet of about FACES quadrilaterals (100,000) and as many slave nodes, near it and up to 20 edges away.
- * The grid hands over the faces of the cells within `ring` cells of a node's own.  What it leaves out lies beyond ring times
- * the size of a cell, so an answer nearer than that is the nearest of all, and all faces at its edge or corner were
- * candidates: its sign is that of the sheet's side.  Otherwise the distance says how many rings suffice.
- * Prints time and candidates a node, and compares some nodes with a search of all faces.
+ * grid [FACES]: a wavy sheet of about FACES quadrilaterals (100,000) and as many slave nodes, near it and up to 20
+ * edges away. The grid returns the faces of the cells within `ring` cells of a node's cell. All other faces lie beyond
+ * ring times the size of a cell. So an answer nearer than that is the nearest of all, and all faces at its edge or
+ * corner were candidates, so that the sign is right for the sheet. Otherwise its distance determines how many rings
+ * suffice. Prints time and candidates per node, and compares some nodes with a search of all faces.
  *
  * cc -O2 -Iruntime tests/example/grid.c build/libfootpoint.a -lm */
 #include "footpoint_face.h"
@@ -20,19 +20,19 @@ enum { COMPARED = 20 };
 
 struct sheet {
     size_t side, faces;
-    double *xyz; /* owned: 3 a node */
-    int *seg;    /* owned: 4 a face */
+    double *xyz; /* owned; 3 per node */
+    int *seg;    /* owned; 4 per face */
 };
 
 struct grid {
     const struct sheet *sheet;
     double from[3], cell;
     long cells[3];
-    size_t *first; /* owned: by cell, where its faces begin in `face`; one more at the end */
+    size_t *first; /* owned, indexed by cell: its first face in `face`; one more at the end */
     int *face;     /* owned */
-    size_t *seen;  /* owned: by face, the query that it was handed over to last */
-    int *seg;      /* owned: nodes of the candidates */
-    size_t *which; /* owned: faces that these are */
+    size_t *seen;  /* owned, indexed by face: the last query that it was a candidate of */
+    int *seg;      /* owned; nodes of the candidates */
+    size_t *which; /* owned; faces of the candidates */
     size_t query;
 };
 
@@ -71,7 +71,7 @@ static struct sheet make_sheet(size_t side)
 
 /* ---- the grid ---- */
 
-/* The range of cells that the box about a face touches; clipped to the grid, as all ranges are. */
+/* Computes the range of cells that the box about a face touches, clipped to the grid, like all ranges. */
 static void range_of(const struct grid *g, const double low[3], const double high[3], long from[3], long to[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -107,7 +107,7 @@ static void count(struct grid *g, size_t cell, void *unused)
     g->first[cell + 1]++;
 }
 
-/* Fills from the end of a cell's faces. */
+/* Enters a face from the end of a cell's faces. */
 static void enter(struct grid *g, size_t cell, void *face)
 {
     g->face[--g->first[cell + 1]] = *(int *)face;
@@ -190,7 +190,7 @@ static void find_nearest(struct grid *g, const double xS[3], struct answer *a)
                                           &a->region);
         if (a->status >= FOOTPOINT_OK && fabs(a->distance) < reach)
             break;
-        if (a->status >= FOOTPOINT_OK) /* as many rings as suffice, after doubling */
+        if (a->status >= FOOTPOINT_OK) /* doubles the rings until they suffice */
             ring = 0.501 * fabs(a->distance) / g->cell;
         else if (reach > 100.0 * all)
             return;

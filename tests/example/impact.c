@@ -1,14 +1,13 @@
 /* Two elastic plates collide: explicit dynamics with penalty contact, the loop that footpoint is made for.
  *
- * Slave nodes of the upper plate meet master segments of the lower one: penalty.h.  Elements: plates.h.  Here: central
- * differences, and what comes of them.  Four worlds advance side by side, one with each local search: Newton's iteration
- * and footpoint, from scratch and from the answers of the step before, so that all are timed under the same load.
+ * Slave nodes of the upper plate meet master segments of the lower plate (penalty.h; elements: plates.h). This file has
+ * the central differences and the results. Four worlds advance side by side, each with its own local search: Newton's
+ * iteration and footpoint, from scratch and from the last step's answers. So all are timed under the same load.
  *
- *     cc -O3 -march=native -fno-math-errno -fno-trapping-math impact.c -o impact -lm
- *     ./impact                 all searches, a table
- *     ./impact 0.5 FOLDER      half the time step; energy.csv and VTK files in a folder that exists
- *     ./impact --inp           the mesh, as an input file with *CONTACT PAIR
- */
+ *   cc -O3 -march=native -fno-math-errno -fno-trapping-math impact.c -o impact -lm
+ *   ./impact                 all searches, a table
+ *   ./impact 0.5 FOLDER      half the time step; energy.csv and VTK files in a folder that exists
+ *   ./impact --inp           the mesh, as an input file with *CONTACT PAIR */
 #include "alike.h"
 
 #include <time.h>
@@ -44,7 +43,7 @@ static void forces(const struct model *m, struct world *w, int step, void search
     w->local[step] = (end - local) / (w->pairs ? w->pairs : 1);
 }
 
-/* From rest or from step to step: v at half steps inside, at full steps outside. */
+/* Accelerates, from rest or from step to step: v is at half steps inside, at full steps outside. */
 static void kick(const struct model *m, struct world *w, double dt)
 {
     for (int n = 0; n < m->nodes; n++)
@@ -70,7 +69,7 @@ static void advance(const struct model *m, struct world *w, int step, double dt,
     w->seconds[ALL] += seconds() - start;
 }
 
-/* Kinetic energy; momentum and moment of momentum about the origin. */
+/* Returns the kinetic energy, and momentum and moment of momentum about the origin. */
 static double kinetic(const struct model *m, const struct world *w, vec momentum, vec moment)
 {
     double energy = 0.0;
@@ -114,9 +113,9 @@ static void finish(struct world *w)
         free(owned[i]);
 }
 
-/* ---- what comes of it ---- */
+/* ---- results ---- */
 
-/* How far energy and momenta have been from where they began, at most; relative. */
+/* Largest relative deviations of energy and momenta from their initial values. */
 struct balance {
     double energy, worst_energy, worst_momentum, worst_moment;
     vec momentum, moment;
@@ -141,8 +140,8 @@ static void take_balance(const struct model *m, struct world *w, struct balance 
     b->worst_moment = fmax(b->worst_moment, sqrt(dot(moment, moment) / dot(b->moment, b->moment)));
 }
 
-/* Of the pairs whose foot point lies on the segment: how far xi and eta by footpoint are from Newton's.  And what a pair
- * takes each way, least of the times taken. */
+/* Largest differences between xi and eta by footpoint and by Newton's iteration, over pairs whose foot point lies on
+ * the segment; and the least time per pair of each search. */
 struct errors {
     double sum, worst, count;
     double ns[WAYS][2];
@@ -189,7 +188,7 @@ static FILE *open_file(const char *folder, const char *name)
     return f;
 }
 
-/* Frame for ParaView or VisIt: the deformed plates with velocities. */
+/* Writes a frame for ParaView or VisIt: the deformed plates with velocities. */
 static void write_vtk(const struct model *m, const struct world *w, const char *folder, int frame)
 {
     char name[32];
@@ -222,7 +221,7 @@ static void write_energies(FILE *csv, double t, const struct world *w)
     fprintf(csv, "\n");
 }
 
-/* Kinetic, strain and contact energy of two worlds: the largest difference, over their sum. */
+/* Returns the largest difference between two worlds' kinetic, strain and contact energies, over their sum. */
 static double energies_apart(const struct world *a, const struct world *b)
 {
     const double sum = a->kinetic + a->strain + a->contact;
@@ -230,7 +229,7 @@ static double energies_apart(const struct world *a, const struct world *b)
     return fmax(most, fabs(a->contact - b->contact)) / sum;
 }
 
-/* Largest distance between the first two worlds' nodes. */
+/* Returns the largest distance between the first two worlds' nodes. */
 static double difference(const struct model *m, const struct world *w)
 {
     double worst = 0.0;
@@ -257,14 +256,14 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The median over the steps: a step that something else interrupted does not count. */
+/* Returns the median over the steps, which excludes interrupted steps. */
 static double median_ns(struct world *w, int steps)
 {
     qsort(w->local + 1, (size_t)steps, sizeof *w->local, ascending);
     return 1e9 * w->local[1 + steps / 2];
 }
 
-/* apart: of the energies in any step from those of the same search from scratch. */
+/* apart: largest difference of the energies in any step from the same search from scratch. */
 static void report_last(struct world *w, const double apart[2], int steps)
 {
     printf("from the answers of the step before\n");

@@ -1,4 +1,4 @@
-/* For a comparison: the foot point by Newton's iteration from the last answer, on faces of any kind. */
+/* For comparison: the foot point by Newton's iteration from the last answer, on faces of any kind. */
 #ifndef LAST_NEWTON_H
 #define LAST_NEWTON_H
 
@@ -8,7 +8,7 @@
 #include "../../runtime/geometry/footpoint-tri6-geometry.h"
 #include "friction.h"
 
-/* N shape functions, and as many of each derivative: by xi, eta, xi xi, xi eta, eta eta. */
+/* Computes N shape functions, then N of each derivative: by xi, eta, xi xi, xi eta, eta eta. */
 static void shapes_of_quad4(double xi, double eta, double phi[24])
 {
     for (int k = 0; k < 4; k++) {
@@ -22,7 +22,7 @@ static void shapes_of_quad4(double xi, double eta, double phi[24])
 static void (*const shapes_of[FOOTPOINT_FACES])(double, double, double *) = {
     footpoint_tri3_shape, footpoint_tri6_shape, shapes_of_quad4, footpoint_quad8_shape, footpoint_quad9_shape};
 
-/* A step from loc: (xi,eta) moves by `move`; the gap before it. */
+/* Computes a step from loc: the `move` of (xi,eta), and the gap before it. */
 static void newton_step(enum footpoint_face kind, const double *y, const double loc[2], double move[2], double *gap)
 {
     const int nodes = footpoint_face_nodes(kind);
@@ -44,7 +44,8 @@ static void newton_step(enum footpoint_face kind, const double *y, const double 
     *gap = along(r[0], n) / sqrt(along(n, n));
 }
 
-/* Until a step is below 1e-10; the gap is that before the last step, which changes it by its square. */
+/* Iterates until a step is below 1e-10. The gap belongs to the point before the last step, which changes it by the
+ * square of the step. */
 static int last_newton(enum footpoint_face kind, const double *y, double loc[2], double *gap)
 {
     double move[2] = {1.0, 1.0};

@@ -1,11 +1,11 @@
-/* Contact with a smoothed surface, the part to copy: Gregory patches over the segments, made anew in each step, as they
- * must be where the surface deforms; foot points on them by Newton's iteration, from those on the facets by footpoint.
+/* Contact with a smoothed surface, the part to copy: Gregory patches over the segments, recomputed in each step, as a
+ * deforming surface requires; foot points on them by Newton's iteration from footpoint's foot points on the facets.
  * Units: plates.h. */
 #ifndef PATCHES_H
 #define PATCHES_H
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" /* of what impact.c needs */
+#pragma GCC diagnostic ignored "-Wunused-function" /* impact.c does not use all functions */
 #include "penalty.h"
 #pragma GCC diagnostic pop
 
@@ -14,7 +14,7 @@
 
 enum { NEWTON_STEPS = 2 };
 
-/* The nearest point r of the surface to a slave node, in `seg`, with the normal there; seg = -1: none. */
+/* The surface's nearest point r to a slave node, its segment `seg` and the normal there; seg = -1: no contact. */
 struct touch {
     int seg;
     double gap;
@@ -22,8 +22,8 @@ struct touch {
 };
 
 struct patches {
-    double *normal;                  /* at the first nodes of the model, which the segments are of */
-    struct footpoint_gregory *patch; /* of segments */
+    double *normal;                  /* at the model's first nodes, to which the segments belong */
+    struct footpoint_gregory *patch; /* indexed by segment */
 };
 
 static void facets_touch(const struct model *m, struct world *w, struct touch *touch)
@@ -55,8 +55,8 @@ static void refuse(int status)
     }
 }
 
-/* Normals at nodes as footpoint_node_normals makes them, but c1 x c2 divided by |c1|^2 |c2|^2: those of a sphere are
- * exact on any mesh (Max, "Weights for computing vertex normals from facet normals", J. Graphics Tools 4, 1999). */
+/* Computes normals at nodes like footpoint_node_normals, but from c1 x c2 divided by |c1|^2 |c2|^2: exact for a sphere
+ * on any mesh (Max, "Weights for computing vertex normals from facet normals", J. Graphics Tools 4, 1999). */
 static void even_normals(const struct model *m, const struct world *w, int nodes, double *normal)
 {
     memset(normal, 0, (size_t)nodes * sizeof(vec));
@@ -101,7 +101,8 @@ static double clamp(double x)
     return fmax(-1.0, fmin(1.0, x));
 }
 
-/* Newton's iteration on r_xi . (S - r) = r_eta . (S - r) = 0 within the patch; jet and d = S - r at its end. */
+/* Runs Newton's iteration on r_xi . (S - r) = r_eta . (S - r) = 0 within the patch; returns jet and d = S - r at its
+ * end. */
 static void step_on_patch(const struct footpoint_gregory *patch, const vec S, double xi, double eta,
                           struct footpoint_jet *jet, vec d)
 {
@@ -120,8 +121,7 @@ static void step_on_patch(const struct footpoint_gregory *patch, const vec S, do
     }
 }
 
-/* Each slave node is held by the patch whose nearest point is the nearest of all: a foot point that leaves its patch is
- * the neighbour's to find. */
+/* Assigns each slave node to the patch with the nearest point. A neighbour finds foot points that leave a patch. */
 static void patches_touch(const struct model *m, struct world *w, const struct patches *p, struct touch *touch)
 {
     search_footpoint(m, w);

@@ -1,35 +1,34 @@
-/* Contact, the part to copy: pairs by a global search in buckets, xi and eta of each pair by Newton's iteration or by
- * footpoint, from scratch or from the answers of the step before, penalty forces where the gap is negative.  Units:
- * plates.h. */
+/* Contact, the part to copy: pairs by a global search in buckets; xi and eta of each pair by Newton's iteration or by
+ * footpoint, from scratch or from the last step's answers; penalty forces if the gap is negative. Units: plates.h. */
 #ifndef PENALTY_H
 #define PENALTY_H
 
 #include "plates.h"
 
-#ifndef HEADER /* a generated header and a function of it */
+#ifndef HEADER /* a generated header and one of its functions */
 #define HEADER "../../generated/footpoint_quad4.h"
 #define LOCATE footpoint_quad4_fine
 #endif
 #include HEADER
 
-/* The same over arrays, and from last answers. */
+/* The function over arrays, and from last answers. */
 #define OF_LOCATE(name, ending) name##ending
 #define LOCATE_AS(name, ending) OF_LOCATE(name, ending)
 
-static const double REACH = 0.3, DEPTH = 0.5; /* of global search, and of penetration at most; mm */
+static const double REACH = 0.3, DEPTH = 0.5; /* range of the global search, and largest penetration; mm */
 enum { BLOCK = 128 };
 
-/* A state in motion, with its contact pairs and its bill. */
+/* A moving state, with its contact pairs and the times of its searches. */
 struct world {
     vec *x, *v, *f;
     int pairs, room, *pair_seg, *pair_slave;
-    double *xi, *eta;                       /* of pairs; choose_segments() moves them onto the segment */
-    double *last_xi, *last_eta;             /* of pairs: where the search found them, NaN if it has not yet */
-    int *nearest;                           /* pair of each slave node, -1: none */
+    double *xi, *eta;                       /* indexed by pair; choose_segments() moves them onto the segment */
+    double *last_xi, *last_eta;             /* indexed by pair: the search's result, NaN before the first search */
+    int *nearest;                           /* indexed by slave node: its pair, -1: no pair */
     double *distance;                       /* of each slave node from its nearest segment */
-    double kinetic, strain, contact, force; /* the last one on the upper plate along z */
-    double seconds[3], searched;            /* global search, local search, all; pairs searched */
-    double *local;                          /* seconds of local search for a pair, in each step */
+    double kinetic, strain, contact, force; /* energies; force: on the upper plate along z */
+    double seconds[3], searched;            /* global search, local search, total; number of searched pairs */
+    double *local;                          /* indexed by step: seconds of local search per pair */
 };
 enum { GLOBAL, LOCAL, ALL };
 
@@ -57,7 +56,7 @@ static int cell(double x, double low, double size, int n)
     return c < 0.0 ? 0 : c >= n ? n - 1 : (int)c;
 }
 
-/* Pairs of a segment and the slave nodes within REACH of its box.  Slave nodes lie in buckets of 1 mm. */
+/* Finds pairs of a segment and the slave nodes within REACH of its box. Slave nodes lie in buckets of 1 mm. */
 static void find_pairs(const struct model *m, struct world *w)
 {
     vec low = {1e30, 1e30, 1e30}, high = {-1e30, -1e30, -1e30};
@@ -105,7 +104,7 @@ static void find_pairs(const struct model *m, struct world *w)
     free(head);
 }
 
-/* Finds the pairs; those that were pairs before keep their last answers.  Pairs stand in the order of their segments. */
+/* Finds the pairs, ordered by segment. Earlier pairs keep their last answers. */
 static void global_search(const struct model *m, struct world *w)
 {
     const int pairs = w->pairs;
@@ -138,7 +137,7 @@ static double dot(const vec a, const vec b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* r = c0 + c1 xi + c2 eta + c3 xi eta; Newton's iteration from loc on r_xi . (S - r) = r_eta . (S - r) = 0. */
+/* Runs Newton's iteration from loc on r_xi . (S - r) = r_eta . (S - r) = 0 with r = c0 + c1 xi + c2 eta + c3 xi eta. */
 static void newton(const double *A, const double *B, const double *C, const double *D, const double *S, double loc[2])
 {
     vec c0, c1, c2, c3;
@@ -167,7 +166,7 @@ static void newton(const double *A, const double *B, const double *C, const doub
     loc[1] = eta;
 }
 
-/* From the centre of the segment, or from the last answer where there is one. */
+/* Searches from the centre of the segment, or from the last answer if it exists. */
 static void search_newton_from(const struct model *m, struct world *w, int last)
 {
     for (int p = 0; p < w->pairs; p++) {
@@ -208,7 +207,7 @@ static void search_columns(const struct model *m, struct world *w, search_block 
     }
 }
 
-/* The same by footpoint: coordinates go into columns, over which the header's loop vectorises. */
+/* Searches by footpoint: coordinates are copied into columns, over which the header's loop vectorises. */
 static void search_footpoint(const struct model *m, struct world *w)
 {
     search_columns(m, w, LOCATE_AS(LOCATE, _n));
@@ -227,7 +226,7 @@ static void footpoint_from(size_t n, const double *const x[15], double *xi, doub
     LOCATE_AS(LOCATE, _from_n)(n, x, xi, eta, gap, status);
 }
 
-/* By footpoint from the last answers, which the new ones replace. */
+/* Searches by footpoint from the last answers and replaces them. */
 static void search_footpoint_last(const struct model *m, struct world *w)
 {
     copy_answers(w, (const double *const[]){w->last_xi, w->last_eta}, (double *const[]){w->xi, w->eta});
@@ -243,7 +242,7 @@ static void search_newton_last(const struct model *m, struct world *w)
 
 /* ---- contact forces ---- */
 
-/* Shape functions, gap vector S - r and unit normal at (xi,eta). */
+/* Computes shape functions, gap vector S - r and unit normal at (xi,eta). */
 static void foot(const struct model *m, const struct world *w, int pair, double xi, double eta, double phi[4], vec d,
                  vec n)
 {
@@ -267,7 +266,7 @@ static void foot(const struct model *m, const struct world *w, int pair, double 
         n[i] /= length;
 }
 
-/* Each slave node is held by the segment whose nearest point is the nearest of all. */
+/* Assigns each slave node to the segment with the nearest point. */
 static void choose_segments(const struct model *m, struct world *w)
 {
     double phi[4];
@@ -289,7 +288,7 @@ static void choose_segments(const struct model *m, struct world *w)
     }
 }
 
-/* Penalty forces (10), (11) where the gap is negative; their energy. */
+/* Adds penalty forces (10), (11) for negative gaps and returns their energy. */
 static double contact_forces(const struct model *m, struct world *w)
 {
     double energy = 0.0, phi[4];

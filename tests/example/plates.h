@@ -1,9 +1,9 @@
-/* What an explicit code has before contact comes in: a mesh, lumped masses, and forces of the elements.
+/* An explicit code without contact: a mesh, lumped masses, and forces of the elements.
  *
  * Two plates of eight-node hexahedra with one quadrature point and stiffness hourglass control (Flanagan and
  * Belytschko), total Lagrangian, St. Venant-Kirchhoff: strain is E = (F'F - 1)/2, energy lambda (tr E)^2/2 + mu E:E.
- * Forces are the exact gradient of that energy, so that what the scheme loses or gains is the time step's doing.
- * Units: mm, ms, g, N, MPa. */
+ * Forces are the exact gradient of that energy, so that only the time step changes the total energy. Units: mm, ms, g,
+ * N, MPa. */
 #ifndef PLATES_H
 #define PLATES_H
 
@@ -14,19 +14,19 @@
 #include <string.h>
 
 static const double YOUNG = 1000.0, POISSON = 0.4, DENSITY = 0.95e-3; /* MPa, g/mm^3: polyethylene */
-static const double COURANT = 0.5; /* time step / the longest stable one of an element alone */
+static const double COURANT = 0.5; /* time step / longest stable time step of a single element */
 
 struct element {
-    double b[8][3], g[4][8];  /* dN/dX at the centre; hourglass shapes, blind to linear motion */
-    double volume, stiffness; /* the latter against hourglasses */
+    double b[8][3], g[4][8];  /* dN/dX at the centre; hourglass shapes, orthogonal to linear motion */
+    double volume, stiffness; /* stiffness: against hourglasses */
 };
 
 struct model {
-    int nodes, elements, segs, slaves, first_upper; /* nodes from first_upper on are the upper plate's */
-    vec *X;                                         /* nodes, undeformed */
+    int nodes, elements, segs, slaves, first_upper; /* nodes from first_upper on belong to the upper plate */
+    vec *X;                                         /* indexed by node; undeformed */
     int (*hex)[8], (*seg)[4], *slave;
     struct element *element;
-    double *mass;          /* nodes */
+    double *mass;          /* indexed by node */
     double lambda, mu, dt; /* Lame's constants, stable time step */
     double penalty;        /* N/mm */
 };
@@ -37,8 +37,8 @@ struct plate {
     int n[3];
     vec low, size;
     double turn;                      /* about z, radians */
-    double (*height)(double, double); /* of its contact side above z = low or low + size */
-    int side;                         /* 0: contact below, 1: above */
+    double (*height)(double, double); /* height of its contact side above z = low or low + size */
+    int side;                         /* contact side: 0 below, 1 above */
 };
 
 static double waves(double x, double y)
@@ -51,7 +51,8 @@ static double bowl(double x, double y)
     return (x * x + y * y) / 600.0;
 }
 
-/* Node (i,j,k): a brick, its inner nodes moved in the plane, one side curved, turned about z. */
+/* Places node (i,j,k) of a brick: inner nodes are moved in the plane, one side is curved, and the brick is turned about
+ * z. */
 static void place_node(const struct plate *p, const int ijk[3], vec X)
 {
     double u[3], r[3];
@@ -129,7 +130,8 @@ static void write_inp(const struct model *m)
 static const double CORNER[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                     {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 
-/* Gradients at the centre, hourglass shapes h less their linear part, and the element's share in masses and dt. */
+/* Computes gradients at the centre, hourglass shapes h minus their linear part, and the element's share in masses and
+ * dt. */
 static void prepare_element(struct model *m, int e)
 {
     struct element *const q = &m->element[e];
@@ -163,7 +165,7 @@ static void prepare_element(struct model *m, int e)
     m->dt = fmin(m->dt, COURANT * sqrt(DENSITY / (m->lambda + 2.0 * m->mu) / bb) * 2.0);
 }
 
-/* Forces of the elements onto f; strain energy, hourglasses included. */
+/* Adds forces of the elements to f; returns the strain energy, including hourglasses. */
 static double internal_forces(const struct model *m, const vec *x, vec *f)
 {
     double energy = 0.0;
@@ -206,7 +208,7 @@ static double internal_forces(const struct model *m, const vec *x, vec *f)
     return energy;
 }
 
-/* ---- all of it ---- */
+/* ---- the model ---- */
 
 static struct model plates(void)
 {
@@ -215,7 +217,7 @@ static struct model plates(void)
     struct model m = {.dt = 1e30};
     m.lambda = YOUNG * POISSON / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
     m.mu = 0.5 * YOUNG / (1.0 + POISSON);
-    m.penalty = 0.35 * (m.lambda + 2.0 * m.mu); /* of an upper element, edge 0.7 mm, about half its own stiffness */
+    m.penalty = 0.35 * (m.lambda + 2.0 * m.mu); /* about half the stiffness of an upper element (0.7 mm) */
     add_plate(&m, &lower);
     m.first_upper = m.nodes;
     add_plate(&m, &upper);

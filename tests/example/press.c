@@ -1,38 +1,38 @@
-/* An elastic block is pressed onto another and then drawn along it, with Coulomb friction or without: implicit, one
- * static equilibrium a step, by Newton's iteration, whose residuals are printed.  The faces in contact are triangles of
- * three or six nodes or quadrilaterals of four, eight or nine.
+/* An elastic block is pressed onto another and then drawn along it, with or without Coulomb friction: implicit, one
+ * static equilibrium per step, by Newton's iteration, whose residuals are printed. The faces in contact are triangles
+ * of three or six nodes or quadrilaterals of four, eight or nine.
  *
- *     press [KIND [FRICTION]]      all five kinds, without friction and with 0.3, unless told
+ *   press [KIND [FRICTION]]      default: all five kinds, without friction and with 0.3
  *
- * Prints of each step how far the upper block's top has gone down and along, the contact's force on the block (pressing
- * and drawing, N), how many slave nodes touch and how many of these slide, and of Newton's iterations the residual: the
- * norm of the forces that are not balanced, relative to that of the forces at the block's top.  Unless told a kind, at the
- * end of each kind, with friction, how long local search takes from scratch, from the last answers, and by Newton's
- * iteration from these.
+ * Prints for each step how far the upper block's top has moved down and along, the contact force on the block (pressing
+ * and drawing, N), how many slave nodes touch, how many of these slide, and the residuals of Newton's iterations: the
+ * norm of the unbalanced forces, relative to the norm of the forces at the block's top. Without KIND, also prints for
+ * each kind, with friction, how long local search takes from scratch, from the last answers, and by Newton's iteration
+ * from these.
  *
- *     make -C ../.. runtime
- *     cc -O3 press.c ../../build/libfootpoint.a -o press -lm && ./press */
+ *   make -C ../.. runtime
+ *   cc -O3 press.c ../../build/libfootpoint.a -o press -lm && ./press */
 #include "friction.h"
 #include "last_newton.h"
 
 #include <time.h>
 
 enum { STEPS = 8, PRESSING = 4, MOST_RESIDUALS = 30, HALVINGS = 4 };
-static const double DEPTH = 0.14, WAY = 0.2; /* of the block's top; mm */
-static const double FRICTION = 0.3;          /* Coulomb's coefficient, unless told */
+static const double DEPTH = 0.14, WAY = 0.2; /* motion of the block's top; mm */
+static const double FRICTION = 0.3;          /* Coulomb's coefficient, default */
 static const double DONE = 1e-12;            /* relative residual */
 
-/* A state of equilibrium, or on the way there. */
+/* A state of equilibrium, or an iterate. */
 struct state {
     vec *x, *f;
     double *K, *right, *step;
     struct touch *touch;
     vec force; /* of contact on the upper block */
     local_search *search;
-    double searching, searched; /* seconds, foot points */
+    double searching, searched; /* seconds, and number of foot points */
 };
 
-/* Of processor time. */
+/* Returns processor time. */
 static double seconds(void)
 {
     struct timespec t;
@@ -40,7 +40,7 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Forces and tangent of all that there is; returns the residual. */
+/* Adds all forces and tangents; returns the residual. */
 static double assemble(const struct model *m, double friction, struct state *s)
 {
     double free = 0.0, held = 0.0;
@@ -64,7 +64,7 @@ static double assemble(const struct model *m, double friction, struct state *s)
     return sqrt(free / held);
 }
 
-/* Part of a step. */
+/* Moves the state by a part of a step. */
 static void advance(const struct model *m, struct state *s, double part)
 {
     for (int n = 0; n < m->nodes; n++)
@@ -72,8 +72,8 @@ static void advance(const struct model *m, struct state *s, double part)
             s->x[n][k] += part * s->step[m->unknown[n] + k];
 }
 
-/* Newton's iteration: residuals into `residual`, how many is returned.  A step that makes the residual larger is halved,
- * a few times: what touches and what slides changes along it. */
+/* Runs Newton's iteration and returns how many residuals it wrote to `residual`. A step that increases the residual is
+ * halved a few times, because contact and slip change along it. */
 static int equilibrium(const struct model *m, double friction, struct state *s, double *residual)
 {
     int n = 0;
@@ -92,7 +92,7 @@ static int equilibrium(const struct model *m, double friction, struct state *s, 
     return n;
 }
 
-/* The upper block's top, moved; to begin with, the block is sheared and pressed evenly, and its underside stays. */
+/* Moves the upper block's top. To begin with, the block is sheared and pressed evenly, and its underside stays. */
 static void move(const struct model *m, struct state *s, const vec by)
 {
     const double low = m->X[m->first_upper][2], high = m->X[m->nodes - 1][2];
@@ -116,7 +116,7 @@ static void print_step(int step, const struct model *m, const struct state *s, i
     putchar('\n');
 }
 
-/* Presses and draws, `times`: not told, but how long that takes.  0: no equilibrium was found. */
+/* Presses and draws `times` times, without printing, to measure the search. Returns 0 if no equilibrium was found. */
 static int press(enum footpoint_face kind, double friction, local_search search, const char *times)
 {
     struct model m = blocks(kind);

@@ -1,22 +1,21 @@
-/* A block slides over a drum: what smoothing of the contact surface does to the contact force.
+/* A block slides over a drum: the effect of smoothing the contact surface on the contact force.
  *
- * The drum is rigid, coarsely and unevenly meshed, and turns under an elastic block, whose upper side is held and
- * pressed down at first.  No friction.  Four worlds advance side by side: contact with the drum's facets; with Gregory
- * patches over them (patches.h), from the paper's normals at nodes (44) and from better ones; and with the round body
- * that the mesh is of.  Global search, facets and units: penalty.h; elements: plates.h.
+ * The drum is rigid, coarsely and unevenly meshed, and turns under an elastic block, whose upper side is pressed down
+ * at first and then held. No friction. Four worlds advance side by side: contact with the drum's facets; with Gregory
+ * patches over them (patches.h), from the paper's normals at nodes (44) and from better normals; and with the round
+ * body itself. Global search, facets and units: penalty.h; elements: plates.h.
  *
- *     cc -O3 -march=native slide.c ../../runtime/geometry/{gregory,bezier,node_normals}.c -o slide -lm
- *     ./slide                  all four, a table
- *     ./slide 0.5 FOLDER       half the time step; slide.csv in a folder that exists: forces over the distance slid
- */
+ *   cc -O3 -march=native slide.c ../../runtime/geometry/{gregory,bezier,node_normals}.c -o slide -lm
+ *   ./slide                  all four, a table
+ *   ./slide 0.5 FOLDER       half the time step; slide.csv in a folder that exists: forces over the distance slid */
 #include "patches.h"
 
 static const double PI = 3.14159265358979323846;
 static const double RING = 4.0, TUBE = 6.0;    /* radii of the drum, a torus about y; mm */
-static const double WIDE = 0.7;                /* how far it goes to either side, rad */
+static const double WIDE = 0.7;                /* half width, rad */
 static const double SPEED = 40.0, PRESS = 0.2; /* of the drum's middle, mm/ms; of the held side downwards, mm */
-static const double UNEVEN = 0.06;             /* of an edge, by which nodes are moved, at most */
-static const double RAMP = 4.0, LENGTH = 16.0; /* distance slid until it is pressed, until the end; mm */
+static const double UNEVEN = 0.06;             /* largest displacement of nodes, in edges */
+static const double RAMP = 4.0, LENGTH = 16.0; /* distance slid until the block is pressed, and until the end; mm */
 static const double DAMPING = 400.0;           /* by mass, 1/ms */
 enum { AROUND = 24, ACROSS = 4, GLOBAL_EVERY = 10 };
 enum surface { FACETS, PATCHES, EVEN_PATCHES, BODY, SURFACES };
@@ -26,11 +25,11 @@ struct slide {
     enum surface surface;
     struct world w;
     struct patches patches;
-    struct touch *touch, *before; /* of slave nodes, in this step and in the last */
+    struct touch *touch, *before; /* indexed by slave node, in this step and in the last */
     vec force, held;              /* on the block by contact; on the held nodes by the block */
     double power;                 /* of the drum on the block */
-    double work, lost;            /* of drum and holder on the block, and by damping */
-    vec impulse;                  /* that the block has received, damped like it */
+    double work, lost;            /* of drum and holder on the block; by damping */
+    vec impulse;                  /* received by the block, damped like it */
 };
 
 /* ---- drum and block ---- */
@@ -82,13 +81,13 @@ static struct model drum_and_block(void)
     return m;
 }
 
-/* Nodes from here on, the block's upper side, are held: as many as there are slave nodes below. */
+/* Returns the first of the held nodes, the block's upper side, which are as many as the slave nodes below. */
 static int first_held(const struct model *m)
 {
     return m->nodes - m->slaves;
 }
 
-/* How far the held side is down when the drum has slid by `distance`. */
+/* Returns how far the held side has moved down when the drum has slid by `distance`. */
 static double pressed(double distance)
 {
     return distance < RAMP ? 0.5 * PRESS * (1.0 - cos(PI * distance / RAMP)) : PRESS;
@@ -96,7 +95,7 @@ static double pressed(double distance)
 
 /* ---- contact ---- */
 
-/* The torus itself, which its turning does not change. */
+/* Finds contact with the torus itself, which does not change as it turns. */
 static void body_touch(const struct model *m, const struct world *w, struct touch *touch)
 {
     for (int i = 0; i < m->slaves; i++) {
@@ -116,8 +115,8 @@ static void body_touch(const struct model *m, const struct world *w, struct touc
 
 /* ---- the loop ---- */
 
-/* Penalty forces on the block where the gap is negative; their energy.  Force and power of the drum, whose velocity at
- * r is (z, 0, -x) omega. */
+/* Adds penalty forces on the block for negative gaps and returns their energy. Computes force and power of the drum,
+ * whose velocity at r is (z, 0, -x) omega. */
 static double push(const struct model *m, struct slide *s)
 {
     const double omega = SPEED / (RING + TUBE);
@@ -167,7 +166,7 @@ static void forces(const struct model *m, struct slide *s, int step)
             s->held[i] += w->f[n][i];
 }
 
-/* Half a step of velocities of the free nodes, then damping or, at its end, before. */
+/* Accelerates the free nodes by half a step, then damps; or damps first if `end` is set. */
 static void kick(const struct model *m, struct slide *s, double dt, int end)
 {
     const double keep = exp(-DAMPING * dt);
@@ -183,7 +182,7 @@ static void kick(const struct model *m, struct slide *s, double dt, int end)
         }
 }
 
-/* Drum and held side go as prescribed, the rest by its velocity. */
+/* Moves drum and held side as prescribed, other nodes by their velocity. */
 static void move(const struct model *m, struct slide *s, double from, double to, double dt)
 {
     const double angle = to / (RING + TUBE), c = cos(angle), sine = sin(angle);
@@ -210,7 +209,8 @@ static void advance(const struct model *m, struct slide *s, int step, double fro
     s->work += 0.5 * (dt * s->power + down * s->held[2]);
 }
 
-/* Energy that drum and holder have brought in less what is there or was lost; what the block's momentum is off. */
+/* Returns the energy from drum and holder minus stored and lost energy, and computes the error of the block's
+ * momentum. */
 static double energy_missing(const struct model *m, const struct slide *s)
 {
     double kinetic = 0.0;
@@ -229,15 +229,15 @@ static double momentum_missing(const struct model *m, const struct slide *s)
     return sqrt(dot(off, off));
 }
 
-/* ---- what comes of it ---- */
+/* ---- results ---- */
 
-/* Sums over the steps after the ramp, and the worst of them. */
+/* Sums over the steps after the ramp, and the worst steps. */
 struct figures {
-    double steps, sum, squares, along; /* of the normal force, its square, the square of the tangential one */
+    double steps, sum, squares, along; /* normal force: its square; square of the tangential force */
     double last, jump;                 /* tangential force; its largest change in a step */
-    double turn, gap_jump;             /* of a node's normal, as a chord, and of its gap, at a change of segment */
-    double lost;                       /* nodes that had contact, and no segment in the next step */
-    double energy, momentum, brought;  /* missing, and the largest that was brought in */
+    double turn, gap_jump;             /* at a change of segment: of a node's normal, as a chord, and of its gap */
+    double lost;                       /* nodes with contact that had no segment in the next step */
+    double energy, momentum, brought;  /* missing, and the largest energy brought in */
 };
 
 static void take_figures(const struct model *m, const struct slide *s, struct figures *f)

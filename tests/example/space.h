@@ -1,4 +1,4 @@
-/* What the meshes of the examples share: vectors, room for them, and the inverse of a jacobian. */
+/* Shared by the meshes of the examples: vectors, memory for them, and the inverse of a Jacobian. */
 #ifndef SPACE_H
 #define SPACE_H
 
@@ -17,7 +17,7 @@ static void *room_for(void *old, size_t n, size_t size)
     return p;
 }
 
-/* Returns the determinant. */
+/* Inverts J and returns its determinant. */
 static double invert(double J[3][3], double inverse[3][3])
 {
     double det = 0.0;

@@ -1,5 +1,5 @@
-/* Families of cases; see cases.h.  Four-node faces are those of tests/hard; curved ones are four-node ones whose
- * edges and middles are moved. */
+/* Families of cases; see cases.h. Four-node faces are those of tests/hard; curved faces have moved edges and
+ * middles. */
 #include "cases.h"
 
 #include "../hard/draw.h"
@@ -30,7 +30,7 @@ const struct library_family library_families[] = {
 
 const int library_family_count = sizeof library_families / sizeof *library_families;
 
-/* How much edges and middles are moved, in edges; range of xi and eta; gap. */
+/* Displacement of edges and middles, in edges; range of xi and eta; gap. */
 struct curved {
     double moved, range, gap;
 };
@@ -47,7 +47,7 @@ static struct curved curved_of(const char *name)
                                             : ordinary;
 }
 
-/* Corners A to D with A = D of a triangle left out, edges' middles, centre. */
+/* Makes a curved face from corners A to D (a triangle omits one), mid-sides and centre. */
 static void curve(uint64_t *s, int kind, const struct hard_case *h, double moved, struct library_case *c)
 {
     const int corners = kind == LIBRARY_TRI6 ? 3 : 4;
@@ -73,7 +73,7 @@ static void curve(uint64_t *s, int kind, const struct hard_case *h, double moved
         }
 }
 
-/* Position, tangents and unit normal in double; 0 if there is none. */
+/* Computes position, tangents and unit normal in double; returns 0 if there is no normal. */
 static int frame_at(const struct face *f, const double loc[2], double r[3], double u[3], double v[3], double n[3])
 {
     const wide z[2] = {loc[0], loc[1]};
@@ -91,7 +91,7 @@ static int frame_at(const struct face *f, const double loc[2], double r[3], doub
     return area > 0;
 }
 
-/* A gap at which the Hessian of the distance is nearly singular: 1 / curvature along a direction drawn. */
+/* Returns a gap at which the Hessian of the distance is nearly singular: 1 / curvature along a random direction. */
 static double focal_gap(uint64_t *s, const struct face *f, const double loc[2])
 {
     const double h = 1e-4, t = draw_flat(s, 0, 3.141592653589793), d[2] = {cos(t), sin(t)};

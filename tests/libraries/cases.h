@@ -1,4 +1,4 @@
-/* The faces and slave nodes that libraries are compared on, family by family, each from a seed; see cases.c. */
+/* Families of faces and slave nodes on which libraries are compared, each drawn from a seed; see cases.c. */
 #ifndef FOOTPOINT_LIBRARY_CASES_H
 #define FOOTPOINT_LIBRARY_CASES_H
 
@@ -10,7 +10,7 @@ struct library_case {
 
 struct library_family {
     const char *name, *what;
-    const char *hard; /* the family of tests/hard/hard.c that its four-node faces are, or NULL */
+    const char *hard; /* family of tests/hard/hard.c with its four-node faces, or NULL */
     unsigned kinds;   /* bits 1 << kind */
     int on_face;      /* the slave node lies on the face */
 };
@@ -18,7 +18,7 @@ struct library_family {
 extern const struct library_family library_families[];
 extern const int library_family_count;
 
-/** Case number `index` of a family, the same on every machine. */
+/** Draws case number `index` of a family, the same on every machine. */
 void library_draw(int family, int kind, unsigned long index, struct library_case *c);
 
 #endif

@@ -1,7 +1,7 @@
-/* See face.h.  All faces are polynomials of degree 2 in xi and in eta, so on a square half the square of the distance
- * is one of degree 4 in each, whose Bernstein coefficients bound it: boxes that cannot hold the least are left, the
- * others halved.  A triangle is such a square with one edge of no length.  What is found is polished by Newton's
- * method in extended precision. */
+/* Closest points by subdivision; see face.h. All faces are polynomials of degree 2 in xi and in eta. So on a square,
+ * half the squared distance has degree 4 in each, and its Bernstein coefficients bound it. Boxes that cannot contain
+ * the minimum are dropped, others are halved. A triangle is a square with one edge of length 0. Newton's method in
+ * extended precision polishes the result. */
 #include "face.h"
 
 #include <math.h>
@@ -9,10 +9,10 @@
 
 enum { STEPS = 60, STARTS = 3, BOXES = 40000 };
 
-#define TIE 1e-10   /* of the longest edge: distances that are the same */
-#define LEFT 1e-8   /* ... that is left undecided between boxes */
-#define FLAT 1e-5   /* ... from the closest point, where being as near will do */
-#define SMALL 1e-24 /* steps after which Newton's method stands */
+#define TIE 1e-10   /* in longest edges: distances that count as equal */
+#define LEFT 1e-8   /* ... left undecided between boxes */
+#define FLAT 1e-5   /* ... from the closest point, if an equal distance suffices */
+#define SMALL 1e-24 /* a step at which Newton's method has converged */
 
 const int face_nodes[LIBRARY_KINDS] = {4, 6, 8, 9};
 
@@ -28,7 +28,7 @@ static wide dot(const wide a[3], const wide b[3])
 
 /* ---- the polynomial ---- */
 
-/* Of a quadrilateral from its values at -1, 0, 1. */
+/* Computes the coefficients of a quadrilateral from its values at -1, 0, 1. */
 static void from_grid(wide g[3][3][3], struct face *f)
 {
     static const int from[3][3] = {{0, 2, 0}, {-1, 0, 1}, {1, -2, 1}}; /* twice the coefficient */
@@ -93,7 +93,7 @@ void face_of(int kind, const double *x, struct face *f)
         quadrilateral(kind, x, f);
 }
 
-/* Position, first derivatives, and second ones: by xi twice, xi and eta, eta twice. */
+/* Computes position, first and second derivatives: by xi twice, xi and eta, eta twice. */
 static void jet(const struct face *f, const wide z[2], wide r[6][3])
 {
     const wide p[3][3] = {{1, z[0], z[0] * z[0]}, {0, 1, 2 * z[0]}, {0, 0, 2}},
@@ -140,7 +140,7 @@ double face_distance(const struct face *f, const double xs[3], const wide z[2])
 
 /* ---- Newton's method ---- */
 
-/* Gradient and Hessian of half the square of the distance. */
+/* Computes gradient and Hessian of half the squared distance. */
 static void expand(const struct face *f, const double xs[3], const wide z[2], wide g[2], wide h[3])
 {
     wide r[6][3], d[3];
@@ -154,7 +154,7 @@ static void expand(const struct face *f, const double xs[3], const wide z[2], wi
     h[2] = dot(r[2], r[2]) - dot(r[5], d);
 }
 
-/* 1 if it stands. */
+/* Runs Newton's method on the face; returns 1 if it converges. */
 static int newton_free(const struct face *f, const double xs[3], wide z[2])
 {
     for (int n = 0; n < STEPS; n++) {
@@ -174,7 +174,7 @@ static int newton_free(const struct face *f, const double xs[3], wide z[2])
     return 0;
 }
 
-/* Ends of the edges in xi and eta. */
+/* Returns the ends of an edge in xi and eta. */
 static int ends_of(const struct face *f, int edge, wide a[2], wide b[2])
 {
     static const int square[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}},
@@ -187,7 +187,7 @@ static int ends_of(const struct face *f, int edge, wide a[2], wide b[2])
     return f->kind == LIBRARY_TRI6 ? 3 : 4;
 }
 
-/* Along an edge from the point of it that is nearest to z; clamped to its ends. */
+/* Runs Newton's method along an edge, from its point nearest to z; the result is clamped to the ends. */
 static void newton_edge(const struct face *f, const double xs[3], int edge, wide z[2])
 {
     wide a[2], b[2], t = 0, length = 0;
@@ -212,7 +212,7 @@ static void newton_edge(const struct face *f, const double xs[3], int edge, wide
     }
 }
 
-/* Calls `use` with stationary points, of the face and of its edges, that Newton's method finds from z, and with the
+/* Calls `use` with the stationary points of the face and of its edges that Newton's method finds from z, and with the
  * ends of the edges. */
 typedef void visitor(void *data, const wide z[2], int inside);
 
@@ -237,7 +237,7 @@ static void visit(const struct face *f, const double xs[3], const wide from[2], 
 struct best {
     const struct face *f;
     const double *xs;
-    wide z[2], square, inside; /* least of all, and of stationary points inside */
+    wide z[2], square, inside; /* nearest of all, and of stationary points inside */
 };
 
 static void improve(void *data, const wide z[2], int inside)
@@ -253,7 +253,7 @@ static void improve(void *data, const wide z[2], int inside)
     }
 }
 
-/* The square (s,t) in [0,1]^2. */
+/* Maps the square (s,t) in [0,1]^2 to xi and eta. */
 static void on_square(const struct face *f, long double s, long double t, wide z[2])
 {
     z[0] = f->kind == LIBRARY_TRI6 ? (wide)s : 2 * (wide)s - 1;
@@ -264,7 +264,7 @@ struct box {
     long double c[5][5], s, t, width, height;
 };
 
-/* Control points of r - xS, then coefficients of the square of its length. */
+/* Computes the control points of r - xS, then the coefficients of its squared length. */
 static void first_box(const struct face *f, const double xs[3], struct box *box)
 {
     static const int binomial[3] = {1, 2, 1}, of_four[5] = {1, 4, 6, 4, 1};
@@ -299,14 +299,14 @@ static void first_box(const struct face *f, const double xs[3], struct box *box)
     box->width = box->height = 1;
 }
 
-/* Halves of a box: the second one takes the place of it. */
+/* Halves a box, which becomes the upper half. */
 static void split(struct box *box, struct box *lower)
 {
     const int across = box->height > box->width;
     *lower = *box;
     for (int line = 0; line < 5; line++)
         for (int level = 1; level < 5; level++)
-            for (int i = 0; i < 5 - level; i++) { /* de Casteljau: what is left is the upper half */
+            for (int i = 0; i < 5 - level; i++) { /* de Casteljau: the upper half remains */
                 long double *const here = across ? &box->c[line][i] : &box->c[i][line], *const next =
                                                                                             across
                                                                                                 ? &box->c[line][i + 1]
@@ -332,10 +332,10 @@ static long double bound_of(const struct box *box)
     return least;
 }
 
-/* A heap of numbers of boxes, the one of the least bound on top. */
+/* A heap of box numbers with the least bound on top. */
 struct heap {
     int count, number[BOXES];
-    long double bound[BOXES]; /* by the number of a box */
+    long double bound[BOXES]; /* indexed by box */
 };
 
 static void push(struct heap *h, int number, long double bound)
@@ -362,7 +362,7 @@ static int pop(struct heap *h)
     return top;
 }
 
-/* 1 if no box is left that may hold anything nearer than the best by more than `enough`, a distance. */
+/* Returns 1 if no box is left that could contain a point nearer than the best by more than the distance `enough`. */
 static int subdivide(const struct face *f, const double xs[3], struct best *b, long double enough)
 {
     static struct box boxes[BOXES];
@@ -408,7 +408,7 @@ void face_find(const struct face *f, const double xs[3], struct face_nearest *n)
     n->on_edge = !(sqrt((double)b.inside) <= n->distance + TIE * f->edge);
 }
 
-/* ---- how far off ---- */
+/* ---- errors ---- */
 
 struct near {
     const struct face *f;
@@ -444,7 +444,7 @@ double face_off_closest(const struct face *f, const double xs[3], const struct f
     face_jet(f, z, n.r, NULL, NULL);
     approach(&n, nearest->z, 0);
     visit(f, xs, z, approach, &n);
-    if (!(n.off <= FLAT * f->edge) && face_holds(f, z, 0)) /* where the distance hardly changes */
+    if (!(n.off <= FLAT * f->edge) && face_holds(f, z, 0)) /* if the distance hardly changes */
         approach(&n, z, 0);
     return n.off;
 }

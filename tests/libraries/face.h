@@ -1,5 +1,5 @@
 /* Faces of four, six, eight and nine nodes in extended precision, and their closest points by subdivision: the
- * reference that libraries are judged by.  Nothing of it is shared with runtime/ or generated/; see face.c. */
+ * reference for libraries. It shares nothing with runtime/ or generated/; see face.c. */
 #ifndef FOOTPOINT_FACE_H
 #define FOOTPOINT_FACE_H
 
@@ -10,32 +10,33 @@
 struct face {
     int kind;
     wide c[3][3][3];
-    double edge; /* longest distance of two corners that follow one another; mesh length */
+    double edge; /* largest distance between neighbouring corners; mesh length */
 };
 
 struct face_nearest {
     wide z[2];
     double distance; /* mesh length */
-    int on_edge;     /* no point inside, where xS - r is normal to the face, is as near to 1e-10 of an edge */
+    int on_edge;     /* no inner point at which xS - r is normal to the face is equally near, to 1e-10 of an edge */
     int certain;     /* 0 if there were too many boxes */
 };
 
 extern const int face_nodes[LIBRARY_KINDS];
 
-/** x: nodes x 3. */
+/** Makes a face; x: nodes x 3. */
 void face_of(int kind, const double *x, struct face *f);
-/** Position, and derivatives by xi and eta; any of the three may be NULL. */
+/** Computes position, and derivatives by xi and eta; each of the three may be NULL. */
 void face_jet(const struct face *f, const wide z[2], wide r[3], wide u[3], wide v[3]);
-/** 1 if z lies on the closed face, to `slack`. */
+/** Returns 1 if z lies on the closed face, to `slack`. */
 int face_holds(const struct face *f, const wide z[2], double slack);
 double face_distance(const struct face *f, const double xs[3], const wide z[2]);
 
-/** The closest point of the closed face. */
+/** Finds the closest point of the closed face. */
 void face_find(const struct face *f, const double xs[3], struct face_nearest *n);
 
-/** How far r(loc) is from a closest point of the face, of several the nearest; INFINITY if none is near. */
+/** Returns the distance of r(loc) from the nearest closest point of the face; INFINITY if no closest point is near. */
 double face_off_closest(const struct face *f, const double xs[3], const struct face_nearest *n, const double loc[2]);
-/** How far r(loc) is from a point where xS - r is normal to the face; INFINITY if Newton's method finds none there. */
+/** Returns the distance of r(loc) from a point at which xS - r is normal to the face; INFINITY if Newton's method finds
+ *  no such point. */
 double face_off_foot(const struct face *f, const double xs[3], const double loc[2]);
 
 #endif

@@ -1,5 +1,5 @@
-// The last step of Newton's method for the foot point of a four-node face, and the gap, in any type of numbers: what
-// tools for derivatives are given.  x: A, B, C, D, xS; u, v: xi and eta from a search in double.
+// The last step of Newton's method for the foot point of a four-node face, and the gap, in any type of numbers: the
+// input of tools for derivatives.  x: A, B, C, D, xS; u, v: xi and eta from a search in double.
 #ifndef FOOTPOINT_LAST_STEP_H
 #define FOOTPOINT_LAST_STEP_H
 
@@ -25,7 +25,7 @@ template <typename T> struct last_step_frame {
     }
 };
 
-// xi, eta and gap.
+// Computes xi, eta and gap.
 template <typename T> void last_step(const T *x, T u, T v, T out[3])
 {
     using std::sqrt;

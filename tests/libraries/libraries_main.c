@@ -1,16 +1,18 @@
 /* Judges and times searches of libraries on the same faces and slave nodes:
- *     libraries_main CASES LIBRARY.so...
- * Each library is loaded as a shared object (library.h).  Prints CSV lines
- *     version,LIBRARY,VERSION
- *     search,LIBRARY,SEARCH,KIND,QUESTION,NOTE
- *     family,FAMILY,KIND,LIBRARY,SEARCH,judged,ns,ns_again,right,wrong,refused,endless,crashed,off
- *     derivative,LIBRARY,SEARCH,cases,ns,failed,off,NOTE
- * ns: of a search with a face that is new, and of one more on the same face, least of the rounds, in processor time;
- * the searches of all libraries in turn, in one process.  wrong: an answer that is not, without saying so; refused: a
- * status in place of an answer that there is; endless: not done in 0.2 s of processor time; crashed: the process
- * died.  off: median error of the answers, in longest edges.
+ *   libraries_main CASES LIBRARY.so...
  *
- * Searches are judged in a process each, so that what never ends or dies takes nobody along. */
+ * Each library is a shared object (library.h). Prints CSV lines
+ *   version,LIBRARY,VERSION
+ *   search,LIBRARY,SEARCH,KIND,QUESTION,NOTE
+ *   family,FAMILY,KIND,LIBRARY,SEARCH,judged,ns,ns_again,right,wrong,refused,endless,crashed,off
+ *   derivative,LIBRARY,SEARCH,cases,ns,failed,off,NOTE
+ *
+ * ns: a search on a new face, and another search on the same face; least processor time of the rounds, in which all
+ * libraries take turns in one process. wrong: a wrong answer without a status; refused: a status although there is an
+ * answer; endless: not finished in 0.2 s of processor time; crashed: the process died. off: median error of the
+ * answers, in longest edges.
+ *
+ * Each search is judged in its own process, so an endless loop or a crash affects no other. */
 #include "library_judge.h"
 
 #include <dlfcn.h>
@@ -28,13 +30,13 @@
 
 enum { MOST_CASES = 2000, MOST_LIBRARIES = 32, MOST_SEARCHES = 96, ROUNDS = 15, LIMIT = 200000 /* microseconds */ };
 
-#define SLOW 1e7   /* nanoseconds of a pass after which caches do not matter */
-#define ENOUGH 3e8 /* nanoseconds that a search may take of the rounds of a family, at the least one round */
+#define SLOW 1e7   /* passes longer than this (ns) do not depend on caches */
+#define ENOUGH 3e8 /* largest time (ns) of a search in a family's rounds; at least one round is run */
 
 static const char *const kind_names[LIBRARY_KINDS] = {"quad4", "tri6", "quad8", "quad9"};
 static const char *const question_names[] = {"foot", "inside", "closest", "point"};
 
-/* What a child writes. */
+/* Written by a child process. */
 enum outcome { NOT_DONE, STARTED, DONE, ENDLESS, CRASHED };
 struct result {
     int outcome, status;
@@ -75,7 +77,7 @@ static void limit(int microseconds)
     (void)setitimer(ITIMER_PROF, &t, NULL);
 }
 
-/* ---- judging: a process for each search, and another one from the case after one that does not end ---- */
+/* ---- judging: a process for each search, and a new process from the case after an endless one ---- */
 
 static void run_from(const void *search, int kind, int first)
 {
@@ -100,7 +102,7 @@ static int next_case(void)
     return i;
 }
 
-/* Runs `run` in a child with nothing on its stdout and stderr; the status that it ended with, or -1. */
+/* Runs `run` in a child process whose stdout and stderr are discarded. Returns the child's exit status, or -1. */
 static int in_child(void (*run)(const void *, int, int), const void *what, int a, int b)
 {
     int status = 0;
@@ -167,7 +169,7 @@ static void judge(const struct library_search *s, struct tally *t)
     t->off = median(off, answers);
 }
 
-/* ---- timing: all libraries in one process, in turn ---- */
+/* ---- timing: all libraries take turns in one process ---- */
 
 static struct place {
     const struct library *library;
@@ -183,7 +185,7 @@ static double now(void)
     return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
 }
 
-/* Times searches of cases that end, by workspaces: one for all, or one for each. */
+/* Times searches of cases that end, with one workspace for all or one for each. */
 static double time_round(const struct library_search *s, const char *skip, void **work, int again)
 {
     static struct library_answer answer;
@@ -217,7 +219,7 @@ static void time_all(const void *unused, int kind, int none)
                 if ((spent[p] > ENOUGH && isfinite(shared->ns[p][again])) ||
                     places[p].tally.endless + places[p].tally.crashed == cases)
                     continue;
-                for (int pass = 0; pass < 2; pass++) { /* the second finds its code and data in the caches */
+                for (int pass = 0; pass < 2; pass++) { /* the second pass finds code and data in the caches */
                     const double ns = time_round(places[p].search, places[p].tally.skip, work[p], again);
                     spent[p] += ns * cases;
                     shared->ns[p][again] = fmin(shared->ns[p][again], ns);

@@ -1,6 +1,6 @@
-/* Embree: a point query of a four-node face that is split into four triangles about the centre.  The library walks
- * its tree of boxes; the closest point of a triangle is the caller's, as its documentation says.  Single precision.
- * */
+/* Embree: a point query of a four-node face that is split into four triangles about the centre. The library traverses
+ * its tree of boxes. The caller computes the closest point of a triangle, as its documentation prescribes. Single
+ * precision. */
 #include "library.h"
 
 #include "../rivals/four_triangles.h"

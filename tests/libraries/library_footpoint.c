@@ -1,4 +1,4 @@
-/* Ours: functions of generated/ and of the library, as their READMEs say. */
+/* footpoint: functions of generated/ and of the library, used as their READMEs describe. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
@@ -55,7 +55,7 @@ static int told(int status)
     return status == FOOTPOINT_OK ? LIBRARY_ANSWER : LIBRARY_NONE;
 }
 
-/* All statuses of footpoint_robust with which it writes, but one that says that the answer may be wrong. */
+/* Returns true for statuses of footpoint_robust with outputs, except the status for an answer that may be wrong. */
 static int told_robust(int status)
 {
     return status == FOOTPOINT_OK || status == FOOTPOINT_OUTSIDE || status == FOOTPOINT_NOT_UNIQUE ||
@@ -76,7 +76,7 @@ SEARCH(quad8_full, told(footpoint_quad8_full(EIGHT, a->loc, &gap)))
 SEARCH(quad9_accurate, told(footpoint_quad9_accurate(NINE, a->loc, &gap)))
 SEARCH(quad9_full, told(footpoint_quad9_full(NINE, a->loc, &gap)))
 
-/* CalculiX's interface: the slave node is overwritten by the answer. */
+/* Calls CalculiX's interface, which overwrites the slave node by the answer. */
 static int attach(void *work, const double xs[3], struct library_answer *a)
 {
     struct work *const w = work;

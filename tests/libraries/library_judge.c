@@ -1,18 +1,19 @@
-/* See library_judge.h.
+/* Judges answers; see library_judge.h.
  *
- * A search for the closest point of the closed face is right if its point is one, to the tolerance, or as near to xS to
- * 1e-10 of an edge.  A search for a foot point is right if it finds the closest point where that is a foot point inside
- * the face, and else if it finds any foot point, inside or not, or says that it has none. */
+ * A search for the closest point of the closed face is right if its point is a closest point, to the tolerance, or
+ * equally near to xS, to 1e-10 of an edge. A search for a foot point is right if it finds the closest point, if that is
+ * a foot point inside the face. Otherwise it is right if it finds any foot point, inside or not, or reports that there
+ * is no answer. */
 #include "library_judge.h"
 
 #include <math.h>
 #include <string.h>
 
-#define AGREE 2e-8 /* of the longest edge: two references */
-#define STEP 1e-9  /* of differences; in 113 bits their error is about its square */
+#define AGREE 2e-8 /* largest difference between two references, in longest edges */
+#define STEP 1e-9  /* step of differences; in 113 bits their error is about its square */
 #define ROUNDING 1e-14
 
-/* What tests/hard says of the distance, by another subdivision and other arithmetic. */
+/* Returns true if tests/hard finds the same distance, by another subdivision and other arithmetic. */
 static int agrees(const struct library_truth *t)
 {
     static struct truth other;
@@ -34,7 +35,7 @@ int library_truth_find(int kind, const struct library_case *c, struct library_tr
     return t->nearest.certain && (kind != LIBRARY_QUAD4 || agrees(t));
 }
 
-/* xi and eta of a point in space; how far it is from the face, in longest edges. */
+/* Finds xi and eta of a point in space; returns its distance from the face, in longest edges. */
 static double place_of(const struct face *f, const double point[3], double loc[2])
 {
     struct face_nearest n;

@@ -1,4 +1,4 @@
-/* For the test of what judges libraries: searches that are right, that lie, refuse, crash and never end. */
+/* Planted searches, for the test of the judge: right, wrong, refusing, crashing and endless. */
 #include "library.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* SISL: closest points of spline surfaces.  Four-, eight- and nine-node faces are Bezier surfaces; s1954 finds all
- * closest points, s1958 one "in clear cut cases", s1775 iterates from a guess, here the middle. */
+/* SISL: closest points of spline surfaces. Four-, eight- and nine-node faces are Bezier surfaces. s1954 finds all
+ * closest points, s1958 one "in clear cut cases", and s1775 iterates from a guess, here the middle. */
 #include "library.h"
 
 #include <sisl.h>
@@ -8,7 +8,8 @@
 #define COMPUTED 1e-12 /* relative */
 #define GEOMETRY 1e-9  /* mesh length */
 
-/* In place of SISL's, which prints on stderr: Debian's archive is not compiled for shared objects that name that. */
+/* Replaces SISL's function, which prints on stderr: Debian's archive is not compiled for shared objects that use
+ * stderr. */
 void s6err(const char *routine, int status, int position);
 void s6err(const char *routine, int status, int position)
 {
@@ -35,13 +36,13 @@ static void *open_surface(int kind)
     return w;
 }
 
-/* Control points of a quadratic curve through three points: the middle one. */
+/* Returns the middle control point of a quadratic curve through three points. */
 static double middle(double a, double m, double b)
 {
     return 2 * m - 0.5 * (a + b);
 }
 
-/* Control points, the first parameter's index running first. */
+/* Computes control points; the first parameter's index runs first. */
 static void controls(int kind, const double *x, double *c)
 {
     static const int corner[4] = {0, 2, 8, 6}, side[4] = {1, 5, 7, 3};
