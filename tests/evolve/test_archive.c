@@ -1,4 +1,4 @@
-/* The archive: which member of a front becomes champion, seeds from files, and the front's own file. */
+/* The archive: the choice of champions from fronts, seeds from files, and the file of fronts. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/write/archive_write.h"
@@ -15,7 +15,7 @@
 #define START "/tmp/footpoint_archive_start.gen"
 #define WRITTEN "/tmp/footpoint_archive_front.gen"
 
-/* One tier, "steps", of which p and q are terminals; the champion's constant has more digits than a decimal gene. */
+/* One tier, "steps", with terminals p and q. The champion's constant has more digits than a decimal gene. */
 static const char start_text[] = "footpoint-genome 1\ninput xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS\n"
                                  "let p = - xS xA\nlet q = - yS yA\n"
                                  "genome steps\nxi = + 0.12345678901 * p q\neta = q\nend\n"
@@ -34,7 +34,7 @@ static struct archive *archive_of(struct scene *s, const char *start)
     return a;
 }
 
-/* Samples at random; xi = p q, eta = q. */
+/* Makes random samples with xi = p q, eta = q. */
 static struct columns table_of(struct sample_set *set)
 {
     struct columns c = columns_new(set->n, 15 + 2 + 2);
@@ -103,8 +103,7 @@ static void offer(struct fixture *f, struct archive *a, const int *gene, size_t 
     archive_offer(a, &f->plan, &a->quest[0], &t, error, ORIGIN_RANDOM);
 }
 
-/* Nothing better: the champion's genes stay as they were read.  Better: it is outdone, and its new constants are exact.
- */
+/* If nothing is better, the champion keeps its genes; otherwise it is replaced, and the new constants are exact. */
 static void champions_yield_to_the_better_alone(void **state)
 {
     struct fixture *f = *state;
@@ -126,7 +125,7 @@ static void champions_yield_to_the_better_alone(void **state)
     archive_free(a);
 }
 
-/* A budget takes the lowest error within it, even from a better champion that exceeds it. */
+/* The lowest error within the budget wins, even over a better champion that exceeds the budget. */
 static void budgets_decide(void **state)
 {
     struct fixture *f = *state;
@@ -144,7 +143,7 @@ static void budgets_decide(void **state)
     f->tier.budget = 0;
 }
 
-/* Of what is within the budget and right to rounding the cheapest is taken, else the lowest error. */
+/* Among members within the budget and right to rounding the cheapest wins, otherwise the lowest error. */
 static void less_than_rounding_is_no_gain(void **state)
 {
     struct fixture *f = *state;
@@ -197,7 +196,7 @@ static void seeds_go_where_they_fit(void **state)
     assert_int_equal(archive_seeds(a, &a->quest[0], &seed), 0);
     f->tier.max_length = 9;
     free(seed);
-    archive_add_seed(a, 0, 0, &(struct genes){(int[]){GENE_SYMBOL}, 1}); /* xA is no terminal */
+    archive_add_seed(a, 0, 0, &(struct genes){(int[]){GENE_SYMBOL}, 1}); /* xA is not a terminal */
     assert_int_equal(archive_seeds(a, &a->quest[0], &seed), 3);
     free(seed);
     archive_measure(a, &f->plan, f->objective);
@@ -211,7 +210,7 @@ static void seeds_go_where_they_fit(void **state)
     archive_free(a);
 }
 
-/* eta is q to rounding, xi is no terminal: eta alone needs nothing evolved, and the genome says so. */
+/* eta equals q to rounding, xi equals no terminal. So only eta is not evolved, and the genome has a note of it. */
 static void exact_values_are_taken(void **state)
 {
     struct fixture *f = *state;
@@ -252,7 +251,7 @@ static void exact_values_are_taken(void **state)
     }
 }
 
-/* The front's file holds a genome for each member, which reads back to the same expression. */
+/* The front's file contains a genome for each member, which reads back as the same expression. */
 static void fronts_are_written(void **state)
 {
     struct fixture *f = *state;

@@ -1,7 +1,7 @@
-/* The paper's data set and the figures that our reading of it gives (section 6.1, tables 2 and 3): the count of
- * configurations, the errors of the area-coordinate method (12)-(16), and those of a complete cubic in the eight
- * coordinates, fitted by least squares to the training samples and measured on all others.  The last, and the count of
- * what the certain solver finds, with FOOTPOINT_LONG alone. */
+/* The paper's data set as we read it, and its figures (section 6.1, tables 2 and 3): the number of configurations, the
+ * errors of the area-coordinate method (12)-(16), and the errors of a complete cubic in the eight coordinates, fitted
+ * by least squares to the training samples and measured on all others. The cubic and the count by the certain solver
+ * need FOOTPOINT_LONG. */
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/foot_bilinear.h"
 
@@ -20,7 +20,7 @@
 #define TERMS 165 /* monomials of degree 0..3 in 8 variables */
 #define ROWS 1000 /* of one block of the least squares */
 
-static struct sample_set training, heldout, whole; /* whole: the set as it is, but for one or two samples */
+static struct sample_set training, heldout, whole; /* whole: the set, except one or two samples */
 
 /* Mean |error| in xi and eta over n samples. */
 struct mean {
@@ -40,8 +40,8 @@ static struct mean finish(struct mean m)
     return (struct mean){m.xi / (double)m.n, m.eta / (double)m.n, m.n};
 }
 
-/* Newton's iteration on (7), (8) from (0,0), of the given number of steps; true if it then stands at a local minimum of
- * the distance in A's quarter. */
+/* Takes `steps` Newton steps on (7), (8) from (0,0); returns true if they end at a local minimum of the distance in A's
+ * quarter. */
 static bool newton_from_centre(const struct sample *s, int steps)
 {
     double c[4][3], xi = 0, eta = 0;
@@ -83,7 +83,7 @@ static double triangle(const double a[3], const double b[3], const double c[3])
     return sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
 }
 
-/* Equations (12)-(16), with the triangles of the slave node itself. */
+/* Computes equations (12)-(16), with the triangles of the slave node itself. */
 static void area_coordinates(const struct sample *s, double *xi, double *eta)
 {
     double d[4];
@@ -111,7 +111,7 @@ static void monomials(const struct sample *s, double m[TERMS])
     assert_int_equal(n, TERMS);
 }
 
-/* Coefficients of the least squares (22), by TSQR; of xi, or of eta. */
+/* Solves the least squares (22) for xi or eta, by TSQR. */
 static void fit_cubic(const struct sample_set *set, bool of_eta, gsl_vector *coefficient)
 {
     gsl_multilarge_linear_workspace *w = gsl_multilarge_linear_alloc(gsl_multilarge_linear_tsqr, TERMS);
@@ -195,7 +195,7 @@ static void assert_near(double value, double expected, double tolerance)
         fail_msg("%.6f (%a), expected %g within %g", value, value, expected, tolerance);
 }
 
-/* 494550 is the count with Newton's iteration from (0,0); it grows by some hundred with every further step allowed. */
+/* 494550 is the count with Newton's iteration from (0,0); each further step adds some hundred. */
 static void counts_the_configurations_that_newton_finds(void **state)
 {
     (void)state;
@@ -206,7 +206,7 @@ static void parts_are_of_the_published_size(void **state)
 {
     (void)state;
     assert_int_equal(training.n, 28546);
-    assert_true(training.n + heldout.n < whole.n); /* mirror images of training samples are in neither */
+    assert_true(training.n + heldout.n < whole.n); /* mirror images of training samples are in neither set */
 }
 
 static void counts_all_configurations(void **state)
@@ -222,8 +222,7 @@ static void counts_all_configurations(void **state)
     scene->training = 1;
     assert_true(scene_samples(scene, PART_HELDOUT, &all, &d));
     assert_in_range(all.n, 586256, 586257);
-    /* Newton's iteration alone, without the certain solver: the same set to a few hundred, which it finds imprecisely.
-     */
+    /* Newton's iteration without the certain solver finds the same set to a few hundred, imprecisely. */
     for (size_t i = 0; i < all.n; i++)
         found += newton_from_centre(&all.s[i], steps);
     assert_near((double)found, (double)whole.n, 500);
@@ -231,8 +230,8 @@ static void counts_all_configurations(void **state)
     scene_free(scene);
 }
 
-/* No local minimum that Newton's iteration finds is missing: one segment in 128 of the lattice, enumerated anew; with
- * FOOTPOINT_LONG one in sixteen. */
+/* No local minimum that Newton's iteration finds is missing: on one segment in 128 of the lattice, enumerated again;
+ * with FOOTPOINT_LONG on one in sixteen. */
 static void certain_solver_misses_nothing(void **state)
 {
     static const double lo[2] = {-1 - 1e-6, -1 - 1e-6}, hi[2] = {1e-6, 1e-6};
@@ -274,7 +273,7 @@ static void area_coordinates_err_as_published(void **state)
     assert_near(m.eta, 0.2168, 1e-4);
 }
 
-/* Eight other draws of the 28,546 training samples gave 0.0174..0.0181 and 0.0222..0.0228. */
+/* Eight other draws of the 28,546 training samples had errors of 0.0174..0.0181 and 0.0222..0.0228. */
 static void cubic_errs_as_published(void **state)
 {
     const struct mean m = cubic_error(&training, &heldout);

@@ -1,4 +1,4 @@
-/* Checkpoints and logs: what is read is what was written, anything else is refused in one line. */
+/* Checkpoints and logs: files read back as written; anything else is refused in one line. */
 #include "../../evolve/run/checkpoint.h"
 #include "../../evolve/run/run_log.h"
 
@@ -42,7 +42,7 @@ static void write_bytes(const char *data, size_t n)
     assert_int_equal(fclose(f), 0);
 }
 
-/* The file in memory, sections put in by their places from the last to the first; owned by the caller. */
+/* Builds the file in memory; sections are inserted from the last to the first. The caller owns it. */
 static char *make_checkpoint(size_t *size)
 {
     struct checkpoint c = checkpoint_new(facts, bytes, 3);
@@ -100,7 +100,7 @@ static void read_is_what_was_written(void **state)
     free(file);
 }
 
-/* The head is refused, or a section is. */
+/* Checks that the head or a section is refused. */
 static void refused(const char *data, size_t n)
 {
     struct checkpoint c;
@@ -136,7 +136,7 @@ static void cut_or_flipped_is_refused(void **state)
     free(text);
 }
 
-/* Sealed well, but nonsense inside. */
+/* Valid checksums do not hide invalid contents. */
 static void malformed_inside_is_refused(void **state)
 {
     (void)state;

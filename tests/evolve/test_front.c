@@ -1,4 +1,4 @@
-/* A front against the definition: what is offered in any order ends as the set of trees that none outdoes. */
+/* A front against its definition: offers in any order end as the set of trees that no other tree beats. */
 #include "../../evolve/common/stream.h"
 #include "../../evolve/genotype/front.h"
 
@@ -14,7 +14,7 @@ struct offer {
     double error, cost;
 };
 
-/* Some offer costs no more and has no higher error, and is not this one or a later twin of it. */
+/* Returns true if another offer costs no more and has no higher error, and is not a later twin. */
 static bool outdone(const struct offer *o, int k)
 {
     for (int i = 0; i < OFFERS; i++)

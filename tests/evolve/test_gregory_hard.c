@@ -1,5 +1,5 @@
 /* Gregory patches beyond any scene: repeated nodes, normals along edges, sizes near the ends of double, and tilts up to
- * tan = 2.  What is made is finite everywhere; what cannot be made has the status that the header says. */
+ * tan = 2. Patches are finite everywhere; impossible patches have the documented status. */
 #include "../../evolve/common/stream.h"
 #include "../../evolve/surface/foot_patch.h"
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
@@ -38,8 +38,8 @@ static int all_finite(const void *numbers, size_t n)
     return 1;
 }
 
-/* A patch, or the status why not, and then nothing is written.  What is made has finite jets on it, and on it normals
- * of unit length or none. */
+/* Makes a patch, or returns a status without outputs. Checks that a patch has finite jets, and normals that are of unit
+ * length or do not exist. */
 static int make(const double x[4][3], const double n[4][3], struct footpoint_gregory *g)
 {
     static const double place[] = {-1, -1 + 1e-15, -0.9, 0, 0x1p-1000, 0.5, 1 - 1e-12, 1};
@@ -73,7 +73,7 @@ static void draw(gsl_rng *rng, double most, double x[4][3], double n[4][3])
         tilt(rng, most, n[c]);
 }
 
-/* All ways in which corners can coincide.  Where the ends of an edge do, there is no patch; opposite corners may. */
+/* Corners coincide in all ways. If the ends of an edge do, there is no patch; opposite corners may. */
 static void test_repeated(void **state)
 {
     (void)state;
@@ -94,7 +94,7 @@ static void test_repeated(void **state)
     gsl_rng_free(rng);
 }
 
-/* An edge shorter and shorter; a normal nearer and nearer to an edge. */
+/* An edge gets ever shorter; a normal gets ever nearer to an edge. */
 static void test_vanishing(void **state)
 {
     (void)state;
@@ -122,7 +122,7 @@ static void test_vanishing(void **state)
     gsl_rng_free(rng);
 }
 
-/* Sizes from 1e-320 to 1e308: what squares of lengths can hold is made, and nothing else. */
+/* Sizes range from 1e-320 to 1e308. A patch is made if squares of lengths are numbers, and only then. */
 static void test_sizes(void **state)
 {
     (void)state;
@@ -166,7 +166,7 @@ static void test_statuses(void **state)
     }
     for (int c = 0; c < 4; c++) {
         draw(rng, 2, in[0], in[1]);
-        memset(in[1][c], 0, sizeof in[1][c]); /* what footpoint_node_normals says of a node without one */
+        memset(in[1][c], 0, sizeof in[1][c]); /* the output of footpoint_node_normals for a node without a normal */
         assert_int_equal(make((rows)in[0], (rows)in[1], &g), FOOTPOINT_ERR_DEGENERATE);
         draw(rng, 2, in[0], in[1]);
         memcpy(in[0], (const double[4][3]){{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, sizeof in[0]);
@@ -178,7 +178,7 @@ static void test_statuses(void **state)
 
 /* ---- tilts up to tan = 2 --------------------------------------------------------------------------------------- */
 
-/* Corners and their normals are met; beside a corner the normal is the corner's nearly. */
+/* Patches contain corners and their normals; beside a corner the normal is nearly the corner's. */
 static void test_corners(void **state)
 {
     (void)state;
@@ -209,8 +209,8 @@ static void test_corners(void **state)
     gsl_rng_free(rng);
 }
 
-/* Neighbours over the edge BC, each with normals of its own at its far corners: one curve, one tangent plane, at its
- * ends too. */
+/* Neighbours over the edge BC, each with its own normals at its far corners: one curve, one tangent plane, also at its
+ * ends. */
 static void test_edge(void **state)
 {
     (void)state;
@@ -240,7 +240,7 @@ static void test_edge(void **state)
             if (footpoint_gregory_normal(&g, 1, eta, a) != FOOTPOINT_OK ||
                 footpoint_gregory_normal(&h, -1, eta, b) != FOOTPOINT_OK)
                 continue;
-            for (int i = 0; i < 3; i++) /* of the plane, whichever side of it */
+            for (int i = 0; i < 3; i++) /* of the plane, on either side */
                 sine[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
             assert_true(hypot(hypot(sine[0], sine[1]), sine[2]) < 1e-9);
             compared++;
@@ -250,8 +250,8 @@ static void test_edge(void **state)
     gsl_rng_free(rng);
 }
 
-/* Slave nodes above and below corners and edges: the certain closest point is nearer than any of a lattice, or it is
- * not told; where the surface is not strongly bent it is told. */
+/* Slave nodes lie above and below corners and edges. The certain closest point is nearer than any point of a lattice,
+ * or is not found; on slightly bent surfaces it is found. */
 static void test_closest(void **state)
 {
     (void)state;

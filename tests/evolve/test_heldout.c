@@ -1,5 +1,5 @@
-/* What is measured on samples held out that are not kept: the figures are those of a set of the same samples, climbing finds
- * no less than the worst of them, and what it finds are samples of the scene. */
+/* Measurements on held-out samples that are not stored: they agree with a stored set of the same samples; climbing
+ * finds at least its worst error, and its results are samples of the scene. */
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/eval/lines_run.h"
 #include "../../evolve/samples/samples.h"
@@ -42,7 +42,7 @@ static struct genome_file *genomes_of(const char *name)
     return f;
 }
 
-/* Both outputs of a genome. */
+/* Copies both outputs of a genome. */
 static void outputs_of(const struct genome *g, struct genes t[2])
 {
     for (int k = 0; k < 2; k++)
@@ -55,7 +55,7 @@ static int ascending(const void *a, const void *b)
     return (*p > *q) - (*p < *q);
 }
 
-/* Mean, 99 % and maximum to the last bit, in pieces of any size; sorted here, not selected. */
+/* Mean, 99 % and maximum agree to the last bit, in pieces of any size; here by sorting, not by selection. */
 static void figures_are_those_of_a_set(void **state)
 {
     enum { SAMPLES = 9973, PIECE = 1237 };
@@ -104,7 +104,7 @@ static struct measurement measure(const struct genome_file *f, const struct gene
     return m;
 }
 
-/* Shapes, a mesh, a lattice and bodies: no less than the worst sample, and the same whenever it is done. */
+/* On shapes, a mesh, a lattice and bodies, climbing finds at least the worst sample, and the same each time. */
 static void climbing_finds_no_less(void **state)
 {
     static const struct {
@@ -140,7 +140,7 @@ static void climbing_finds_no_less(void **state)
     assert_true(higher >= 6);
 }
 
-/* A tape that is recorded makes the sample again; a changed one makes none, or one whose foot point is that of the certain
+/* A recorded tape makes its sample again. A changed tape makes no sample, or one with the foot point of the certain
  * search and within the scene's limits. */
 static void neighbours_are_samples_of_the_scene(void **state)
 {
@@ -176,7 +176,7 @@ static void neighbours_are_samples_of_the_scene(void **state)
     scene_free(s);
 }
 
-/* Wherever a search for a foot point starts, it ends at the same one or finds none, also where several minima are near. */
+/* Searches for a foot point find the same one from any start, or no foot point, even near several minima. */
 static void guesses_change_nothing(void **state)
 {
     static const char *const name[] = {"quad4", "tri6", "quad8", "gregory", "bezier"};
@@ -213,7 +213,7 @@ static void guesses_change_nothing(void **state)
     gsl_rng_free(stream);
 }
 
-/* Seeds of the run make other samples to hold out, and the same for training. */
+/* Seeds of the run change the held-out samples, but not the training samples. */
 static void runs_hold_out_their_own(void **state)
 {
     struct scene *s = scene_of("quad4", 10);

@@ -1,4 +1,4 @@
-/* Islands: same seed, same result; known targets are found; seeds and guests are never lost to something worse. */
+/* Islands: the same seed has the same result; known targets are found; seeds and guests survive everything worse. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/fit/fits.h"
@@ -19,8 +19,7 @@ enum { SAMPLES = 500, X = GENE_SYMBOL + 3, Y, TARGET = 5, MAX_LENGTH = 26 };
 
 struct fixture {
     struct genome_file *program;
-    struct columns
-        table; /* a, b, c, x = a / c, y = b / c; xi = x y + 0.5, which the paper's trees are for; eta = x - y */
+    struct columns table; /* a, b, c, x = a / c, y = b / c; xi = x y + 0.5 for the paper's trees; eta = x - y */
     struct objective *objective;
     struct fits *fits;
     struct fitting hooks;
@@ -77,7 +76,7 @@ static struct goal goal_of(const struct fixture *f, enum breeding breeding, uint
                          .fit = &f->hooks};
 }
 
-/* A rough start for each breeding, then what is looked for: x y, then x y + 0.5; of programs with eta. */
+/* Returns a rough start for a breeding, or the target: x y, then x y + 0.5; for programs with eta. */
 static struct genes known(enum breeding breeding, bool rough)
 {
     static int paper[2][5] = {{GENE_ADD, GENE_MUL, X, Y, 0}, {GENE_MUL, X, Y}};
@@ -88,7 +87,7 @@ static struct genes known(enum breeding breeding, bool rough)
                                    : (struct genes){program[rough], rough ? 8 : 11};
 }
 
-/* The paper's breeding with its roulette and its prices, and without parsimony. */
+/* Makes a plan; the paper's breeding has its roulette and costs, and no parsimony. */
 static struct plan plan_of(enum breeding breeding, uint64_t seed, size_t population)
 {
     struct plan p = plan_default();
@@ -119,7 +118,7 @@ static uint64_t structure(const struct fixture *f, enum breeding breeding, const
     return hash;
 }
 
-/* What a report says agrees with the front, whose errors fall as costs rise, and which holds nothing twice. */
+/* Checks that a report agrees with the front, that errors fall as costs rise, and that no member occurs twice. */
 static void check_front(const struct fixture *f, enum breeding breeding, const struct island *is, const int *report)
 {
     const struct front *front = is->front;
@@ -143,11 +142,11 @@ static void check_front(const struct fixture *f, enum breeding breeding, const s
         for (int i = 0; i < k; i++)
             assert_true(structure(f, breeding, &front_member(front, (size_t)i)->genes) != structure(f, breeding, &t));
     }
-    assert_int_equal(at - report, island_report_size(is)); /* no more: a message has INT_MAX bytes at most */
+    assert_int_equal(at - report, island_report_size(is)); /* limit: a message has at most INT_MAX bytes */
 }
 
-/* An island saved and loaded by another goes on as if nothing had been; a state with a wrong byte is refused or goes
- * on. */
+/* An island that is saved and loaded by another continues unchanged. A state with a wrong byte is refused or
+ * continues. */
 static void states_go_on(void **state)
 {
     const struct fixture *f = *state;
@@ -185,8 +184,8 @@ static void states_go_on(void **state)
     }
 }
 
-/* Lowest error of an island after some generations, or once it is below `enough`; its report to *report, for the caller to
- * free. */
+/* Evolves an island for some generations, or until its lowest error is below `enough`. Returns that error and a report
+ * in *report, which the caller must free. */
 static double evolved(const struct fixture *f, const struct plan *plan, uint64_t place, int generations, double enough,
                       int **report, size_t *size)
 {
@@ -226,7 +225,8 @@ static void same_seed_same_result(void **state)
     }
 }
 
-/* With one of three seeds, each breeding with one selection; with FOOTPOINT_LONG with three of five, with both. */
+/* One of three seeds finds the target for each breeding with one selection; with FOOTPOINT_LONG three of five, with
+ * both selections. */
 static void finds_a_known_target(void **state)
 {
     const struct fixture *f = *state;
@@ -246,7 +246,7 @@ static void finds_a_known_target(void **state)
     }
 }
 
-/* A seed stays until something better comes; the maximum norm is minimised as well. */
+/* A seed stays until a better individual replaces it; the maximum norm is minimised as well. */
 static void seeds_survive(void **state)
 {
     const struct fixture *f = *state;
@@ -282,7 +282,7 @@ static void guests_compete(void **state)
         int *parcel = new_array(island_parcel_size(is, 3), sizeof *parcel);
         island_pack(is, 3, parcel);
         island_receive(other, 3, parcel);
-        island_receive(other, 3, parcel); /* those that live there already change nothing */
+        island_receive(other, 3, parcel); /* individuals that live there already change nothing */
         assert_true(breeding == BREED_FRONT ? island_best(other)->fitness <= best
                                             : island_best(other)->fitness == best);
         free(parcel);
@@ -293,7 +293,7 @@ static void guests_compete(void **state)
 
 static bool thorough_is_magic;
 
-/* A fit that knows the answer, if it is as thorough as it should be. */
+/* A fit that knows the answer; it succeeds only if it is as thorough as required. */
 static bool fit_by_magic(struct fits *fits, const struct genes *in, int last, bool thoroughly, struct genes *out)
 {
     const struct genes answer = known(BREED_FRONT, false);

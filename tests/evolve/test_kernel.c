@@ -1,5 +1,4 @@
-/* The evaluator against a recursive evaluation of one sample at a time: equal bits for
- * every vector width. */
+/* The evaluator against a recursive evaluation of one sample at a time: equal bits for every vector width. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/tiles/kernel.h"
@@ -48,7 +47,7 @@ static int teardown(void **state)
     return 0;
 }
 
-/* Symbols and a target, with exact zeros among the values. */
+/* Makes symbols and a target, with exact zeros among the values. */
 static struct columns random_table(gsl_rng *rng, size_t n)
 {
     struct columns c = columns_new(n, SYMBOLS + 1);
@@ -112,7 +111,7 @@ __attribute__((no_sanitize("float-divide-by-zero"))) static double apply(int gen
     }
 }
 
-/* Value for one sample, by recursion; advances *gene past the branch. */
+/* Returns the value for one sample, by recursion; advances *gene past the branch. */
 static double recursive_value(const int **gene, const struct point *p)
 {
     const int g = *(*gene)++;
@@ -128,7 +127,7 @@ static bool same_bits(double a, double b)
     return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
 }
 
-/* The documented order of summation: in a block, lane i mod 64, then halves of the lanes; blocks in turn. */
+/* Returns the sum in the documented order: in a block, lane i mod 64, then halves of the lanes; blocks in turn. */
 static double lane_sum(const double *value, const struct point *p)
 {
     const size_t n = p->c->n;
@@ -176,7 +175,7 @@ static void check_sums(const struct fixture *f, const struct kernel_task *task, 
     }
 }
 
-/* Values and sums of a genome, of all widths. */
+/* Checks values and sums of a genome for all widths. */
 static void check_task(const struct fixture *f, const struct kernel_task *task)
 {
     const struct columns *c = task->table;
@@ -197,7 +196,7 @@ static void check_genome(const struct fixture *f, const struct columns *c, const
     check_task(f, &(struct kernel_task){gene, length, f->program->constant, c});
 }
 
-/* All operators, numbers of samples around multiples of blocks and lanes. */
+/* All operators agree; numbers of samples are near multiples of blocks and lanes. */
 static void values_match_recursion(void **state)
 {
     static const size_t sizes[] = {
@@ -229,7 +228,7 @@ static void leaves_and_constants(void **state)
     columns_free(&c);
 }
 
-/* Constants in the genes, and the same ones in a program. */
+/* Constants in the genes equal the same constants in a program. */
 static void decimal_constants(void **state)
 {
     const struct fixture *f = *state;
@@ -261,7 +260,7 @@ static size_t shaped_genome(gsl_rng *rng, enum shape shape, int depth, bool slow
     return n;
 }
 
-/* Genomes of thousands of genes, and trees that need many slots. */
+/* Genomes have thousands of genes, or need many slots. */
 static void long_genomes(void **state)
 {
     enum { ROOM = 1 << 13 };
@@ -277,7 +276,8 @@ static void long_genomes(void **state)
     free(gene);
 }
 
-/* Quotients of the whole range of numbers: zeros, subnormal, huge and infinite ones, NaN, and random ones between. */
+/* Draws from the whole range of numbers: zeros, subnormal, huge and infinite numbers, NaN, and random numbers
+ * between. */
 static double wild(gsl_rng *rng)
 {
     static const double special[] = {0, -0.0, 0x1p-1074, -0x1p-1050, 0x1p-1022, 0x1p1023, INFINITY, -INFINITY, NAN, 1};
@@ -288,14 +288,14 @@ static double wild(gsl_rng *rng)
     return ldexp(k % 2 == 0 ? x : -x, k < 20 ? (int)gsl_rng_uniform_int(rng, 2100) - 1060 : (int)k - 30);
 }
 
-/* Integers x and y < 2^p whose quotient is as near to the middle of two neighbouring numbers of p digits as any: it
- * differs by 1 / (2^(p+1) y) if x < y, where x 2^(p+1) = +-1 modulo y, and by 1 / (2^p y) otherwise, where x 2^p = +-1.
- */
+/* Draws integers x and y < 2^p whose quotient is as near as possible to the middle of two neighbouring numbers of p
+ * digits. It differs by 1 / (2^(p+1) y) if x < y, where x 2^(p+1) = +-1 modulo y, and by 1 / (2^p y) otherwise, where x
+ * 2^p = +-1. */
 static void hard_quotient(gsl_rng *rng, int p, double *x, double *y)
 {
     const uint64_t limit = UINT64_C(1) << p;
     const bool below_one = gsl_rng_uniform_int(rng, 2) == 0;
-    uint64_t d = limit - 1 - 2 * gsl_rng_uniform_int(rng, 3000); /* the reciprocals of these are the hardest to round */
+    uint64_t d = limit - 1 - 2 * gsl_rng_uniform_int(rng, 3000); /* their reciprocals are the hardest to round */
     if (gsl_rng_uniform_int(rng, 4) > 0)
         d = limit / 2 + (uint64_t)ldexp(gsl_rng_uniform(rng), p - 2) * 2 + 1;
     uint64_t inverse = 1; /* of the power of two, modulo d */
@@ -333,7 +333,7 @@ static void quotients(void **state)
     columns_free(&c);
 }
 
-/* A value that is not finite makes the sum infinite, wherever it stands. */
+/* A value that is not finite makes the sum infinite, wherever it occurs. */
 static void not_finite(void **state)
 {
     const struct fixture *f = *state;

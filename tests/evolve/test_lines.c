@@ -1,5 +1,5 @@
-/* Programs and the functions of frames: values against those of the genome text they are written as, derivatives against
- * differences, operations counted by hand, changes, hand-written methods among the seeds, and evolution from them. */
+/* Programs and functions of frames: values against genome text, derivatives against differences, operations counted by
+ * hand, changes, hand-written methods among the seeds, and evolution from them. */
 #include "../../evolve/archive/archive.h"
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
@@ -28,7 +28,7 @@ enum { LONGEST = 2 + LINE_GENES * 150 };
 struct fixture {
     struct scene *scene;
     struct archive *archive;
-    struct genome_file *program; /* the archive's */
+    struct genome_file *program; /* owned by the archive */
     struct sample_set set;
     struct columns table;
     struct objective *objective;
@@ -73,7 +73,7 @@ static int teardown(void **state)
     return 0;
 }
 
-/* The program of two answers, after lets of its own; its genes are the caller's.  Length 0: it is none. */
+/* Reads a program of two answers after its own lets; the caller owns the genes. Length 0: it is not a program. */
 static struct genes read_program(const struct fixture *f, const char *lets, const char *xi, const char *eta,
                                  bool called)
 {
@@ -116,8 +116,8 @@ static double cost_of(const struct fixture *f, const struct genes *t)
     return operations_price(&o, &f->plan.prices);
 }
 
-/* Bit by bit, or both infinite: errors of a program against those of its expressions in a copy of the frame, from which
- * the same program is read again. */
+/* Compares the errors of a program, bit by bit or both infinite, with those of its expressions in a copy of the frame,
+ * from which the same program is read again. */
 static void check_against_text(const struct fixture *f, const struct genes *t)
 {
     const size_t n = f->set.n;
@@ -156,7 +156,7 @@ static void check_against_text(const struct fixture *f, const struct genes *t)
     free(value);
 }
 
-/* Whatever changes make of them: valid, the same as text, in equal powers of a length as their parents. */
+/* Changed programs are valid, equal to their text, and in the same powers of a length as their parents. */
 static void test_changes(void **state)
 {
     const struct fixture *f = *state;
@@ -198,7 +198,7 @@ static void test_changes(void **state)
     free(now.gene);
 }
 
-/* Equal values are there once, and what comes to nothing is left away. */
+/* Equal values occur once, and unused values are dropped. */
 static void test_equal(void **state)
 {
     const struct fixture *f = *state;
@@ -216,7 +216,7 @@ static void test_equal(void **state)
     }
 }
 
-/* What programs end in is taken away where they are read, and only there. */
+/* The last function is removed when programs are read, and only then. */
 static void test_last(void **state)
 {
     const struct fixture *f = *state;
@@ -234,7 +234,7 @@ static void test_last(void **state)
     free(unknown.gene);
 }
 
-/* What is none: from checkpoints, say. */
+/* Invalid genes are refused, for example from checkpoints. */
 static void test_valid(void **state)
 {
     const struct fixture *f = *state;
@@ -255,7 +255,7 @@ static void test_valid(void **state)
         assert_true(lines_valid(r, good, n) == false);
 }
 
-/* d root / d number by central differences, sample by sample. */
+/* d root / d number agrees with central differences, sample by sample. */
 static void test_derivatives(void **state)
 {
     const struct fixture *f = *state;
@@ -303,21 +303,21 @@ static double cost_of_text(const struct fixture *f, const char *lets, const char
     return cost;
 }
 
-/* Prices: a product and a sum 1, a quotient 8. */
+/* Costs: a product or a sum 1, a quotient 8. */
 static void test_costs(void **state)
 {
     const struct fixture *f = *state;
-    /* (d1 + v (cd - (e12 + v c2))) / (e11 + v (c1 + (c1 + v cc))): 4 products, 6 sums and a quotient; c1, c2, cc and
-     * cd, which p does not need, are 12 products and 8 sums; 3 products and a sum made p, which is not needed. */
+    /* (d1 + v (cd - (e12 + v c2))) / (e11 + v (c1 + (c1 + v cc))): 4 products, 6 sums and a quotient. c1, c2, cc and
+     * cd, which p does not need, are 12 products and 8 sums. 3 products and a sum made p, which is no longer needed. */
     assert_true(cost_of_text(f, "let u v = solve_u p q", "u", "v") - cost_of_text(f, "", "p", "q") ==
                 4 + 6 + 8 + 12 + 8 - 3 - 1);
-    /* A step costs a step. */
+    /* A second step costs as much as its lines. */
     const double one = cost_of_text(f, "let us1 vs1 = newton p q", "us1", "vs1"),
                  two = cost_of_text(f, "let us1 vs1 = newton p q\nlet u2n v2n = newton us1 vs1", "u2n", "v2n");
     assert_true(two - one == 2 + 2 + 3 + 1 + 3 + 3 + 3 + 4 + 4 + 3 + 8 + 4 + 4); /* line by line of the frame */
 }
 
-/* Truncated iterations that a programmer would write: for the cost of each there is a seed that is as good. */
+/* For the cost of each truncated iteration that a programmer would write, a seed is as accurate. */
 static void test_seeds(void **state)
 {
     const struct fixture *f = *state;
@@ -341,7 +341,7 @@ static void test_seeds(void **state)
     front_free(found);
 }
 
-/* From the seeds evolution goes on: it keeps all of them and betters some, and the whole front is there. */
+/* Evolution keeps all seeds, improves some, and keeps the whole front. */
 static void test_evolution(void **state)
 {
     const struct fixture *f = *state;
@@ -383,7 +383,7 @@ static void test_evolution(void **state)
     front_free(found);
 }
 
-/* Beyond what its largest errors may be, a program is charged for them. */
+/* A program is charged for errors beyond their limits. */
 static void test_tails(void **state)
 {
     const struct fixture *f = *state;
@@ -402,15 +402,15 @@ static void test_tails(void **state)
     free(t.gene);
 }
 
-/* On samples with bands of the gap, a program is charged for its worst band, and is worse than another where both halves of
- * a band say so. */
+/* On samples with bands of the gap, a program is charged for its worst band, and is worse than another if it is worse
+ * in both halves of a band. */
 static void test_bands(void **state)
 {
     struct fixture *f = *state;
     struct genes t = program_of(f, "", "ut", "vt");
     f->table.band = new_array(f->table.n, sizeof *f->table.band);
     for (size_t i = 0; i < f->table.n; i++)
-        f->table.band[i] = (unsigned char)(i % (GAP_BANDS - 1)); /* the last has no sample */
+        f->table.band[i] = (unsigned char)(i % (GAP_BANDS - 1)); /* the last band has no sample */
     const double error = error_of(f, &t);
     struct tails tails = objective_tails(f->objective, &t, f->last);
     assert_true(objective_error_in_tails(f->objective, &t, f->last, &tails, INFINITY) == error);
@@ -437,7 +437,7 @@ static int ascending(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* The 99 % of errors of all sizes, few and many, equal and infinite ones among them, is what sorting finds. */
+/* The 99 % of errors equals the result of sorting, for all sizes, few and many, equal and infinite errors. */
 static void test_p99(void **state)
 {
     enum { MOST = 20000 };
@@ -466,7 +466,7 @@ static void test_p99(void **state)
     free(sorted);
 }
 
-/* The best numbers are found again, in each norm; those that stand for a structure stay. */
+/* Fits recover the best numbers in each norm; numbers that stand for a structure stay. */
 static void test_fit(void **state)
 {
     const struct fixture *f = *state;
@@ -488,7 +488,7 @@ static void test_fit(void **state)
     free(fitted.gene);
 }
 
-/* Minima and maxima in trees of one output: |x| and a clamp are found. */
+/* Trees of one output find |x| and a clamp by minima and maxima. */
 static void test_clamps(void **state)
 {
     const struct fixture *f = *state;

@@ -1,7 +1,7 @@
 /* Reader of contact meshes (evolve/input/mesh.h): the sample models, and every face of every element type. */
 #include "../support/mesh_model.h"
 
-/* Area vector of a face's corners and their mean. */
+/* Computes the area vector of a face's corners and their mean. */
 static void face_normal(const struct mesh *m, const struct mesh_face *f, double normal[3], double centre[3])
 {
     const int corners = f->nodes > 4 ? f->nodes / 2 : f->nodes;
@@ -16,7 +16,8 @@ static void face_normal(const struct mesh *m, const struct mesh_face *f, double 
     }
 }
 
-/* Largest distance of a mid-side node from the middle of its side, and of the middle from that of the corners. */
+/* Returns the largest distance of a mid-side node from the middle of its side, and of the middle node from the mean of
+ * the corners. */
 static double midside_error(const struct mesh *m, const struct mesh_face *f)
 {
     const int corners = f->nodes / 2;
@@ -66,7 +67,7 @@ static void sample_models(void **state)
     }
 }
 
-/* The upper sides of both big models: faces look up, are convex, share no two equal ones; slaves lie above them. */
+/* The upper sides of both big models: faces look up, are convex and all different; slaves lie above them. */
 static void big_models(void **state)
 {
     static const char *const paths[] = {"tests/meshes/punch.inp", "tests/meshes/blocks.inp"};
@@ -98,9 +99,9 @@ static void big_models(void **state)
 struct shape {
     int corners, edges, faces;
     double corner[8][3];
-    int edge[12][2];     /* of the mid-side nodes, in their order */
+    int edge[12][2];     /* of the mid-side nodes, in order */
     int face_corners[6]; /* S1.. */
-    int face[6][4];      /* as the manuals list them, inwards and outwards mixed */
+    int face[6][4];      /* as the manuals list them, some inwards, some outwards */
 };
 
 static const struct shape tetrahedron = {
@@ -157,7 +158,7 @@ static void mean(const struct shape *s, const int *corner, int n, double x[3])
     }
 }
 
-/* Node i, from 0: corners, middles of edges; of a solid that of the whole, then of faces, of a shell its own. */
+/* Places node i, from 0: corners, middles of edges, then the middle of a solid and of its faces, or of a shell. */
 static void place(const struct shape *s, int i, double x[3])
 {
     static const int all[] = {1, 2, 3, 4, 5, 6, 7, 8};
@@ -172,7 +173,7 @@ static void place(const struct shape *s, int i, double x[3])
         mean(s, s->face[middle - 1], s->face_corners[middle - 1], x);
 }
 
-/* Model of one element with nodes 1.. at their places and node 99 as slave. */
+/* Reads a model of one element with nodes 1.. at their places and node 99 as slave. */
 static struct mesh *read_element(const char *type, const struct shape *s, int nodes, const char *label)
 {
     char text[4096];
@@ -212,7 +213,7 @@ static void check_face(const char *type, const struct shape *s, int nodes, int f
             middle += s->corner[i][k] / s->corners;
         outwards += normal[k] * (centre[k] - middle);
     }
-    if (s->faces == 2) /* a shell: against or along its own normal, which looks up here */
+    if (s->faces == 2) /* a shell: against or along its normal, which looks up here */
         outwards = face == 0 ? -normal[2] : normal[2];
     if (!(outwards > 0.1))
         fail_msg("%s %s does not look outwards: %a", type, label, outwards);

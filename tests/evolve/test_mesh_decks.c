@@ -1,5 +1,5 @@
-/* Contact meshes as people have them: parts and instances, surfaces without face labels, combined, of named sets, with edges
- * of shells; ties and general contact.  The decks are in tests/meshes/decks. */
+/* Contact meshes as users write them: parts and instances, surfaces without face labels, combined surfaces, named sets,
+ * edges of shells; ties and general contact. The decks are in tests/meshes/decks. */
 #include "../support/mesh_model.h"
 
 enum { PAIRS = 2 };
@@ -7,7 +7,7 @@ enum { PAIRS = 2 };
 static const struct {
     const char *name;
     size_t nodes, pairs, slaves[PAIRS], masters[PAIRS];
-    const char *notes[2]; /* after the file's name, in order */
+    const char *notes[2]; /* notes after the file's name, in order */
 } decks[] = {
     {"exposed", 20, 1, {4}, {10}, {NULL}},
     {"combined", 20, 1, {4}, {2}, {NULL}},
@@ -64,7 +64,7 @@ static void check_node(const struct mesh *m, size_t at, int label, double x, dou
     assert_true(fabs(m->xyz[at][0] - x) + fabs(m->xyz[at][1] - y) + fabs(m->xyz[at][2] - z) < 1e-14);
 }
 
-/* The model's own node comes first, then the first instance's, as the part has them, and those moved and turned. */
+/* The model's own node comes first, then the first instance's nodes as in the part, then moved and turned nodes. */
 static void instances_are_placed(void **state)
 {
     char path[64];
@@ -83,7 +83,7 @@ static void instances_are_placed(void **state)
     mesh_free(m);
 }
 
-/* Edges of plane elements, with their bodies to the left, and middle nodes last. */
+/* Edges of plane elements have their bodies to the left and middle nodes last. */
 static void plane_elements_have_edges(void **state)
 {
     char path[64], faces[100];

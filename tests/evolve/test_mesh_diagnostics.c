@@ -1,4 +1,4 @@
-/* Contact meshes that are refused: one case for each diagnostic, and hostile sizes. */
+/* Refused contact meshes: one case for each diagnostic, and hostile sizes. */
 #include "../support/mesh_model.h"
 
 #define NODES "*NODE, NSET=N\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n"
@@ -12,7 +12,7 @@
 #define PART "*PART, NAME=P\n" NODES "*END PART\n"
 
 static const struct {
-    const char *text, *expected; /* the diagnostic after the folder's name */
+    const char *text, *expected; /* expected: the diagnostic after the folder's name */
 } bad_models[] = {
     {"", NO_PAIR},
     {MODEL SLAVE, NO_PAIR},
@@ -185,7 +185,7 @@ static void diagnostics(void **state)
     mesh_free(NULL);
 }
 
-/* A file whose two lines include the next one, and so on, doubles at each level. */
+/* Files whose two lines include the next file double at each level. */
 static void many_includes(void **state)
 {
     (void)state;
@@ -199,7 +199,7 @@ static void many_includes(void **state)
     check_refused(in_folder("level0.inp"), "level19.inp:2: error: at most 10000 files may be included");
 }
 
-/* Hostile sizes: one very long line, very many fields, sets nested and tangled by the thousand. */
+/* Hostile sizes: a very long line, very many fields, thousands of nested and tangled sets. */
 static void hostile_sizes(void **state)
 {
     const size_t size = 2000000;

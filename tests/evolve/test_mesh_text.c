@@ -1,4 +1,4 @@
-/* The text of contact meshes: spellings of the format, included files, and mutated files, which must end in a sound
+/* The text of contact meshes: spellings of the format, included files, and mutated files, which must end in a valid
  * mesh or in a diagnostic. */
 #include "../support/mesh_model.h"
 
@@ -72,7 +72,7 @@ static void spellings(void **state)
     mesh_free(m);
 }
 
-/* Files beside the including one, nested, in the midst of data, and by INPUT= of a keyword. */
+/* Included files lie beside the including file, nest, interrupt data, and follow INPUT= of a keyword. */
 static void included_files(void **state)
 {
     static const char nodes[] = "1, 0, 0, 0\n*INCLUDE, INPUT=more.inp\n3, 0, 1, 0\n", more[] = "2, 1, 0, 0",
@@ -90,7 +90,7 @@ static void included_files(void **state)
     mesh_free(m);
 }
 
-/* Numbers far apart and in descending order. */
+/* Numbers may be far apart and in descending order. */
 static void sparse_numbers(void **state)
 {
     const int n = 20000;
@@ -124,7 +124,7 @@ static uint64_t draw(uint64_t *state)
     return z ^ (z >> 31);
 }
 
-/* One to four changes: a byte, a bit, a span removed, doubled or moved, a word put in, the end cut off. */
+/* Applies one to four changes: a byte, a bit, a span removed, doubled or moved, a word inserted, the end cut off. */
 static size_t mutate(char *text, size_t n, size_t room, uint64_t *random)
 {
     static const char *const words[] = {"*",
@@ -229,8 +229,8 @@ static void mutations(void **state)
     assert_true(read > 100 && refused > 100);
 }
 
-/* What no master face needs may be of any kind: elements of any type, with any number of nodes on any number of lines;
- * surfaces and sets that are not read; faces and nodes under one name, in several pieces. */
+/* Parts of the model that no master face needs may be of any kind: elements of any type, with any number of nodes on
+ * any number of lines; unread surfaces and sets; faces and nodes under one name, in several pieces. */
 static const char around[] = "*NODE\n"
                              "1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n5, 1, 1, 1\n6, 1, 1, 2\n"
                              "*ELEMENT, TYPE=B32R, ELSET=BEAM\n"
@@ -289,7 +289,7 @@ static void what_does_not_matter_is_skipped(void **state)
     mesh_free(m);
 }
 
-/* The kind of segment is that of the master faces; of several, one may be kept. */
+/* The master faces determine the kind of segment; of several kinds, one may be kept. */
 static void kinds_of_faces(void **state)
 {
     static const char solids[] = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n5, 1, 0, 1\n6, 0, 1, 1\n"

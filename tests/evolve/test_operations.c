@@ -1,4 +1,4 @@
-/* Costs of trees: known counts, invariance under what costs nothing, and agreement with the values themselves. */
+/* Costs of trees: known counts, invariance under free changes, and agreement with the values. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/eval/objective.h"
@@ -21,7 +21,7 @@ static const struct {
 } known[] = {
     {"x", 0, 0, 0},         {"3", 0, 0, 0}, {"*xy", 1, 0, 0}, {"+*xy*yx", 1, 1, 0}, /* equal products */
     {"-*xy*yx", 0, 0, 0},                                                           /* 0 */
-    {"*-xy-yx", 1, 1, 0},                                                           /* equal but for the sign */
+    {"*-xy-yx", 1, 1, 0},                                                           /* equal except for the sign */
     {"*1+x0", 0, 0, 0},                                                             /* x */
     {"*~x", 0, 0, 0},                                                               /* a change of sign */
     {"+y*0%xy", 0, 0, 0},                                                           /* not computed */
@@ -80,7 +80,7 @@ static void known_counts(void **state)
     counter_free(c);
 }
 
-/* Exchange the operands of every sum and product where the coin says so. */
+/* Exchanges the operands of sums and products at random. */
 static size_t shuffle(gsl_rng *rng, const int *gene, int *to)
 {
     to[0] = gene[0];

@@ -1,5 +1,5 @@
 /* The certain closest point against a solver that shares no code with it: Newton's iteration in vector form from many
- * starts, the points it finds polished with 192 bits (MPFR).  Then answers known by hand. */
+ * starts, polished with 192 bits (MPFR). Then answers known by hand. */
 #include "../../evolve/common/stream.h"
 #include "../../evolve/surface/foot_bilinear.h"
 
@@ -19,10 +19,10 @@
 
 typedef long double real;
 
-/* Stationary points found from the starts, at 192 bits but for the last rounding. */
+/* Stationary points found from the starts, right to 192 bits before they are rounded. */
 struct found {
     double xi, eta, distance;
-    double flatness; /* determinant over product of the diagonal of the Hessian: near 0 on the focal surface */
+    double flatness; /* determinant over the product of the Hessian's diagonal: near 0 on the focal surface */
 };
 
 static const double (*as_const(double x[4][3]))[3]
@@ -52,7 +52,7 @@ static void start_register(mpfr_ptr x)
     mpfr_init2(x, BITS);
 }
 
-/* c_k = (A sA + B sB + C sC + D sD)/4, exactly. */
+/* Computes c_k = (A sA + B sB + C sC + D sD)/4 exactly. */
 static void load_bank(struct bank *b, const double x[4][3], const double xs[3])
 {
     static const int sign[4][4] = {{1, 1, 1, 1}, {-1, 1, 1, -1}, {-1, -1, 1, 1}, {1, -1, 1, -1}};
@@ -64,11 +64,11 @@ static void load_bank(struct bank *b, const double x[4][3], const double xs[3])
                 mpfr_add_d(vector[i][k], vector[i][k], sign[i][node] * x[node][k], MPFR_RNDN);
             mpfr_div_ui(vector[i][k], vector[i][k], 4, MPFR_RNDN);
             if (i == 0)
-                mpfr_d_sub(vector[0][k], xs[k], vector[0][k], MPFR_RNDN); /* c0 holds xs - c0 */
+                mpfr_d_sub(vector[0][k], xs[k], vector[0][k], MPFR_RNDN); /* c0 becomes xs - c0 */
         }
 }
 
-/* Residuals and Hessian at (xi, eta); distance. */
+/* Computes residuals, Hessian and distance at (xi, eta). */
 static void evaluate_bank(struct bank *b)
 {
     mpfr_ptr zeroed[] = {b->f1, b->f2, b->e11, b->e22, b->mixed, b->distance};
@@ -102,7 +102,7 @@ static void step_bank(struct bank *b)
     mpfr_add(b->eta, b->eta, b->w, MPFR_RNDN);
 }
 
-/* Polish (xi, eta) with 192 bits; false if it does not converge. */
+/* Polishes (xi, eta) with 192 bits; returns false if it does not converge. */
 static bool polish_mpfr(struct bank *b, real xi, real eta, struct found *f)
 {
     mpfr_set_ld(b->xi, xi, MPFR_RNDN);
@@ -124,7 +124,7 @@ static bool polish_mpfr(struct bank *b, real xi, real eta, struct found *f)
     return false;
 }
 
-/* Newton's iteration from one start, in vectors. */
+/* Runs Newton's iteration from one start, in vectors. */
 static bool newton(const double x[4][3], const double xs[3], real *xi, real *eta)
 {
     for (int i = 0; i < 60; i++) {
@@ -154,7 +154,7 @@ static bool newton(const double x[4][3], const double xs[3], real *xi, real *eta
     return false;
 }
 
-/* All stationary points that the starts lead to, each once. */
+/* Finds all stationary points to which the starts lead, each once. */
 static size_t search(struct bank *b, const double x[4][3], const double xs[3], struct found *found, size_t room)
 {
     size_t n = 0;
@@ -172,7 +172,7 @@ static size_t search(struct bank *b, const double x[4][3], const double xs[3], s
     return n;
 }
 
-/* A segment of random mid-lines and c3 about the origin, turned at random by the choice of axes. */
+/* Makes a segment with random mid-lines and c3 about the origin, turned by a random choice of axes. */
 static void make(double x[4][3], const double c1[3], const double c2[3], const double c3[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -244,7 +244,7 @@ static void draw(gsl_rng *r, enum kind kind, double x[4][3], double xs[3])
         for (int k = 0; k < 3; k++)
             c2[k] *= 1e-4, c3[k] *= gsl_rng_uniform(r) < 0.5 ? 1e-4 : 1e-2;
         break;
-    case NEARLY_TRIANGULAR: /* C = D, but for 1e-8 */
+    case NEARLY_TRIANGULAR: /* C = D to 1e-8 */
         for (int k = 0; k < 3; k++)
             c3[k] = -c1[k] + gsl_ran_flat(r, -1e-8, 1e-8);
         break;
@@ -263,7 +263,7 @@ static void draw(gsl_rng *r, enum kind kind, double x[4][3], double xs[3])
         if (gsl_rng_uniform(r) < 0.5)
             xs[2] = 0;
         break;
-    case NEAR_FOCAL: /* a right saddle, xs near its axis at the height where the minimum splits */
+    case NEAR_FOCAL: /* a right saddle, with xs near its axis at the height where the minimum splits */
         c1[1] = c2[0] = 0;
         c1[0] = 1;
         c3[0] = c3[1] = 0;
@@ -302,7 +302,7 @@ static void complain(enum kind kind, int i, const char *what, const double x[4][
     fail();
 }
 
-/* Relative: digits go where the Hessian is nearly singular, and far from the segment. */
+/* Returns the tolerance, relative: digits are lost if the Hessian is nearly singular, and far from the segment. */
 static double tolerance_of(const struct found *f)
 {
     return fabs(f->xi) + fabs(f->eta) > 10 ? 1e-9 : 1e-13 / fmin(1, fabs(f->flatness) * 100);
@@ -360,8 +360,8 @@ static void unit_square(double x[4][3])
     set(x, (double[]){-1, -1, 0}, (double[]){1, -1, 0}, (double[]){1, 1, 0}, (double[]){-1, 1, 0});
 }
 
-/* z = xi eta: at height h above the centre there is one minimum for h <= 1, then a saddle between two minima at
- * xi = eta = +-sqrt(h - 1). */
+/* z = xi eta: at height h above the centre there is one minimum for h <= 1, otherwise a saddle between two minima at xi
+ * = eta = +-sqrt(h - 1). */
 static void saddle_splits_above_its_focus(void **state)
 {
     struct stationary s[5];
@@ -378,7 +378,7 @@ static void saddle_splits_above_its_focus(void **state)
     assert_true(!s[2].minimum && fabs(s[2].xi) + fabs(s[2].eta) < 1e-15 && fabs(s[2].distance - 1.25) < 1e-15);
 }
 
-/* Plane trapezium with its apex at (0,3,0): the foot of a node above the plane, and the saddle at the apex. */
+/* A plane trapezium with its apex at (0,3,0) has the foot point of a node above the plane, and a saddle at the apex. */
 static void trapezium_has_one_minimum(void **state)
 {
     struct stationary s[5];
@@ -412,7 +412,7 @@ static void degenerate_segments_are_refused(void **state)
     assert_true(sample.xi == 7);
 }
 
-/* The lower bound is out, the upper one in; the gap is positive on the side of the normal. */
+/* The box excludes its lower bound and includes its upper bound; the gap is positive on the side of the normal. */
 static void foot_lies_in_the_box(void **state)
 {
     struct sample s = {.xs = {-1, 0.5, -0.25}};
@@ -424,7 +424,7 @@ static void foot_lies_in_the_box(void **state)
     assert_false(foot_bilinear(&s, (const double[]){-1.5, 0.5}, (const double[]){-0.5, 1}));
 }
 
-/* Powers of two scale exactly, and whole numbers move small segments exactly: the same bits. */
+/* Powers of two scale exactly, and whole numbers move small segments exactly, so all bits are kept. */
 static void scaling_and_moving_keep_the_bits(void **state)
 {
     static const double lo[2] = {-1.5, -1.5}, hi[2] = {1.5, 1.5};

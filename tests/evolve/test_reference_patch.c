@@ -29,7 +29,7 @@ static double squared_distance(const struct footpoint_gregory *g, const double x
     return sum;
 }
 
-/* Newton's iteration from (xi,eta); true if it settles within -1..1 (all but its border). */
+/* Runs Newton's iteration from (xi,eta); returns true if it converges strictly inside. */
 static bool settle(const struct footpoint_gregory *g, const double xs[3], double *xi, double *eta)
 {
     for (int i = 0; i < 30; i++) {
@@ -55,7 +55,8 @@ static bool settle(const struct footpoint_gregory *g, const double xs[3], double
     return false;
 }
 
-/* Corners up to `distortion` off a square, normals with tilts up to `tilt`, a slave node up to `height` above. */
+/* Draws corners up to `distortion` off a square, normals with tilts up to `tilt`, and a slave node up to `height`
+ * above. */
 static void draw(gsl_rng *rng, double distortion, double tilt, double height, struct sample *s)
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -82,8 +83,8 @@ static bool known(const struct stationary *found, int n, double xi, double eta)
     return false;
 }
 
-/* Every stationary point that Newton's iteration finds is known, and no sample is nearer than the closest point; if the
- * reference does not say that it cannot tell.  Returns whether it told. */
+/* Checks that every stationary point that Newton's iteration finds is known, and that no sample is nearer than the
+ * closest point. Returns false, without checks, if the reference is uncertain. */
 static bool compare(const struct sample *s, int *points)
 {
     struct footpoint_gregory g;
@@ -115,7 +116,7 @@ static bool compare(const struct sample *s, int *points)
             if (i % 4 == 0 && j % 4 == 0 && settle(&g, s->xs, &xi, &eta) && !known(found, n, xi, eta))
                 fail_msg("stationary point (%.17g, %.17g) is missing", xi, eta);
         }
-    for (int k = 0; k < n; k++) { /* what is proved from anywhere is the closest point */
+    for (int k = 0; k < n; k++) { /* a point that is proved from anywhere is the closest point */
         const double near[2] = {found[k].xi, found[k].eta};
         struct stationary proved;
         if (told && foot_patch_closest_near(&g, s->xs, lowest, highest, near, &proved))
@@ -150,7 +151,7 @@ static void test_against_sampling(void **state)
     gsl_rng_free(rng);
 }
 
-/* All corners on one line: a curve of stationary points, which cannot be told apart. */
+/* All corners lie on one line: a curve of stationary points, which cannot be separated. */
 static void test_uncertain(void **state)
 {
     (void)state;
@@ -167,7 +168,7 @@ static void test_uncertain(void **state)
     assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest, NULL));
 }
 
-/* A corner is the closest point of all that lie beyond it, an edge of what lies beside it. */
+/* A corner is the closest point of all points that lie beyond it, an edge of points beside it. */
 static void test_border(void **state)
 {
     (void)state;
@@ -185,7 +186,7 @@ static void test_border(void **state)
 
 /* ---- samples --------------------------------------------------------------------------------------------------- */
 
-/* The label solves (7), (8) to rounding, and the gap is along the normal. */
+/* Checks that the label solves (7), (8) to rounding, and that the gap lies along the normal. */
 static void check_label(const struct sample *s)
 {
     struct footpoint_gregory g;

@@ -1,4 +1,4 @@
-/* Regions of the committed genomes hold the scenes' own segments, those that were not used to find them. */
+/* Regions of the committed genomes contain the scenes' own segments that were not used to find them. */
 #include "../../codegen/region/region.h"
 #include "../../evolve/region/shape_region.h"
 #include "../../evolve/samples/samples.h"
@@ -15,7 +15,7 @@
 static const char *const name[] = {"quad4", "punch-quad4", "blocks-quad4", "plane-quad4",
                                    "tri3",  "tri6",        "quad8",        "quad9"};
 
-/* By variable of the region. */
+/* Places a sample; values are indexed by variable of the region. */
 static void place(const struct region *r, const struct shape *shape, const struct sample *s, double *at)
 {
     double number[SHAPE_NUMBERS];

@@ -1,4 +1,4 @@
-/* Samples of scenes: parts that share nothing, labels that are foot points, limits that are kept. */
+/* Samples of scenes: parts share nothing, labels are foot points, limits are kept. */
 #include "../support/scene_text.h"
 
 static int by_configuration(const void *a, const void *b)
@@ -16,7 +16,7 @@ static struct sample_set samples_of(const struct scene *s, enum sample_part part
     return set;
 }
 
-/* Each call gives the same bytes; no configuration is in two parts. */
+/* Checks that each call returns the same bytes, and that no configuration is in two parts. */
 static void check_parts(const struct scene *s)
 {
     const size_t wanted[] = {[PART_TRAINING] = s->training,
@@ -71,7 +71,7 @@ static void parts_share_nothing(void **state)
     }
 }
 
-/* To the last bit, though half of the lattice is taken from its mirror image. */
+/* Labels are right to the last bit, although half of the lattice is copied from its mirror image. */
 static void lattice_labels_are_certain(void **state)
 {
     const double lo[2] = {-1, -1}, hi[2] = {0, 0};
@@ -111,7 +111,7 @@ static void seeds_draw_other_samples(void **state)
     scene_free(s);
 }
 
-/* xs - r(xi,eta) is gap n and the foot point lies in the box. */
+/* Checks that xs - r(xi,eta) is gap n and that the foot point lies in the box. */
 static void check_label(const struct sample *s, double lo, double hi)
 {
     double t1[3], t2[3], v[3], size = 0, along1 = 0, along2 = 0, distance = 0;
@@ -161,7 +161,7 @@ static double distance(const double a[3], const double b[3])
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/* Aspect ratio of the mid-lines, gap over shortest edge: within the scene's limits, and used up to them. */
+/* Aspect ratio of the mid-lines and gap over the shortest edge reach the scene's limits, but do not exceed them. */
 static void shapes_keep_their_limits(void **state)
 {
     struct scene *s = shipped("quad4");
@@ -189,7 +189,7 @@ static void shapes_keep_their_limits(void **state)
     scene_free(s);
 }
 
-/* Angle between the normals at opposite corners, the larger of the two. */
+/* Returns the angle between the normals at opposite corners, the larger of the two. */
 static double warp_of(const struct sample *s)
 {
     double n[4][3], least = 1;
@@ -208,8 +208,8 @@ static double warp_of(const struct sample *s)
     return acos(least);
 }
 
-/* Quarters of the limits of warp and aspect hold a quarter of the even part each, which those of aspect do of no other
- * part; scenes of other sources have none. */
+/* Each quarter of the limits of warp and aspect contains a quarter of the even part; in no other part is that so for
+ * the aspect. Scenes of other sources have no even part. */
 static void even_parts_are_even(void **state)
 {
     enum { QUARTERS = 4 };
@@ -218,7 +218,7 @@ static void even_parts_are_even(void **state)
     s->heldout = 20000;
     for (int even = 0; even < 2; even++) {
         struct sample_set set = samples_of(s, even ? PART_HELDOUT_EVEN : PART_HELDOUT);
-        double most[2] = {0}; /* of the quarters' shares, how far off a quarter: warp, aspect */
+        double most[2] = {0}; /* largest deviation of the shares from a quarter: warp, aspect */
         size_t count[2][QUARTERS] = {{0}};
         for (size_t i = 0; i < set.n; i++) {
             const struct sample *p = &set.s[i];
@@ -316,7 +316,7 @@ static void empty_sets_are_refused(void **state)
     free(text);
 }
 
-/* Edge of the segment whose middle is nearest to x. */
+/* Returns the edge of the segment whose middle is nearest to x. */
 static size_t nearest_edge(const struct segment_kind *kind, const struct sample *s, const double x[3])
 {
     size_t nearest = 0;
@@ -333,7 +333,7 @@ static size_t nearest_edge(const struct segment_kind *kind, const struct sample 
     return nearest;
 }
 
-/* Curved faces of a mesh are masters, each node of theirs in its place: foot points are on the face. */
+/* Curved faces of a mesh are masters, with each node in its place, so foot points lie on the face. */
 static void meshes_of_other_kinds_are_read(void **state)
 {
     static const struct {
@@ -364,7 +364,7 @@ static void meshes_of_other_kinds_are_read(void **state)
     }
 }
 
-/* Gaps of random nodes over the faces of a mesh: as many in each decade, on either side. */
+/* Gaps of random nodes over the faces of a mesh are equally many in each decade, on either side. */
 static void gaps_of_meshes_are_dense_near_contact(void **state)
 {
     struct scene *s = shipped("punch-quad4");
@@ -380,7 +380,7 @@ static void gaps_of_meshes_are_dense_near_contact(void **state)
         open += set.s[i].gap > 0;
     }
     const size_t drawn = set.n - set.real;
-    for (int b = 0; b < GAP_BANDS - 1; b++) /* decades, of some 3.3 */
+    for (int b = 0; b < GAP_BANDS - 1; b++) /* decades, of about 3.3 */
         assert_true(count[b] > drawn / 5 && count[b] < 2 * drawn / 5);
     assert_true(open > 0.48 * (double)drawn && open < 0.52 * (double)drawn);
     sample_set_free(&set);

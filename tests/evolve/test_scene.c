@@ -1,5 +1,5 @@
-/* Scenes: the shipped ones read, malformed ones are refused with exact diagnostics, and their samples are what they
- * promise: labelled with the certain foot point, within the limits, the same in every call, shared by no two parts. */
+/* Scenes: the shipped scenes read, malformed scenes are refused with exact diagnostics, and samples are labelled with
+ * the certain foot point, within the limits, equal in every call, and in only one part. */
 #include "../../evolve/input/scene_print.h"
 #include "../support/scene_text.h"
 
@@ -10,7 +10,7 @@ static void shipped_scenes_read(void **state)
         enum scene_source source;
         enum corner_order order;
         size_t training, heldout;
-        bool open; /* frame and tiers are left to the segments */
+        bool open; /* the segments determine frame and tiers */
     } expected[] = {{"paper-quad4", "quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546, 200000, false},
                     {"quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 1000000, false},
                     {"quad4-float", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
@@ -47,7 +47,7 @@ static void shipped_scenes_read(void **state)
     }
 }
 
-/* The segments of these scenes are what their names say. */
+/* The segments of these scenes have the shapes of their names. */
 static void shipped_segments_are_found_out(void **state)
 {
     static const struct {
@@ -68,7 +68,7 @@ static void shipped_segments_are_found_out(void **state)
         assert_true(scene_samples(s, PART_TRAINING, &set, &d));
         const struct variation v = variation_measure(segment_find("quad4"), &set);
         assert_int_equal(v.kind, expected[i].kind);
-        if (s->source == SOURCE_RANDOM) /* in the scene's own measures, and up to them */
+        if (s->source == SOURCE_RANDOM) /* measured as in the scene, up to the limits */
             for (int k = 0; k < 3; k++) {
                 const double found = (const double[]){v.taper, v.warp, v.skew}[k];
                 const double limit = (const double[]){s->shapes.taper, s->shapes.warp, s->shapes.skew}[k];
@@ -119,7 +119,7 @@ static void every_value_arrives(void **state)
     scene_free(s);
 }
 
-/* The text with `find` replaced by `put` is refused: "file:" and `expected`. */
+/* The text with `find` replaced by `put` is refused with "file:" and `expected`. */
 struct malformed {
     const char *text, *find, *put, *expected;
 };
@@ -253,7 +253,7 @@ static void malformed_scenes_are_refused(void **state)
     assert_int_equal(bad, 0);
 }
 
-/* A scene of any kind needs its segments, their limits and how many samples; the rest is usual. */
+/* A scene of any kind needs only its segments, their limits and the number of samples; the rest has defaults. */
 static void usual_values(void **state)
 {
     static const char *const kind[] = {"quad4", "tri3", "tri6", "quad8", "quad9", "gregory", "bezier"};
@@ -278,7 +278,7 @@ static void usual_values(void **state)
             assert_string_equal(s->tier[k].frame, usual->tier[k].frame);
             assert_string_equal(s->tier[k].terminal[0], usual->tier[k].terminal[0]);
         }
-        if (i != 1) /* whose frame needs none */
+        if (i != 1) /* whose frame needs no reference point */
             for (int k = 0; k < 2; k++)
                 assert_true(fabs(s->reference[k] - usual->reference[k]) < 1e-15);
         scene_free(usual);
@@ -301,7 +301,7 @@ static void usual_values(void **state)
     scene_free(s);
 }
 
-/* Opens the comments of a printed scene that hold keys; other sources than shapes are left out. */
+/* Uncomments the keys of a printed scene, except for sources other than shapes. */
 static void open_comments(const char *printed, char *text)
 {
     bool other = false;
@@ -317,7 +317,7 @@ static void open_comments(const char *printed, char *text)
     }
 }
 
-/* As they are, and with every key of scene and tiers in place. */
+/* Printed scenes read back, unchanged and with every key of scene and tiers. */
 static void printed_scenes_read(void **state)
 {
     static const char *const kind[] = {"quad4", "tri3", "tri6", "quad8", "quad9", "gregory", "bezier"};
@@ -344,7 +344,7 @@ static void printed_scenes_read(void **state)
     }
 }
 
-/* What few meshes have is said, and taken. */
+/* Unusual limits of meshes are accepted with a note. */
 static void unusual_limits_are_told(void **state)
 {
     static const struct {
@@ -368,7 +368,7 @@ static void unusual_limits_are_told(void **state)
     }
 }
 
-/* Tiers about one point share the frame's values there; those about the scene's keep their names. */
+/* Tiers about one point share the frame's values there; tiers about the scene's point keep their names. */
 static void tiers_expand_about_points_of_their_own(void **state)
 {
 #define TIER(name, point)                                                                                              \
@@ -407,7 +407,7 @@ static void tiers_expand_about_points_of_their_own(void **state)
 #undef TIER
 }
 
-/* Programs about a point of their own: of the frame there, functions, starts and exchanges too. */
+/* Programs may have their own reference point, with the frame's values, functions, starts and exchanges there. */
 static void programs_have_reference_points(void **state)
 {
     struct diag d;
@@ -435,7 +435,7 @@ static void programs_have_reference_points(void **state)
     scene_free(s);
 }
 
-/* Two frames in one scene: what both define alike is one value; what they define differently is refused. */
+/* Two frames in one scene share equal definitions; different definitions of a name are refused. */
 static void frames_share_what_is_alike(void **state)
 {
 #define TIERS(one, value, other)                                                                                       \

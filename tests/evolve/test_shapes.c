@@ -1,5 +1,5 @@
-/* Region blocks: the numbers that are measured of a segment make it again, in each kind, and scalar products are what the
- * block says they are. */
+/* Region blocks: the numbers measured of a segment reproduce it, in each kind, and scalar products equal those of the
+ * block. */
 #include "../../evolve/common/vec3.h"
 #include "../../evolve/region/shape_region.h"
 #include "../../evolve/surface/surface.h"
@@ -22,7 +22,7 @@ static double fraction(uint64_t *seed)
     return (double)(*seed >> 11) * 0x1p-53;
 }
 
-/* From its end, as a stack machine. */
+/* Evaluates an expression from its end, as a stack machine. */
 static double value_of(const struct genome_file *f, const struct genome_expr *e, const double *symbol)
 {
     double stack[MOST_STACK];
@@ -51,7 +51,7 @@ static void evaluate(const struct genome_file *f, const double *number, size_t n
         symbol[f->inputs + i] = value_of(f, &f->let[i], symbol);
 }
 
-/* A face about the unit one, somewhere, and a slave node over a point of it. */
+/* Draws a face near the unit face, anywhere, and a slave node over one of its points. */
 static struct sample random_sample(const struct segment_kind *kind, uint64_t *seed)
 {
     static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
@@ -77,7 +77,7 @@ static double symbol_named(const struct genome_file *f, const double *symbol, co
     return symbol[k];
 }
 
-/* Coordinates of a vector, or the vector that begins with a let. */
+/* Copies the coordinates of a vector, or the vector that begins with a let. */
 static void vector_named(const struct genome_file *f, const double *symbol, const char *name, double v[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -96,7 +96,7 @@ static void check_product(const struct genome_file *f, const double *symbol, con
     assert_true(fabs(vector_dot(x, y) - symbol_named(f, symbol, product)) < 1e-10);
 }
 
-/* d = S - r0, where A = 0 stands at rA from r0, and its parts. */
+/* Checks d = S - r0, where A = 0 lies at rA from r0, and its parts. */
 static void check_distance(const struct genome_file *f, const double *symbol)
 {
     static const char *const name[] = {"c10", "c01", "c11"}, *const product[] = {"d1", "d2", "d11"};

@@ -1,5 +1,5 @@
 /* The sixteen inputs of section 7.2, as the frame computes them, against a plain evaluation in the local axes of the
- * segment; anywhere in space, at any size and turned in any way. */
+ * segment; anywhere in space, at any size and orientation. */
 #include "../../evolve/common/stream.h"
 #include "../../evolve/eval/frame.h"
 
@@ -38,8 +38,7 @@ static void relative(const double p[3], const double origin[3], double r[3])
         r[k] = p[k] - origin[k];
 }
 
-/* A quarter of the segments are plane, the others warped; normals are up to 45 degrees off the local z.
- */
+/* Draws segments, a quarter of them plane, the others warped; normals are up to 45 degrees off the local z. */
 static struct sample random_sample(gsl_rng *rng)
 {
     static const double corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -111,7 +110,7 @@ static void frame_is_the_plain_evaluation(void **state)
     }
     gsl_rng_free(rng);
     struct columns table = frame_columns(program, s, SAMPLES);
-    for (size_t t = 0; t < scene->tiers; t++) /* every tier takes all of them, in the paper's order */
+    for (size_t t = 0; t < scene->tiers; t++) /* every tier uses all inputs, in the paper's order */
         for (size_t k = 0; k < INPUTS; k++)
             assert_string_equal(scene->tier[t].terminal[k], name[k]);
     for (size_t i = 0; i < SAMPLES; i++) {

@@ -1,4 +1,4 @@
-/* Smooth bodies and their meshes: exact geometry, how near to it smoothed surfaces come, and node normals (44). */
+/* Smooth bodies and their meshes: exact geometry, the distance of smoothed surfaces from it, and node normals (44). */
 #include "../../evolve/common/stream.h"
 #include "../../evolve/samples/bodies.h"
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
@@ -57,8 +57,8 @@ static struct deviation deviation_of(enum smooth_kind kind, int n)
     return most;
 }
 
-/* With exact normals the distance falls with the fourth power of the segments' width, the facets' with the second.  The
- * bounds are what tests/bench/bench_gregory_main.c reports, rounded up. */
+/* With exact normals the distance falls with the fourth power of the segments' width; for facets with the second power.
+ * The bounds are the results of tests/bench/bench_gregory_main.c, rounded up. */
 static void test_bodies(void **state)
 {
     (void)state;
@@ -79,7 +79,7 @@ static void test_bodies(void **state)
     }
 }
 
-/* Exact normals: of the body, as difference quotients see it, and of its closest point. */
+/* Exact normals agree with difference quotients and with the closest point's normal. */
 static void test_projection(void **state)
 {
     (void)state;
@@ -109,11 +109,11 @@ static void test_projection(void **state)
     gsl_rng_free(rng);
 }
 
-/* (44): known normals, nodes without any, indices out of range. */
+/* (44): known normals, nodes without a normal, indices out of range. */
 static void test_node_normals(void **state)
 {
     (void)state;
-    /* A roof, its two slopes of different width, and a node apart. */
+    /* A roof, its two slopes of different width, and a separate node. */
     const double xyz[7][3] = {{0, 0, 0}, {3, 0, 3}, {4, 0, 2}, {0, 1, 0}, {3, 1, 3}, {4, 1, 2}, {9, 9, 9}};
     int seg[2][4] = {{0, 1, 4, 3}, {1, 2, 5, 4}};
     double n[7][3];

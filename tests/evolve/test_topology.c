@@ -1,4 +1,4 @@
-/* Topologies of migration: permutations without fixed points, whose source and target belong together. */
+/* Topologies of migration: permutations without fixed points, whose sources and targets correspond. */
 #include "../../evolve/island/topology.h"
 
 #include <setjmp.h>
@@ -28,7 +28,7 @@ static void sources_and_targets_belong_together(void **state)
             }
 }
 
-/* Islands that a genome has reached after some migrations. */
+/* Returns how many islands a genome has reached after some migrations. */
 static size_t reached(enum topology topology, size_t places, size_t migrations)
 {
     bool here[64] = {true}, next[64];

@@ -1,4 +1,4 @@
-/* Genetic operators keep genomes complete, within their length, and made of the genes of their set. */
+/* Genetic operators keep genomes complete, within their length, and within their set of genes. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/genotype/tree.h"
@@ -75,7 +75,7 @@ static void operators_keep_genomes_valid(void **state)
     gsl_rng_free(rng);
 }
 
-/* Genes of the two children together are those of the two parents, when both fit. */
+/* The genes of two children together are their parents' genes, if both fit. */
 static void crossover_exchanges(void **state)
 {
     (void)state;
@@ -116,7 +116,7 @@ static void smallest_limits(void **state)
     gsl_rng_free(rng);
 }
 
-/* Full trees have all leaves at their depth; hashes tell trees apart. */
+/* Full trees have all leaves at their depth; hashes distinguish trees. */
 static void shapes_and_hashes(void **state)
 {
     (void)state;

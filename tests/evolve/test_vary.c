@@ -1,4 +1,4 @@
-/* What segments vary: known shapes, wherever they lie and however large they are; what rounding does is nothing. */
+/* The inputs that segments vary: known shapes anywhere and of any size; rounding does not count. */
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/samples/default_tiers.h"
 #include "../../evolve/samples/variation.h"
@@ -78,7 +78,7 @@ static void known_shapes_anywhere(void **state)
             }
 }
 
-/* 1e-12 of the size at the origin; further away only what the coordinates can tell. */
+/* The tolerance is 1e-12 of the size at the origin; farther away it grows with the rounding of coordinates. */
 static void the_tolerance_is_where_it_is_said(void **state)
 {
     static const struct {
@@ -97,7 +97,7 @@ static void the_tolerance_is_where_it_is_said(void **state)
     }
 }
 
-/* One sample among many decides; a segment without an area is no plane. */
+/* One sample among many decides; a segment without an area is not plane. */
 static void the_worst_decides(void **state)
 {
     struct sample s[50];
@@ -115,7 +115,7 @@ static void the_worst_decides(void **state)
                      VARY_RECTANGLES);
 }
 
-/* The frame that follows has all that its tiers name; the tiers of warped segments are those of the scene quad4. */
+/* The chosen frame has all values that its tiers name; warped segments have the tiers of the scene quad4. */
 static void frame_and_tiers_follow(void **state)
 {
     struct diag d;

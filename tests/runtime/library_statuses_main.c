@@ -1,20 +1,20 @@
-/* Statuses of the library's quick search, batches, Newton's iteration, gap, forces and derivatives, whatever flags they
- * are compiled with: every coordinate and every other number that is none is refused and outputs stay untouched;
- * segments without area are refused, of any size; ordinary ones are answered, of any size.  Exit status 1 and a line
- * for each failure. */
+/* Statuses of the library's quick search, batches, Newton's iteration, gap, forces and derivatives, compiled with any
+ * flags. Every coordinate and every other number that is NaN or infinite is refused, and outputs stay untouched.
+ * Segments without area are refused, ordinary segments are answered, at any size. Exit status 1 and a line for each
+ * failure. */
 #include "runtime/footpoint_batch.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { PAIRS = 70, OUTPUTS = 60 }; /* blocks of a batch and a rest; doubles at most that a function writes */
+enum { PAIRS = 70, OUTPUTS = 60 }; /* blocks of a batch and a rest; most doubles that a function writes */
 
 /* The fifteen coordinates, then loc, m, stiffness and gap. */
 enum { LOC = 15, NORMAL = 17, STIFFNESS = 20, GAP = 21, NUMBERS = 22 };
 
 typedef int function(const double *x, double *out);
-#ifndef POWER_STEP /* sizes are tested at powers of 2 that are this far apart */
+#ifndef POWER_STEP /* spacing of the tested sizes, as a power of 2 */
 #define POWER_STEP 1
 #endif
 #define NODES(x) (x), (x) + 3, (x) + 6, (x) + 9, (x) + 12
@@ -54,7 +54,7 @@ static int normal(const double *x, double *out)
     return footpoint_normal(x, x + 3, x + 9, out);
 }
 
-/* Number 40 of many pairs, all others ordinary. */
+/* Puts the segment into a batch as number 40 of many ordinary pairs. */
 static int batch(const double *x, double *out, enum footpoint_tier tier, int sure, int gaps)
 {
     static double xyz[10][3], loc[PAIRS][2], g[PAIRS];
@@ -129,7 +129,7 @@ static const struct {
     const char *name;
     function *call;
     const char *reads; /* a letter for each of NUMBERS: x if the function reads it */
-    int searches;      /* finds xi, eta, gap */
+    int searches;      /* finds xi, eta and gap */
 } functions[] = {{"footpoint_locate", locate, "xxxxxxxxxxxxxxx.......", 1},
                  {"footpoint_newton", newton, "xxxxxxxxxxxxxxx.......", 1},
                  {"footpoint_locate_pairs", pairs, "xxxxxxxxxxxxxxx.......", 1},
@@ -157,7 +157,7 @@ static void expect(int f, const double *x, int expected, const char *what, int n
     for (int i = 0; i < OUTPUTS; i++)
         out[i] = before[i] = 77.25;
     int status = functions[f].call(x, out);
-#ifdef __FAST_MATH__ /* where nothing is proved */
+#ifdef __FAST_MATH__ /* compiled without proofs */
     status = status == FOOTPOINT_UNPROVED ? FOOTPOINT_OK : status;
 #endif
     const int same = memcmp(out, before, sizeof out) == 0;
@@ -166,7 +166,7 @@ static void expect(int f, const double *x, int expected, const char *what, int n
                same ? "kept" : "written");
 }
 
-/* NaN of either sign and both infinities, made of their bits. */
+/* Tests NaN of either sign and both infinities, made of their bits. */
 static void test_not_finite(int f)
 {
     static const uint64_t bad[4] = {0x7ff8000000000000, 0xfff8000000000000, 0x7ff0000000000000, 0xfff0000000000000};
@@ -199,7 +199,7 @@ static void test_sizes(int f)
     }
 }
 
-/* A corner pushed onto the next one, the slave node over the middle of what is left. */
+/* Moves a corner onto the next, with the slave node over the middle of the rest. */
 static void test_collapsed(int f)
 {
     for (int edge = 0; edge < 4; edge++) {

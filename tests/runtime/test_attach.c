@@ -1,6 +1,6 @@
-/* The search that stands in for CalculiX's attach_2d: random and hard faces of every kind against a dense search in
- * long double, and conditions that the closest point of a closed face must meet.  Derivatives are differences of
- * positions: exact for polynomials of the second degree in either coordinate. */
+/* The replacement of CalculiX's attach_2d: random and hard faces of every kind against a dense search in long double,
+ * and conditions that the closest point of a closed face must meet. Derivatives are differences of positions, which are
+ * exact for polynomials of the second degree in either coordinate. */
 #include "../../evolve/common/stream.h"
 
 #include <float.h>
@@ -17,7 +17,7 @@ typedef long double real;
 
 enum { FACES = 1500, FEW_FACES = 400, GRID = 32, ZOOMS = 200 };
 
-/* Of local coordinates, and of distances over the longest edge and the distance. */
+/* Error of local coordinates; error of distances relative to the longest edge and the distance. */
 #define LOCAL_ERROR 1e-8
 #define DISTANCE_ERROR 2e-9
 
@@ -104,7 +104,7 @@ static int inside(const struct face *f, real u, real v)
     return is_triangle(f) ? u >= 0 && v >= 0 && u + v <= 1 + DBL_EPSILON : fabsl(u) <= 1 && fabsl(v) <= 1;
 }
 
-/* The least distance: on a grid, then by ever smaller steps from its best point. */
+/* Returns the least distance: on a grid, then by ever smaller steps from its best point. */
 static real dense_distance(const struct face *f)
 {
     const real low = is_triangle(f) ? 0 : -1, width = 1 - low;
@@ -148,7 +148,7 @@ static real longest_edge(const struct face *f)
     return most;
 }
 
-/* r - xS and the derivatives of r: by u, v, uu, uv, vv. */
+/* Computes r - xS and the derivatives of r: by u, v, uu, uv, vv. */
 static void derivatives(const struct face *f, real u, real v, real d[6][3])
 {
     const real h = 0.25L;
@@ -174,7 +174,7 @@ static void fail_on(const struct face *f, const struct answer *a, const char *wh
     fail_msg("%s: %s: %Lg at xi %.17g eta %.17g", f->family, what, value, a->loc[0], a->loc[1]);
 }
 
-/* Shape functions, point and distance belong to the local coordinates, and these to the face. */
+/* Checks that shape functions, point and distance belong to the local coordinates, and these to the face. */
 static void check_consistent(const struct face *f, const struct answer *a)
 {
     real phi[8], r[3], most = 0;
@@ -195,8 +195,8 @@ static void check_consistent(const struct face *f, const struct answer *a)
         fail_on(f, a, "distance", a->dist);
 }
 
-/* No direction along an edge, into the face, leads down; and inside, where the distance is well curved, Newton's next
- * step is short. */
+/* Checks that no direction along an edge or into the face decreases the distance; and that inside, where its curvature
+ * is large, Newton's next step is short. */
 static void check_stationary(const struct face *f, const struct answer *a)
 {
     static const int along[4][2] = {{1, 0}, {0, 1}, {-1, 1}, {1, 1}};
@@ -222,7 +222,8 @@ static void check_stationary(const struct face *f, const struct answer *a)
     }
 }
 
-/* What is asked of the answers of a family: on slim faces, points that differ much in local coordinates are as near. */
+/* The demands on the answers of a family. On slim faces, points with very different local coordinates are equally
+ * near. */
 enum demand { CLOSEST, STATIONARY_ALONE, DISTANCE_ALONE };
 
 static void check_answer(const struct face *f, enum demand demand)
@@ -247,7 +248,7 @@ static double uniform(gsl_rng *r, double low, double high)
 
 /* A family of faces: aspect up to 10^aspect; corners moved by up to `corner` in the plane and `warp` out of it, midside
  * nodes by up to `curve`; the slave node `gap` away in any direction from a point with local coordinates up to `reach`
- * times the face's; all moved by `offset`.  Lengths in shortest edges.  If `spoil`, the face is spoiled by it. */
+ * times the face's; all moved by `offset`. Lengths are in shortest edges. `spoil`, if set, then changes the face. */
 struct family {
     const char *name;
     int nodes;
@@ -283,7 +284,7 @@ static void cross(struct face *f, int index)
     memcpy(f->x[index % 2 + 1], t, sizeof t);
 }
 
-/* Midside nodes along the length, by up to a third of it. */
+/* Moves midside nodes along their edges, by up to a third of the length. */
 static void slide(struct face *f, int index)
 {
     const double length = (double)longest_edge(f);
@@ -291,7 +292,7 @@ static void slide(struct face *f, int index)
         f->x[n][0] += 0.3 * length * sin(7.0 * index + n);
 }
 
-/* The slave node onto a node, or into the middle between two. */
+/* Moves the slave node onto a node, or into the middle between two. */
 static void hit_node(struct face *f, int index)
 {
     for (int i = 0; i < 3; i++)
@@ -333,7 +334,7 @@ static const struct family families[] = {
 };
 enum { FAMILIES = sizeof families / sizeof *families };
 
-/* By the angles, about the z and the x axis, then shifted. */
+/* Turns by the angles about the z and the x axis, then shifts. */
 static void place(double x[3], double a, double b, double offset)
 {
     const double p = cos(a) * x[0] - sin(a) * x[1], q = sin(a) * x[0] + cos(a) * x[1], z = x[2];
@@ -386,7 +387,7 @@ static void closest_points(void **state)
     gsl_rng_free(r);
 }
 
-/* A quadratic face whose midside nodes halve its edges is the linear one. */
+/* A quadratic face whose midside nodes halve its edges equals the linear face. */
 static void faces_alike(void **state)
 {
     (void)state;
@@ -409,7 +410,7 @@ static void faces_alike(void **state)
     gsl_rng_free(r);
 }
 
-/* In any unit of length that attach.h promises. */
+/* Answers hold in any unit of length that attach.h allows. */
 static void any_unit(void **state)
 {
     (void)state;
@@ -434,7 +435,7 @@ static void any_unit(void **state)
     gsl_rng_free(r);
 }
 
-/* Of which another edge was nearer than the minimum that the iteration comes to: found by `make rivals`. */
+/* Faces found by `make rivals`: another edge is nearer than the minimum to which the iteration converges. */
 static void nearer_edge(void **state)
 {
     const struct face f = {.nodes = 6,

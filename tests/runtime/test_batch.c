@@ -1,5 +1,5 @@
-/* Batches: every tier, kind of array, size, order and instruction set gives the bits of the generated function for one
- * pair, statuses and untouched outputs included, on ordinary pairs and on bad ones; and so do prepared segments. */
+/* Batches: every tier, kind of array, size, order and instruction set returns the bits of the generated function for
+ * one pair, including statuses and untouched outputs, on ordinary and on bad pairs; so do prepared segments. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/batch/batch_block.h"
 #include "../support/ordinary_quad.h"
@@ -27,7 +27,7 @@ struct answer {
     int status;
 };
 
-/* One mesh in all kinds of arrays, and what is expected of its pairs. */
+/* One mesh in all kinds of arrays, and the expected answers of its pairs. */
 static struct model {
     double xyz[NODES][3], column[3][NODES], strided[NODES][STRIDE];
     float xyzf[NODES][3];
@@ -48,7 +48,7 @@ static void scale(double x[5][3], double by)
         x[i / 3][i % 3] *= by;
 }
 
-/* A pair that something is wrong with: `kind` from 0. */
+/* Spoils a pair in a way that `kind` selects, from 0. */
 static void spoil(double x[5][3], unsigned kind)
 {
     static const double bad[4] = {(double)NAN, (double)INFINITY, 1e200, -1e308};
@@ -60,7 +60,7 @@ static void spoil(double x[5][3], unsigned kind)
     case 1:
         memcpy(x[node % 4], x[(node + 1 + kind / 9 % 3) % 4], sizeof x[0]);
         break;
-    case 2: /* corners on a line, or nearly */
+    case 2: /* corners on a line, or nearly on a line */
         for (int i = 0; i < 4; i++)
             for (int k = 0; k < 3; k++)
                 x[i][k] = (i + 1) * (k + 1) + x[i][k] * (kind / 9 % 4 ? pow(10, -1.0 - kind / 9 % 13) : 0);
@@ -77,7 +77,7 @@ static void spoil(double x[5][3], unsigned kind)
     case 6: /* on a corner */
         memcpy(x[4], x[node % 4], sizeof x[0]);
         break;
-    case 7: /* finite, but not their sum */
+    case 7: /* finite, but their sum is not */
         for (int i = 0; i < 5; i++)
             x[i][c] = kind / 9 % 2 ? 1e308 : 3e307;
         break;
@@ -100,7 +100,7 @@ static int one_pair(enum footpoint_tier tier, size_t i, const double x[NODES][3]
     return a->status = single[tier](x[s[0]], x[s[1]], x[s[2]], x[s[3]], x[model.slave[i]], a->loc, &a->gap);
 }
 
-/* bad: every how manieth pair is spoilt, 0 for none. */
+/* Builds the model; every bad-th pair is spoilt, 0: no pair. */
 static void build(unsigned bad)
 {
     const struct quad_limits wide = {0.3, 0.2, 0.5, 1.5};
@@ -139,8 +139,8 @@ static void clear(void)
     }
 }
 
-/* What rounding may change where the compiler contracts to fused operations, in each loop in its own way: no bits are
- * promised there.  Elsewhere nothing. */
+/* Tolerance of the answers if the compiler contracts to fused operations, differently in each loop; otherwise bits
+ * agree. */
 #ifdef __FMA__
 #define ROUNDING 1e-9
 #else
@@ -162,7 +162,7 @@ static int same_rounded(float a, double b)
     return a == (float)b || fabs((double)a - b) <= 1e7 * FLT_EPSILON * ROUNDING * (1 + fabs(b));
 }
 
-/* Answers `at` against the ones expected of pairs from..from+n-1. */
+/* Checks the answers at `at` against those expected for pairs from..from+n-1. */
 static void check(const char *what, int tier, size_t from, size_t n, size_t failed, int gap, int status)
 {
     size_t bad = 0;
@@ -180,7 +180,7 @@ static void check(const char *what, int tier, size_t from, size_t n, size_t fail
     assert_int_equal(failed, bad);
 }
 
-/* The pairs from number `from` in arrays of one kind: 0 nodes x 3, 1 columns, 2 with a stride. */
+/* Returns the pairs from number `from` in one kind of arrays: 0 nodes x 3, 1 columns, 2 with a stride. */
 static struct footpoint_pairs pairs_of(size_t from, size_t n, int layout, int wide)
 {
     struct footpoint_pairs p = {.n = n, .nodes = NODES};
@@ -231,7 +231,7 @@ static void test_sizes(void **state)
     }
 }
 
-/* Coordinates in float: the answer for the same coordinates in double, rounded if wanted. */
+/* Coordinates in float have the answer of the same coordinates in double, rounded on request. */
 static void test_float(void **state)
 {
     static double widened[NODES][3];
@@ -262,7 +262,7 @@ static void test_float(void **state)
         }
 }
 
-/* The short way is taken only by pairs whose status is FOOTPOINT_OK, and by ordinary ones always. */
+/* Only pairs with status FOOTPOINT_OK take the short way; ordinary pairs always do. */
 static void test_short_way(void **state)
 {
     static struct block b;
@@ -296,7 +296,7 @@ static void test_refused(void **state)
     p[0].x = NULL;
     p[1].stride = 0;
     p[2].slave = NULL;
-    p[4].y = NULL, p[4].xf = p[4].yf = p[4].zf = model.xyzf[0]; /* one array of a kind, all of the other */
+    p[4].y = NULL, p[4].xf = p[4].yf = p[4].zf = model.xyzf[0]; /* one array of one kind, the others of another */
     p[5].seg64 = pairs_of(0, 100, 0, 1).seg64;
     p[6].nodes = 0, p[6].x = p[6].y = p[6].z = NULL;
     for (int i = 0; i < CASES; i++) {
@@ -310,7 +310,8 @@ static void test_refused(void **state)
     }
 }
 
-/* All instruction sets answer alike, whatever the kind of arrays; a block with the last node is no block of triples. */
+/* All instruction sets return the same answers for all kinds of arrays; a block with the last node is not a block of
+ * triples. */
 static void test_instruction_sets(void **state)
 {
     static struct block blocks[LANE_SETS];
@@ -336,7 +337,7 @@ static void test_instruction_sets(void **state)
         assert_true(taken[kind] > 0 && taken[kind] <= taken[0]);
 }
 
-/* The last node may lie at the very end of an array: nothing behind it is read. */
+/* The last node may lie at the very end of an array: nothing after it is read. */
 static void test_last_node(void **state)
 {
     enum { LAST = 40 };
@@ -374,7 +375,7 @@ static void test_last_node(void **state)
     }
 }
 
-/* Each segment with the slave nodes of its neighbours in the list. */
+/* Each segment is searched with the slave nodes of its neighbours in the list. */
 static void test_prepared(void **state)
 {
     enum { MOST = 70 };

@@ -36,7 +36,7 @@ static void test_normal(void **state)
     assert_true(m[0] == UNTOUCHED && m[1] == UNTOUCHED && m[2] == UNTOUCHED);
 }
 
-/* Edges and nodes on a line, of which rounding leaves products other than 0. */
+/* Edges and nodes on a line, for which rounding leaves products other than 0. */
 static void test_parallel(void **state)
 {
     const double O[3] = {0, 0, 0}, X[3] = {0.1, 0.2, 0.3}, loc[2] = {0.1, 0.2};
@@ -101,7 +101,7 @@ static void test_forces_balance(void **state)
         assert_int_equal(footpoint_force(q.gap, k, n, loc, fs, fm), FOOTPOINT_OK);
         for (int c = 0; c < 3; c++) {
             const int u = (c + 1) % 3, v = (c + 2) % 3;
-            /* (10): out of the segment, and nothing across a gap. */
+            /* (10): the force points out of the segment; it is 0 if the gap is open. */
             assert_true(fabs(fs[c] - (q.gap < 0 ? -q.gap * k * n[c] : 0)) < 1e-12);
             sum[c] = fs[c];
             moment[c] = q.xs[u] * fs[v] - q.xs[v] * fs[u];
@@ -136,8 +136,8 @@ static double uniform(uint64_t *stream)
     return (double)(*stream >> 11) * 0x1p-53;
 }
 
-/* A parallelogram of any position and slave nodes in its plane, 1e-3 to 10 edges beside it: no forces.  Moved behind the
- * plane by 1e-9, they give some. */
+/* A parallelogram in any position with slave nodes in its plane, 1e-3 to 10 edges beside it, has no forces. Slave nodes
+ * moved behind the plane by 1e-9 have some. */
 static void test_force_beside(void **state)
 {
     uint64_t stream = 20246;
@@ -181,13 +181,13 @@ static void test_force_refused(void **state)
     assert_int_equal(footpoint_force(-1, 10, m, bad_loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_force(-1, -10, m, loc, fs, fm), FOOTPOINT_ERR_ARGUMENT);
     assert_int_equal(footpoint_force(-1e200, 1e200, m, loc, fs, fm),
-                     FOOTPOINT_ERR_NOT_FINITE); /* a force beyond all numbers */
+                     FOOTPOINT_ERR_NOT_FINITE); /* a force that overflows */
     assert_int_equal(footpoint_force_balanced(patch[0], patch[1], patch[4], patch[3], deep, loc, 1e200, fs, fm),
                      FOOTPOINT_ERR_NOT_FINITE);
     assert_true(fs[0] == UNTOUCHED && fs[2] == UNTOUCHED && fm[0][0] == UNTOUCHED);
 }
 
-/* ---- which segment ---- */
+/* ---- choice of the segment ---- */
 
 static void check_chosen(const double *xyz, const double xs[3], int expected)
 {
@@ -209,7 +209,7 @@ static void test_select_inside(void **state)
     }
 }
 
-/* Over an edge, the first of its two segments; over the node, the first of all. */
+/* Over an edge, the first of its two segments is chosen; over the node, the first of all. */
 static void test_select_ties(void **state)
 {
     const double edge[4][3] = {{0, 0.5, 0.1}, {-0.5, 0, 0.1}, {0, -0.5, 0.1}, {0.5, 0, -0.1}}, node[3] = {0, 0, 0.2};
@@ -238,7 +238,7 @@ static void test_select_turned(void **state)
         const double t = 0.05 + 0.9 * (double)i / SEGMENTS, *e = on_edge[i % 4];
         const double place[3] = {t * e[0], t * e[1], 0.3}, inside[3] = {0.3 * t, -0.4 * t, 0.1};
         double axis[3][3], xyz[9][3], xs[3], length = 0;
-        /* An orthonormal frame from the random segment. */
+        /* an orthonormal frame from the random segment */
         for (int k = 0; k < 3; k++) {
             axis[0][k] = q.x[1][k] - q.x[0][k];
             length += axis[0][k] * axis[0][k];

@@ -1,5 +1,5 @@
-/* The contact element, of all kinds of faces: its tangents are derivatives of its forces, by differences; forces balance;
- * Newton's iteration with the tangent converges quadratically. */
+/* The contact element for all kinds of faces: its tangents are derivatives of its forces, by differences; forces
+ * balance; Newton's iteration with the tangent converges quadratically. */
 #include "../../runtime/footpoint_face.h"
 #include "../support/quad_precision.h"
 
@@ -21,7 +21,7 @@ enum { SAMPLES = 20, C = MOST_COORDINATES };
 
 /* A contact and its element. */
 struct contact {
-    double x[C], xi0, eta0, multiplier, friction; /* it sticks at (xi0, eta0) */
+    double x[C], xi0, eta0, multiplier, friction; /* the node sticks at (xi0, eta0) */
     double pressure, normal[C], packed[C * (C + 1) / 2], slip[2], tangential[C], full[C * C];
 };
 
@@ -36,7 +36,7 @@ static int point_of(int kind, const double *x, const double loc[2], struct point
     return footpoint_face_hessian(face, x, loc, NULL, NULL, NULL, p->d_gap, p->d_normal, p->hessian);
 }
 
-/* The element at the foot point, which is found in quadruple precision. */
+/* Computes the element at the foot point, found in quadruple precision. */
 static void assemble(int kind, const struct exact_face *f, struct contact *e)
 {
     const int nodes = f->nodes, n = 3 * (nodes + 1);
@@ -58,7 +58,7 @@ static void assemble(int kind, const struct exact_face *f, struct contact *e)
                      FOOTPOINT_OK);
 }
 
-/* Nodes moved, the slave node above or below the place (0.2, 0.1) or so. */
+/* Draws moved nodes, and the slave node above or below a place near (0.2, 0.1). */
 static void draw(uint64_t *stream, const struct exact_face *f, double gap, struct contact *e)
 {
     for (int i = 0; i < 3 * f->nodes + 3; i++) {
@@ -134,7 +134,7 @@ static void tangents_are_derivatives(void **state)
     assert_true(open > 5 && slid > 5 && stuck > 5);
 }
 
-/* Balanced forces at the foot point, in the order of coordinates. */
+/* Computes balanced forces at the foot point, in the order of coordinates. */
 static void balanced_forces(const struct exact_face *f, const double *x, double *force)
 {
     quadruple y[C];
@@ -148,7 +148,7 @@ static void balanced_forces(const struct exact_face *f, const double *x, double 
         FOOTPOINT_OK);
 }
 
-/* Forces along xS - r are those along the normal, at foot points, and so are their derivatives. */
+/* At foot points, forces along xS - r equal those along the normal, and so do their derivatives. */
 static void balanced_forces_have_the_same_tangent(void **state)
 {
     const struct exact_face f = exact_face_of(4);
@@ -180,7 +180,7 @@ static double length(const double f[3])
     return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
 }
 
-/* A slave node on springs, pressed into a face and drawn along it: the residuals of Newton's iteration. */
+/* Newton's residuals fall quadratically for a slave node on springs that is pressed into a face and drawn along it. */
 static void newton_is_quadratic(void **state)
 {
     static const double anchor[3] = {0.3, 0.2, -0.5}, springs = 10;
@@ -218,13 +218,14 @@ static void newton_is_quadratic(void **state)
             if (!(last <= 1e-12))
                 fail_msg("kind %d, slides %d: residual %g", kind, slides, last);
             assert_true((e.slip[0] != 0) == slides);
-            /* Quadratic: each of the last is below a constant times the square of the one before. */
+            /* each of the last residuals is below a constant times the square of its predecessor */
             for (int k = step - 2; k < step; k++)
                 assert_true(k < 1 || residual[k] <= 1e-12 || residual[k] <= 2 * residual[k - 1] * residual[k - 1]);
         }
 }
 
-/* A square of sides 2 * 2^power with the slave node 0.1 below (0.3, 0.1), dragged from the middle; forces stay as they are. */
+/* Drags the slave node of a square with sides 2 * 2^power from the middle to 0.1 below (0.3, 0.1); forces do not change
+ * with the power. */
 static int drag(int power, double eta, double slip[2], double force[15], double tangent[225])
 {
     const double phi[4] = {0.25, 0.25, 0.25, 0.25}, normal[3] = {0, 0, 1}, square = 0.1;
@@ -250,7 +251,7 @@ static int drag(int power, double eta, double slip[2], double force[15], double 
     return status;
 }
 
-/* In any unit of length from 1e-300 to 1e300, and down to tangents that are next to parallel. */
+/* Friction works in any unit of length from 1e-300 to 1e300, and for nearly parallel tangents. */
 static void friction_takes_any_unit(void **state)
 {
     static double force[15], tangent[225], at_one[225];
@@ -273,7 +274,7 @@ static double uniform(uint64_t *stream)
     return (double)(*stream >> 11) * 0x1p-53;
 }
 
-/* Sizes and stiffnesses up to 1e305: every output is finite, or none is written. */
+/* For sizes and stiffnesses up to 1e305, all outputs are finite or untouched. */
 static void friction_is_finite_or_refused(void **state)
 {
     static double force[15], tangent[225];
@@ -310,7 +311,7 @@ static void friction_is_finite_or_refused(void **state)
     assert_in_range(answers, 5000, 19000);
 }
 
-/* No number of nodes passes by overflow: 3 (1431655765 + 1) is 2 modulo 2^32. */
+/* The number of nodes must not overflow unnoticed: 3 (1431655765 + 1) is 2 modulo 2^32. */
 static void nodes_are_counted(void **state)
 {
     static double zero[C * C], out[C * C], pressure, slip[2];
@@ -348,7 +349,7 @@ static void arguments_are_checked(void **state)
                      FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_element_normal(4, 1e200, many, many, 1e200, 0, &pressure, out, out), FOOTPOINT_OK);
     out[0] = slip[0] = 77.25;
-    for (int bad = 0; bad < 3; bad++) { /* each of them went on into an answer */
+    for (int bad = 0; bad < 3; bad++) { /* each bad number once reached an answer */
         double phi[4] = {bad == 0 ? INFINITY : 0.25, 0.25, 0.25, 0.25};
         assert_int_equal(footpoint_element_friction(4, many, phi, a, b, c, many, many, 1, bad == 1 ? INFINITY : 1, 1,
                                                     bad == 2 ? INFINITY : 1, slip, out, out),

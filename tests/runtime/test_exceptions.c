@@ -1,5 +1,5 @@
 /* Floating-point exceptions, traps, flush-to-zero: each statement of the sections "Floating-point exceptions" of
- * generated/README.md and runtime/README.md, on faces of all kinds.  Shapes, slave nodes and sizes are drawn at random. */
+ * generated/README.md and runtime/README.md, on faces of all kinds, with random shapes, slave nodes and sizes. */
 #define _GNU_SOURCE /* feenableexcept */
 
 #include "../../generated/footpoint_quad4.h"
@@ -25,7 +25,7 @@
 
 enum { SAMPLES = 200, TRAPPED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, MOST_NODES = 9, FTZ_DAZ = 0x8040 };
 
-/* Everything that a function writes. */
+/* All outputs of the functions. */
 static struct {
     double loc[2], gap, rows[9 * 30 + 90 + 465];
     int region;
@@ -167,7 +167,7 @@ static int select_closest(int kind, double (*x)[3])
     return kind == FOOTPOINT_QUAD4 ? footpoint_select_closest(x[0], 0, 2, seg, x[4], &out.region, &out.gap) : 0;
 }
 
-/* SOUND: no exceptions on collapsed quads and of NaN, either.  PROVED: nor at any size. */
+/* SOUND: no exceptions on collapsed quads and NaN, either. PROVED: nor at any size. */
 enum { SOUND = 1, PROVED = 2 };
 
 static const struct {
@@ -269,7 +269,7 @@ static void sound_functions_raise_nothing(void **state)
                 expect_quiet(f, (enum family)family, sizes[i]);
 }
 
-/* With traps on, held environments keep all calls from stopping the program, and flags as they were. */
+/* With traps on, calls between held environments do not stop the program, and flags stay unchanged. */
 static void held_environments_keep_traps_off(void **state)
 {
     static const double sizes[] = {1, 1e-300, 1e-150, 1e150, 1e300};

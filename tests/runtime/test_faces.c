@@ -1,6 +1,6 @@
 /* The library's faces of every kind: foot points and derivatives against quadruple precision, closest points against
- * points all over the face, many pairs to the bits of single ones, and statuses.  footpoint_face_robust on strongly curved
- * faces is in generated/test_curved.c. */
+ * points all over the face, many pairs against single pairs to the bit, and statuses. generated/test_curved.c tests
+ * footpoint_face_robust on strongly curved faces. */
 #include "../../runtime/footpoint_face.h"
 #include "../support/quad_precision.h"
 
@@ -22,7 +22,8 @@ static double uniform(uint64_t *stream)
     return (double)(*stream >> 11) * 0x1p-53;
 }
 
-/* Nodes moved by up to 0.05; the slave node above or below some point of the face, or beyond it by up to a tenth. */
+/* Draws a face with nodes moved by up to 0.05, and a slave node above or below a point of the face, or up to a tenth
+ * beyond it. */
 static void draw(uint64_t *stream, enum footpoint_face face, double *x)
 {
     const struct exact_face f = exact_face_of(footpoint_face_nodes(face));
@@ -88,7 +89,7 @@ static void foot_points_are_right(void **state)
     }
 }
 
-/* From a slave node to the point (xi, eta) of its face. */
+/* Returns the distance of the slave node from the point (xi, eta) of its face. */
 static double distance_to(const struct exact_face *f, const double *x, double xi, double eta)
 {
     quadruple y[C], r[3], normal[3];
@@ -129,7 +130,7 @@ static void nothing_is_closer(void **state)
     }
 }
 
-/* Faces and slave nodes one after the other, each with nodes of its own. */
+/* Consecutive faces and slave nodes, each with its own nodes. */
 struct mesh {
     double xyz[PAIRS * C];
     int seg[PAIRS * MOST_NODES], slave[PAIRS];
@@ -148,7 +149,7 @@ static void fill(struct mesh *m, enum footpoint_face face)
     }
 }
 
-/* To the bits, but where compilers fuse operations each in its own way. */
+/* Checks equal bits, or a tolerance if compilers fuse operations. */
 static void expect_same(const double *a, const double *b, int n)
 {
 #ifdef __FMA__
@@ -198,7 +199,7 @@ static void pairs_are_single_ones(void **state)
     }
 }
 
-/* With faces pulled out of shape, far slave nodes and what has no answer. */
+/* Includes distorted faces, far slave nodes and pairs without an answer. */
 static void robust_pairs_are_single_ones(void **state)
 {
     static const size_t counts[] = {0, 1, 31, 32, 33, PAIRS};
@@ -244,7 +245,7 @@ static void robust_pairs_are_single_ones(void **state)
     }
 }
 
-/* From answers that are off by up to 0.3, from none, and with what has no answer. */
+/* Starts from answers that are off by up to 0.3, or from NaN, and includes pairs without an answer. */
 static void tracked_pairs_are_located_ones(void **state)
 {
     static struct mesh m;
@@ -335,7 +336,7 @@ static double largest(const double *x, const double *xS, int n)
     return most;
 }
 
-/* Of any size, from any corner on. */
+/* Faces of any size, with any first corner. */
 static void robust_is_closest(void **state)
 {
     uint64_t stream = 7;
@@ -360,7 +361,7 @@ static void robust_is_closest(void **state)
                 assert_true(region == where);
                 expect_near(ldexp(distance, -exponent), d, 1e-15, "in another unit", face);
             }
-            for (int k = 0; k < nodes; k++) /* A is what was B, and so on */
+            for (int k = 0; k < nodes; k++) /* A takes B's place, and so on */
                 memcpy(y + 3 * k,
                        x + 3 * (k < corners       ? (k + 1) % corners
                                 : k < 2 * corners ? corners + (k + 1) % corners
@@ -377,7 +378,7 @@ static void robust_is_closest(void **state)
     }
 }
 
-/* What has no area, no single answer, or is far away. */
+/* Faces without area or with several closest points, and far slave nodes, have an honest status. */
 static void robust_is_sure_or_says_so(void **state)
 {
     uint64_t stream = 11;
@@ -386,7 +387,7 @@ static void robust_is_sure_or_says_so(void **state)
         const struct exact_face f = exact_face_of(footpoint_face_nodes(face));
         double x[C], loc[2], distance;
         int region;
-        for (int flat = 0; flat < 2; flat++) { /* a point, a line; xS 5 away */
+        for (int flat = 0; flat < 2; flat++) { /* all nodes at a point or on a line; xS 5 away */
             for (int i = 0; i < 3 * f.nodes; i++)
                 x[i] = i % 3 < 1 + flat ? 3.0 : 2.0 * (flat ? f.place[i / 3][0] + f.place[i / 3][1] : 0.0) + 1.0;
             x[3 * f.nodes] = 6.0, x[3 * f.nodes + 1] = flat ? 7.0 : 1.0, x[3 * f.nodes + 2] = flat ? 1.0 : 5.0;
@@ -394,7 +395,7 @@ static void robust_is_sure_or_says_so(void **state)
             assert_true(status == FOOTPOINT_NO_AREA || (flat && status == FOOTPOINT_UNPROVED));
             expect_near(distance, 5.0, 1e-9, "without area", face);
         }
-        for (int line = 0; line < 15; line++) { /* no normal, no sign */
+        for (int line = 0; line < 15; line++) { /* no normal, so no sign */
             for (int i = 0; i <= f.nodes; i++) {
                 const double step = 1.6 * uniform(&stream) - 0.8;
                 for (int k = 0; k < 3; k++)
@@ -416,7 +417,7 @@ static void robust_is_sure_or_says_so(void **state)
             expect_near(distance_to(&f, x, loc[0], loc[1]), fabs(distance), 1e-12 * span, "from afar", face);
         }
     }
-    double dome[C], loc[2], distance; /* its corners are equally near to what lies on the axis far below */
+    double dome[C], loc[2], distance; /* its corners are equally near to points on the axis far below */
     int region;
     const struct exact_face f = exact_face_of(9);
     for (int i = 0; i < 27; i++)
@@ -487,7 +488,7 @@ static void far_foot_points_are_found(void **state)
             x[i] = i % 3 < 2 ? f.place[i / 3][i % 3] : 0.0;
         memcpy(x + 3 * f.nodes, far, sizeof far);
         const int status = footpoint_face_locate(face, x, loc, &gap);
-        /* rounding may forbid the proof */
+        /* rounding may prevent the proof */
         assert_true(status == FOOTPOINT_OK || (f.nodes > 4 && status == FOOTPOINT_UNPROVED));
         expect_near(loc[0], far[0], 1e-6, "xi", face);
         expect_near(loc[1], far[1], 1e-6, "eta", face);

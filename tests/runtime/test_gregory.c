@@ -1,5 +1,5 @@
 /* Smoothed segments: Gregory and Bezier patches against (45)-(50) evaluated by de Casteljau's algorithm with 320 bits
- * (MPFR), derivatives against its difference quotients; one tangent plane along shared edges. */
+ * (MPFR), derivatives against their difference quotients; one tangent plane along shared edges. */
 #include "../../evolve/common/stream.h"
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
@@ -56,7 +56,7 @@ static int finish(void **state)
     return 0;
 }
 
-/* a = (1 - t) a + t b */
+/* Computes a = (1 - t) a + t b. */
 static void approach(mpfr_t a, mpfr_t b, mpfr_t t)
 {
     mpfr_sub(sum, b, a, MPFR_RNDN);
@@ -70,7 +70,7 @@ static void casteljau(mpfr_t p[4], mpfr_t t)
             approach(p[i], p[i + 1], t);
 }
 
-/* Component c of r - A at (u,v). */
+/* Computes component c of r - A at (u,v). */
 static void position(mpfr_t r, const struct footpoint_gregory *g, int c, mpfr_t u, mpfr_t v)
 {
     for (int i = 0; i < 4; i++)
@@ -86,7 +86,7 @@ static void position(mpfr_t r, const struct footpoint_gregory *g, int c, mpfr_t 
                 mpfr_ui_sub(weight[1], 1, v, MPFR_RNDN);
             mpfr_add(sum, weight[0], weight[1], MPFR_RNDN);
             if (mpfr_zero_p(sum))
-                continue; /* a corner, where the point counts for nothing */
+                continue; /* a corner, where the point has weight 0 */
             mpfr_mul_d(weight[0], weight[0], g->net.p[i][j][c], MPFR_RNDN);
             mpfr_mul_d(weight[1], weight[1], g->twin[i - 1][j - 1][c], MPFR_RNDN);
             mpfr_add(work[i][j], weight[0], weight[1], MPFR_RNDN);
@@ -100,7 +100,7 @@ static void position(mpfr_t r, const struct footpoint_gregory *g, int c, mpfr_t 
     mpfr_set(r, column[0], MPFR_RNDN);
 }
 
-/* Component c of the jet at (xi + offset, eta + offset_eta), from difference quotients over 2^-90. */
+/* Computes component c of the jet at (xi + offset, eta + offset_eta), from difference quotients over 2^-90. */
 static void quotients(const struct footpoint_gregory *g, int c, double xi, double eta, double offset[2], double jet[6])
 {
     enum { STEP = 90 };
@@ -108,7 +108,7 @@ static void quotients(const struct footpoint_gregory *g, int c, double xi, doubl
                                         {0, 0, 0, 0, 1, 0, 0, 0, 0},   {0, -1, 0, 0, 0, 0, 0, 1, 0},
                                         {0, 0, 0, -1, 0, 1, 0, 0, 0},  {0, 1, 0, 0, -2, 0, 0, 1, 0},
                                         {1, 0, -1, 0, 0, 0, -1, 0, 1}, {0, 0, 0, 1, -2, 1, 0, 0, 0}};
-    /* A step of xi is twice that of u; central first differences span two steps, the mixed one four. */
+    /* A step of xi is twice a step of u; central first differences span two steps, the mixed difference four. */
     static const int power[6] = {0, STEP - 2, STEP - 2, 2 * STEP - 2, 2 * STEP - 4, 2 * STEP - 2};
     mpfr_t r[9], u, v, total;
     for (int k = 0; k < 9; k++)
@@ -157,7 +157,7 @@ static const double *derivative(const struct footpoint_jet *jet, int d)
     return all[d];
 }
 
-/* A segment with strongly tilted normals. */
+/* Draws a segment with strongly tilted normals. */
 static void random_segment(gsl_rng *rng, double x[4][3], double n[4][3])
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -194,7 +194,7 @@ static void compare_jet(const struct footpoint_gregory *g, double xi, double eta
     }
 }
 
-/* Inside, next to corners, on edges; and in corners, from the diagonal. */
+/* Jets are right inside, next to corners and on edges; in corners, as limits from the diagonal. */
 static void test_jet(void **state)
 {
     (void)state;
@@ -219,7 +219,7 @@ static void test_jet(void **state)
     gsl_rng_free(rng);
 }
 
-/* Beyond an edge r is continued without poles and with its derivatives. */
+/* Beyond an edge r continues without poles, with its derivatives. */
 static void test_beyond(void **state)
 {
     (void)state;
@@ -243,7 +243,8 @@ static void test_beyond(void **state)
     gsl_rng_free(rng);
 }
 
-/* Corners and their normals are met; a flat parallelogram is the bilinear segment; what cannot be made is refused. */
+/* Patches contain corners and their normals; a flat parallelogram is the bilinear segment; impossible patches are
+ * refused. */
 static void test_interpolation(void **state)
 {
     (void)state;
@@ -286,7 +287,7 @@ static void test_interpolation(void **state)
     gsl_rng_free(rng);
 }
 
-/* Renumbering the corners turns (xi,eta) and nothing else. */
+/* Renumbering the corners only turns (xi,eta). */
 static void test_renumbering(void **state)
 {
     (void)state;
@@ -313,7 +314,7 @@ static void test_renumbering(void **state)
 /* ---- neighbours ------------------------------------------------------------------------------------------------ */
 
 /* Largest distance and largest angle between two patches along the edge from corner a to corner b of the first, which
- * the other knows as from c to d. */
+ * is the edge from c to d of the second. */
 struct joint {
     double distance, angle;
 };
@@ -349,13 +350,13 @@ static struct joint join(const struct footpoint_gregory *p, const int from[2], c
     return most;
 }
 
-/* `valence` segments around a node, random heights and random normals: all joints between them. */
+/* Makes `valence` segments around a node with random heights and normals, and returns the worst joint. */
 static struct joint fan(gsl_rng *rng, int valence, int smooth)
 {
     double x[13][3], normal[13][3];
     struct footpoint_gregory patch[6];
     struct joint most = {0, 0};
-    for (int i = 0; i <= 2 * valence; i++) { /* node 0 is the middle; odd ones end edges that meet there */
+    for (int i = 0; i <= 2 * valence; i++) { /* node 0 is the middle; odd nodes end edges that meet there */
         const double radius = i == 0 ? 0 : i % 2 ? 1 : 1.3, angle = M_PI * (i - 1) / valence;
         double length = 0;
         for (int k = 0; k < 3; k++) {
@@ -377,7 +378,7 @@ static struct joint fan(gsl_rng *rng, int valence, int smooth)
         if (!smooth)
             assert_int_equal(footpoint_bezier_points((rows)corner, (rows)n, &patch[i].net), FOOTPOINT_OK);
     }
-    for (int i = 0; i < valence; i++) { /* the edge from the middle to this one's D is the next one's AB */
+    for (int i = 0; i < valence; i++) { /* the edge from the middle to this segment's D is AB of the next */
         const int next = (i + 1) % valence;
         const int from[2] = {(4 - i % 4) % 4, (3 + 4 - i % 4) % 4};
         const int to[2] = {(4 - next % 4) % 4, (1 + 4 - next % 4) % 4};

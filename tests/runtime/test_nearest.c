@@ -1,6 +1,6 @@
-/* footpoint_face_select over closed meshes of each kind: the face, the distance and the side are those that
- * footpoint_face_robust finds of all faces.  The mesh is a cube of N x N faces a side (triangles: twice as many), blown up to
- * a sphere with dents.  Slave nodes lie on normals of the faces, up to an edge away or about 100 edges: their side is known.
+/* footpoint_face_select over closed meshes of each kind: face, distance and side are those that footpoint_face_robust
+ * finds among all faces. The mesh is a cube of N x N faces per side (triangles: twice as many), projected onto a sphere
+ * with dents. Slave nodes lie on normals of the faces, up to an edge or about 100 edges away, so their side is known.
  * FOOTPOINT_LONG=1: a million. */
 #include "../../runtime/footpoint_face.h"
 
@@ -29,7 +29,7 @@ static double uniform(uint64_t *stream)
     return (double)(*stream >> 11) * 0x1p-53;
 }
 
-/* A point of the cube's surface goes to the body's, edges of 1 or so; equal points to equal bits. */
+/* Maps a point of the cube's surface to the body, with edges of about 1; equal points keep equal bits. */
 static void blow_up(const double p[3], double x[3])
 {
     const double length = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]), u = p[0] / length, v = p[1] / length;
@@ -38,7 +38,7 @@ static void blow_up(const double p[3], double x[3])
         x[i] = radius * p[i] / length;
 }
 
-/* Point (a, b) of side s of the cube, both from 0 to 2 N, a x b outwards. */
+/* Computes point (a, b) of side s of the cube, both from 0 to 2 N, a x b outwards. */
 static void place(int s, int a, int b, double p[3])
 {
     const double u = (double)a / N - 1.0, v = (double)b / N - 1.0;
@@ -85,7 +85,7 @@ static void gather(const struct mesh *m, int face, const double xS[3], double *x
     memcpy(x + 3 * m->nodes, xS, 3 * sizeof *x);
 }
 
-/* A slave node on the normal of some face, at a corner or an edge now and then; returns its side. */
+/* Draws a slave node on the normal of a face, sometimes at a corner or an edge; returns its side. */
 static int draw(const struct mesh *m, uint64_t *stream, int far, double xS[3])
 {
     const int face = (int)(uniform(stream) * m->faces), snapped = uniform(stream) < 0.3;
@@ -108,7 +108,7 @@ static int draw(const struct mesh *m, uint64_t *stream, int far, double xS[3])
     return fabs(height) < 1e-6 ? 0 : height < 0.0 ? -1 : 1;
 }
 
-/* The least distance of all faces; distance[] is indexed by face. */
+/* Returns the least distance of all faces; distance[] is indexed by face. */
 static double search_all(const struct mesh *m, const double xS[3], double *distance)
 {
     double least = HUGE_VAL;

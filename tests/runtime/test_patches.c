@@ -1,5 +1,5 @@
-/* The library's patches: foot points and derivatives against quadruple precision, many pairs to the bits of single ones,
- * and statuses. */
+/* The library's patches: foot points and derivatives against quadruple precision, many pairs against single pairs to
+ * the bit, and statuses. */
 #include "../../runtime/footpoint_patch.h"
 #include "../support/quad_patch.h"
 
@@ -24,7 +24,7 @@ static double uniform(uint64_t *stream)
     return (double)(*stream >> 11) * 0x1p-53;
 }
 
-/* Of a slightly crooked sphere; the slave node above or below some point well inside. */
+/* Draws a patch of a slightly crooked sphere, with the slave node above or below a point well inside. */
 static void draw(uint64_t *stream, enum footpoint_patch patch, double *x)
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -90,7 +90,7 @@ static void foot_points_are_right(void **state)
         }
 }
 
-/* Segments and slave nodes one after the other, each with nodes of its own. */
+/* Consecutive segments and slave nodes, each with its own nodes, have the answers of single pairs. */
 static void pairs_are_the_same(void **state)
 {
     uint64_t stream = 5;

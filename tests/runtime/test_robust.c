@@ -1,5 +1,5 @@
-/* Answers with a proof: footpoint_certify, footpoint_robust, footpoint_stationary, footpoint_differentiate, and what
- * footpoint_locate says of its answers.  Hard cases against extended precision are in tests/hard/, see cli/hard.sh. */
+/* Proved answers: footpoint_certify, footpoint_robust, footpoint_stationary, footpoint_differentiate, and the statuses
+ * of footpoint_locate. Hard cases against extended precision are in tests/hard/, see cli/hard.sh. */
 #include "../../runtime/footpoint_face.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 #include "../support/ordinary_quad.h"
@@ -27,7 +27,7 @@ static double size_of(const struct quad *q)
     return size;
 }
 
-/* The largest coordinate: what rounds the slave node's place. */
+/* Returns the largest coordinate, which determines the rounding of the slave node's place. */
 static double extent_of(const struct quad *q)
 {
     double extent = 0;
@@ -36,15 +36,15 @@ static double extent_of(const struct quad *q)
     return extent;
 }
 
-/* The saddle z = xi eta over the square, xS on its axis.  It has two closest points if xS is farther away than 1, where
- * its radius of curvature ends: with xi = -eta below, xi = eta above. */
+/* Returns the saddle z = xi eta over the square, with xS on its axis. It has two closest points if xS is farther away
+ * than 1, its radius of curvature: with xi = -eta below, xi = eta above. */
 static struct quad saddle(double height)
 {
     const struct quad q = {{{-1, -1, 1}, {1, -1, -1}, {1, 1, 1}, {-1, 1, -1}}, {0, 0, height}, 0, 0, height};
     return q;
 }
 
-/* Foot point by Newton's method in long double, from (xi,eta); x in the order A, B, C, D, S. */
+/* Finds the foot point by Newton's method in long double, from (xi,eta); x in the order A, B, C, D, S. */
 static void long_foot(const long double x[15], long double z[2], long double *gap)
 {
     long double a[3], b[3], d[3], n[3], length = 0;
@@ -87,7 +87,7 @@ static void test_inside(void **state)
     }
 }
 
-/* Above the square of corners +-1: what is nearest is plain. */
+/* Above the square with corners +-1 the nearest point is obvious. */
 static void test_square(void **state)
 {
     const struct quad q = {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0}, 0, 0, 0};
@@ -106,7 +106,7 @@ static void test_square(void **state)
             }
 }
 
-/* Other numbers for the corners, other coordinates for the same points: other (xi,eta) of the same point. */
+/* Renumbered corners and transformed coordinates change (xi,eta), but not the point. */
 static void test_invariance(void **state)
 {
     const struct quad_limits wild = {0.45, 0.6, 1.5, 2};
@@ -147,8 +147,8 @@ static void test_two_closest(void **state)
     }
 }
 
-/* Folded, concave and crossing segments, all but plane, with the slave node on them: another sheet is 1e-4 to 1e-6 edges
- * away, so that double precision does not tell stationary points apart. */
+/* Folded, concave and crossing segments, nearly plane, with the slave node on them. Another sheet is 1e-4 to 1e-6 edges
+ * away, so double precision does not separate stationary points. */
 static void test_nearly_plane(void **state)
 {
     (void)state;
@@ -232,7 +232,8 @@ static int is_on_edge(int corners, const double loc[2])
     return fabs(loc[0]) >= 1 || fabs(loc[1]) >= 1;
 }
 
-/* Slave nodes over edges, or next to it by less than rounding: OUTSIDE, and a region, if and only if loc is on an edge. */
+/* For slave nodes over edges, or beside them by less than rounding, the status is OUTSIDE, with a region, if and only
+ * if loc is on an edge. */
 static void statuses_say_where_loc_is(void **state)
 {
     static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
@@ -301,7 +302,7 @@ static void test_certify_refuses(void **state)
     assert_true(rho[0] == UNTOUCHED && rho[1] == UNTOUCHED);
 }
 
-/* What the search returns is as good as its banner says, or it says so. */
+/* The answer is as accurate as the banner claims, or has another status. */
 static void test_locate_checks(void **state)
 {
     const struct quad_limits wild = {0.3, 0.4, 1, 1.5};

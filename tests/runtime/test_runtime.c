@@ -1,5 +1,5 @@
-/* The runtime library: search of one pair and of many, converged Newton, segment geometry, bad input. Contact normal,
- * gap, forces and the choice of a segment are in test_contact.c. */
+/* The runtime library: search of one pair and of many, converged Newton, segment geometry, bad input. test_contact.c
+ * tests contact normal, gap, forces and the choice of a segment. */
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 #include "../support/ordinary_quad.h"
 
@@ -16,7 +16,7 @@
 
 enum { SEGMENTS = 300 };
 
-/* Of xi and eta, and of the gap over the edge: what the iteration-free search keeps on ordinary segments. */
+/* Largest error of xi and eta, and of the gap over the edge, of the iteration-free search on ordinary segments. */
 #define LOCATE_ERROR 1e-6
 #define NEWTON_ERROR 1e-9
 #define UNTOUCHED 77.25
@@ -123,7 +123,8 @@ static void test_ordinary(void **state)
     }
 }
 
-/* Strong warp and taper, foot points outside: beyond the iteration-free search, not beyond Newton's. */
+/* Strong warp and taper, and foot points outside, which Newton's iteration finds but the iteration-free search does
+ * not. */
 static void test_newton_warped(void **state)
 {
     const struct quad_limits limits = {0.2, 0.2, 0.1, 1.3};
@@ -202,7 +203,7 @@ static void test_not_finite(void **state)
         }
 }
 
-/* A segment two corners of which are one: the answer is that of any other, where there is an area at the foot point. */
+/* If two corners of a segment coincide, the answer is as usual if there is an area at the foot point. */
 static void test_collapsed(void **state)
 {
     (void)state;
@@ -232,7 +233,7 @@ static void test_collapsed(void **state)
         }
 }
 
-/* Corners that leave nothing between them. */
+/* Corners that enclose no area. */
 static void test_corners_without_area(void **state)
 {
     static const int same[5][4] = {{0, 0, 2, 2}, {0, 1, 1, 0}, {0, 0, 0, 3}, {0, 1, 0, 1}, {2, 2, 2, 2}};
@@ -316,7 +317,7 @@ struct batch {
     int seg[PAIRS][4], slave[PAIRS], status[PAIRS];
 };
 
-/* Ordinary segments, their nodes strewn over the array. */
+/* Fills in ordinary segments with their nodes scattered over the array. */
 static void fill(struct batch *b)
 {
     for (int i = 0; i < PAIRS; i++) {
@@ -456,7 +457,7 @@ static void test_normal_degenerate(void **state)
     assert_true(n[0] == UNTOUCHED && n[1] == UNTOUCHED && n[2] == UNTOUCHED && gap == UNTOUCHED);
 }
 
-/* Four different corners on a line have no normal; the status says so and the outputs stay. */
+/* Four different corners on a line have no normal; the status reports it and the outputs stay. */
 static void test_no_area(void **state)
 {
     (void)state;
@@ -475,7 +476,7 @@ static void test_no_area(void **state)
     }
 }
 
-/* Segments of any size: same xi and eta, gap in proportion. */
+/* Segments of any size have the same xi and eta, and the gap in proportion. */
 static void test_sizes(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* The choice of a segment by distance, against all stationary points and edges, on random fans of segments around a
- * node: ridges, valleys, reflex nodes, three to nine segments, edge and corner hits.  And forces that balance. */
+ * node: ridges, valleys, reflex nodes, three to nine segments, edge and corner hits. And forces that balance. */
 #include "../../evolve/surface/foot_bilinear.h"
 #include "../../runtime/footpoint.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
@@ -45,7 +45,7 @@ static double distance_to_edge(const double p[3], const double q[3], const doubl
     return distance_between(s, at);
 }
 
-/* All stationary points inside, and the edges. */
+/* Returns the least distance of all stationary points inside and of the edges. */
 static double true_distance(const double x[4][3], const double s[3])
 {
     struct stationary found[5];
@@ -139,12 +139,12 @@ static void test_fans(void **state)
         else if (n % 4 == 0) /* a plane fan: one answer */
             assert_int_equal(chosen, by_angle);
     }
-    /* The fans are such that it matters. */
+    /* enough fans distinguish the methods */
     assert_true(missed > FANS / 50 && other > FANS / 50);
 }
 
-/* On a shared edge, above the middle node, and outside of a ridge or a corner: any order of the segments gives the
- * same distance, the first of equals is chosen. */
+/* On a shared edge, above the middle node, and outside of a ridge or a corner, any order of the segments has the same
+ * distance, and the first of equals is chosen. */
 static void test_edges_and_corners(void **state)
 {
     (void)state;
@@ -161,7 +161,7 @@ static void test_edges_and_corners(void **state)
         assert_true(fabs(distance - up) <= 1e-14);
         assert_int_equal(chosen, n % 2 ? (shared < before ? shared : before) : 0);
     }
-    /* The corner of a cube, seen from outside along its diagonal: (3), (4) find none. */
+    /* The corner of a cube, seen from outside along its diagonal: (3), (4) find no segment. */
     static const double cube[7][3] = {{0, 0, 0},   {-1, 0, 0},  {0, -1, 0}, {0, 0, -1},
                                       {-1, -1, 0}, {0, -1, -1}, {-1, 0, -1}};
     static const int faces[3][4] = {{0, 1, 4, 2}, {0, 2, 5, 3}, {0, 3, 6, 1}};
@@ -175,7 +175,7 @@ static void test_edges_and_corners(void **state)
     assert_int_equal(chosen, 1);
 }
 
-/* Both choices, in any unit of length from 1e-300 to 1e300. */
+/* Both choices work in any unit of length from 1e-300 to 1e300. */
 static void test_any_unit(void **state)
 {
     (void)state;
@@ -219,7 +219,7 @@ static void test_closest_refused(void **state)
                      FOOTPOINT_ERR_ARGUMENT);
     assert_int_equal(footpoint_select_closest(f.xyz[0], 0, 3, f.seg[0], bad, &chosen, &distance),
                      FOOTPOINT_ERR_NOT_FINITE);
-    f.xyz[2][1] = (double)INFINITY; /* across from node 0 */
+    f.xyz[2][1] = (double)INFINITY; /* opposite node 0 */
     assert_int_equal(footpoint_select_closest(f.xyz[0], 0, 3, f.seg[0], xs, &chosen, &distance),
                      FOOTPOINT_ERR_NOT_FINITE);
     for (int k = 0; k < 4; k++)
@@ -232,7 +232,7 @@ static void test_closest_refused(void **state)
 
 /* ---- forces ---- */
 
-/* Greatest component of the sum of the five forces, and of their moments about a node. */
+/* Computes the largest component of the sum of the five forces, and of their moments about a node. */
 static void balance(const struct quad *q, const double fs[3], const double fm[4][3], double *force, double *moment)
 {
     *force = *moment = 0;
@@ -258,7 +258,7 @@ static void test_forces_balance(void **state)
     for (uint64_t i = 0; i < QUADS; i++) {
         const struct quad ordinary = quad_draw(&deep, i), q = quad_move(&ordinary, i, 1, i % 2 ? 0 : 1e6);
         const double *A = q.x[0], *B = q.x[1], *C = q.x[2], *D = q.x[3];
-        /* The foot point, one off it, one clamped to the segment. */
+        /* the foot point, a point off it, and a point clamped to the segment */
         double loc[2] = {q.xi, q.eta}, fs[3], fm[4][3], force, moment, largest = 0;
         for (int c = 0; c < 2; c++)
             loc[c] = i % 3 == 0 ? loc[c] : i % 3 == 1 ? loc[c] + uniform(-0.3, 0.3) : fmin(fmax(loc[c], -1), 1);

@@ -1,6 +1,6 @@
-/* Slim, needle, flat and touched faces of every kind up to an aspect of 1e6, near the origin and 1e6 edges away from it:
- * footpoint_face_robust against a search of its own, by subdivision in long double.  A box of the face lies beyond each
- * plane that all its control points lie beyond, so that no point of it is nearer than that plane. */
+/* Slim, needle, flat and touched faces of every kind up to an aspect of 1e6, near the origin and 1e6 edges away from
+ * it: footpoint_face_robust against a separate search by subdivision in long double. If all control points of a part
+ * lie beyond a plane, so does the part, and none of its points is nearer than the plane. */
 #include "../../evolve/common/stream.h"
 #include "../../runtime/certain/quadratic.h"
 #include "../../runtime/footpoint_face.h"
@@ -38,13 +38,14 @@ struct question {
 
 /* ---- the reference ---- */
 
-/* A patch of degree 2: the control points r - xS of a square, or of a triangle: A, B, C, then between A and B, and so on. */
+/* A patch of degree 2: the control points r - xS of a square, or of a triangle: A, B, C, then between A and B, and so
+ * on. */
 struct patch {
     real p[9][3];
     int count;
 };
 
-/* Shape functions of the corners and the middles of edges, by the degree of the face in each direction. */
+/* Computes the point by shape functions of corners and mid-sides, by the degree of the face in each direction. */
 static void point_at(const struct question *q, real a, real b, real r[3])
 {
     const real u = a, v = b, w = 1 - u - v;
@@ -75,7 +76,7 @@ static void point_at(const struct question *q, real a, real b, real r[3])
     }
 }
 
-/* The middle control point of a parabola out of its values. */
+/* Computes the middle control point of a parabola from its values. */
 static void control(const real *low, real *middle, const real *high)
 {
     for (int k = 0; k < 3; k++)
@@ -119,7 +120,7 @@ static void look_at(struct nearest *s, const real r[3])
     }
 }
 
-/* A point of the patch in its middle. */
+/* Computes a point of the patch in its middle. */
 static void middle_of(const struct patch *n, real m[3])
 {
     static const real square[9] = {1, 2, 1, 2, 4, 2, 1, 2, 1}, triangle[6] = {1, 1, 1, 2, 2, 2};
@@ -130,7 +131,8 @@ static void middle_of(const struct patch *n, real m[3])
     }
 }
 
-/* Distance of the farthest plane across the way to the middle, or to the nearest control point, that all are beyond. */
+/* Returns the distance of the farthest plane, across the direction of the middle or of the nearest control point,
+ * beyond which all control points lie. */
 static real lower_bound(const struct patch *n, const real middle[3])
 {
     real bound = 0;
@@ -154,7 +156,7 @@ static void mean(const real a[3], const real b[3], real c[3])
         c[k] = (a[k] + b[k]) / 2;
 }
 
-/* The parabola of control points i, j, k of n into those of two halves. */
+/* Splits the parabola of control points i, j, k of n into two halves. */
 static void halve_row(const struct patch *n, int i, int j, int k, struct patch half[2])
 {
     memcpy(half[0].p[i], n->p[i], sizeof n->p[i]);
@@ -165,7 +167,7 @@ static void halve_row(const struct patch *n, int i, int j, int k, struct patch h
     memcpy(half[1].p[i], half[0].p[k], sizeof n->p[i]);
 }
 
-/* At the middle of the edge from corner `a` on. */
+/* Halves a triangle at the middle of the edge that starts at corner `a`. */
 static void halve_triangle(const struct patch *n, int a, struct patch half[2])
 {
     const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -186,7 +188,7 @@ static real length_of(const struct patch *n, int i, int j, int k)
     return apart(n->p[i], n->p[j]) + apart(n->p[j], n->p[k]);
 }
 
-/* Across the longest row of control points. */
+/* Halves a patch across the longest row of control points. */
 static void halve(const struct patch *n, struct patch half[2])
 {
     real longest[3] = {0, 0, 0};
@@ -229,7 +231,7 @@ static void search_patch(struct nearest *s, const struct patch *n)
 }
 
 /* Brings a patch whose control points are on a line, to rounding, and a point of it to their places along the line.
- *  @return the distance of the line */
+ *   @return the distance of the line */
 static real straighten(struct patch *n, real r[3])
 {
     real e[3] = {0, 0, 0}, d[3], longest = 0, away[3];
@@ -260,7 +262,7 @@ static double flat(gsl_rng *r, double most)
 static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
 static const double three[6][2] = {{-1, -1}, {1, -1}, {-1, 1}, {0, -1}, {0, 0}, {-1, 0}};
 
-/* Nodes in the unit square, then slim by `thin`. */
+/* Draws nodes in the unit square, then makes the face slim by `thin`. */
 static void draw_shape(enum shape shape, gsl_rng *r, struct question *q)
 {
     const double thin = pow(10, gsl_ran_flat(r, -6, 0));
@@ -357,7 +359,7 @@ struct tally {
     double longer;
 };
 
-/* How many parts of the face are looked at: about 280 take 50 times as long as an ordinary call. */
+/* Returns the number of parts that the search visits: about 280 take 50 times as long as an ordinary call. */
 static int parts_of(const struct question *q)
 {
     const double middle = q->corners == 3 ? 1.0 / 3 : 0;
@@ -370,7 +372,8 @@ static int parts_of(const struct question *q)
     return INT_MAX - left;
 }
 
-/* The distance is that of loc, no point is nearer by more than what is promised, and the status is that of loc's region. */
+/* Checks that the distance is that of loc, that no point is nearer beyond the promise, and that the status fits loc's
+ * region. */
 static void ask(const struct question *q, struct tally *t)
 {
     struct patch n;
@@ -440,7 +443,7 @@ static void slim_faces(void **state)
     gsl_rng_free(r);
 }
 
-/* Corners C and D, or B and C of a triangle written as such, are one: several (xi,eta), but one point of space. */
+/* If corners C and D coincide, or B and C of a triangle, several (xi,eta) are one point in space. */
 static void collapsed_corners_are_one_point(void **state)
 {
     gsl_rng *const r = stream_new();

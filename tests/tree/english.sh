@@ -3,8 +3,8 @@
 # READMEs and rewritten rooms, except emitted files and the files of `old`, must keep the limits; the rates of other rooms
 # are printed.
 . tests/cli/expect.inc
-rewritten='evolve codegen runtime tests/bench tests/codegen tests/example tests/fuzz tests/hard tests/libraries tests/paper
-    tests/queries tests/rivals tests/support'
+rewritten='evolve codegen runtime tests/bench tests/codegen tests/evolve tests/example tests/fuzz tests/hard
+    tests/libraries tests/paper tests/queries tests/rivals tests/runtime tests/support'
 old='codegen/print/templates/along codegen/print/templates/curved_closest codegen/print/templates/promise'
 emitted='tests/bench/footpoint_perceptron.h tests/generated/points'
 others='evolve codegen runtime tests'
