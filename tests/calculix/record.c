@@ -1,6 +1,6 @@
-/* Stands between CalculiX and its search (ld --wrap=attach_2d_): counts calls and the time in them, and keeps what they
- * were given.  At exit "calls SECONDS" go to $SEARCH_TIMES, and records to $SEARCH_RECORDS: the number of nodes as a
- * double, their coordinates, the slave node's.  For one thread. */
+/* Wraps CalculiX's search (ld --wrap=attach_2d_): counts calls and their time, and records their inputs, for one
+ * thread. At exit "calls SECONDS" go to $SEARCH_TIMES, and records to $SEARCH_RECORDS: the number of nodes as a double,
+ * their coordinates, and the slave node's. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>

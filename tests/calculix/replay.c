@@ -1,9 +1,12 @@
-/* Both searches on recorded calls, in turns: replay FILE...  Prints CSV, a line for each kind of face:
- *     nodes,calls,original_ns,ours_ns,ratio,farther,undercut,moved,edge
- * ns: processor time, the least over rounds of the mean of a call; ratio of the two; farther: the most by which our
- * point is farther away than the original's, over the longest edge; undercut: the share of calls where ours is nearer
- * by more than 1e-8 of it; moved: the most by which local coordinates differ where it is not; edge: the share of points
- * on edges. */
+/* Runs both searches on recorded calls, in turn: replay FILE...
+ *
+ * Prints CSV, a line for each kind of face:
+ *   nodes,calls,original_ns,ours_ns,ratio,farther,undercut,moved,edge
+ *
+ * ns: processor time, the least over rounds of the mean of a call; ratio: of the two times; farther: by how much our
+ * point is farther away than the original's, at most, over the longest edge; undercut: the share of calls in which ours
+ * is nearer by more than 1e-8 of it; moved: the largest difference of local coordinates in other calls; edge: the share
+ * of points on edges. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,7 +93,7 @@ static double longest_edge(const struct call *c)
     return most;
 }
 
-/* Of `count` calls with faces of one kind. */
+/* Compares `count` calls with faces of one kind. */
 static void compare(struct call *of, size_t count)
 {
     const int nodes = of->nodes;

@@ -10,7 +10,7 @@
 
 const struct curved_kind curved_kinds[CASE_KINDS] = {{"tri6", 6, 3}, {"quad8", 8, 4}, {"quad9", 9, 4}, {"quad4", 4, 4}};
 
-/* Where nodes are: corners, nodes between them, the middle. */
+/* Local coordinates of nodes: corners, nodes between them, the middle. */
 static const double at_tri[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
 static const double at_quad[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
 
@@ -30,13 +30,13 @@ static struct jet jet(wide value, wide first, wide second)
     return j;
 }
 
-/* 1 at `node` = -1, 0 or 1, 0 at the other two. */
+/* Returns the parabola that is 1 at `node` = -1, 0 or 1, and 0 at the other two. */
 static struct jet parabola(double node, wide z)
 {
     return node == 0 ? jet(1 - z * z, -2 * z, -2) : jet(z * (z + node) / 2, z + (wide)node / 2, 1);
 }
 
-/* (1 + node z) / 2 */
+/* Returns (1 + node z) / 2. */
 static struct jet line(double node, wide z)
 {
     return jet((1 + node * z) / 2, (wide)node / 2, 0);
@@ -50,7 +50,7 @@ static void add(wide shape[6], wide s, struct jet f, struct jet g)
         shape[i] += s * f.value[along[i]] * g.value[across[i]];
 }
 
-/* The shape function of a node. */
+/* Computes the shape function of a node. */
 static void shape_of(const struct curved_kind *k, int node, const wide z[2], wide shape[6])
 {
     const double *const at = place_of(k, node);
@@ -67,11 +67,11 @@ static void shape_of(const struct curved_kind *k, int node, const wide z[2], wid
             add(shape, 1, parabola(0, z[0]), line(at[1], z[1]));
         else
             add(shape, 1, line(at[0], z[0]), parabola(0, z[1]));
-    } else if (k->nodes == 8) { /* bilinear less halves of the neighbours' */
+    } else if (k->nodes == 8) { /* bilinear, minus half of the neighbours' */
         add(shape, 1, line(at[0], z[0]), line(at[1], z[1]));
         add(shape, -0.5, parabola(0, z[0]), line(at[1], z[1]));
         add(shape, -0.5, line(at[0], z[0]), parabola(0, z[1]));
-    } else { /* of w = 1 - xi - eta */
+    } else { /* in terms of w = 1 - xi - eta */
         static const int c[6][6] = {{1, -3, -3, 2, 4, 2}, {0, -1, 0, 2, 0, 0}, {0, 0, -1, 0, 0, 2},
                                     {0, 4, 0, -4, -4, 0}, {0, 0, 0, 0, 4, 0},  {0, 0, 4, 0, -4, -4}};
         add(shape, c[node][0], one, one);
@@ -83,7 +83,7 @@ static void shape_of(const struct curved_kind *k, int node, const wide z[2], wid
     }
 }
 
-/* The sums of nodes times shape functions, and of their derivatives. */
+/* Sums nodes times shape functions, and their derivatives. */
 static void sums(const struct curved_case *f, const wide z[2], wide r[3][6])
 {
     memset(r, 0, 3 * sizeof *r);
@@ -96,7 +96,7 @@ static void sums(const struct curved_case *f, const wide z[2], wide r[3][6])
     }
 }
 
-/* Shape functions at xi and eta of -1, 0 and 1: whole numbers and halves, mostly 0. */
+/* Returns shape functions at xi and eta of -1, 0 and 1: whole numbers and halves, mostly 0. */
 static const wide *shapes_on_grid(const struct curved_kind *k)
 {
     static wide values[CASE_KINDS][9 * CURVED_NODES];
@@ -197,7 +197,7 @@ static void surface_at(const struct curved_case *f, double xi, double eta, doubl
     draw_cross(u, v, n);
 }
 
-/* The slave node over a place in and beside the face, up to `gap` of an edge away. */
+/* Draws the slave node over a place in or beside the face, up to `gap` of an edge away. */
 static void draw_slave(uint64_t *stream, struct curved_case *f, double beside, double gap)
 {
     const bool triangle = f->kind->corners == 3;
@@ -216,7 +216,8 @@ static void draw_slave(uint64_t *stream, struct curved_case *f, double beside, d
         f->x[f->kind->nodes][i] = r[i] + (length > 0 ? g * n[i] / length : 0);
 }
 
-/* A face of edges 2, 2 `wide` for quadrilaterals: skewed, tapered, warped, nodes between corners off their places by `off`. */
+/* Draws a face with edges 2 and 2 `width` (quadrilaterals): skewed, tapered, warped, with nodes between corners moved
+ * by `off`. */
 static void draw_plain(uint64_t *stream, struct curved_case *f, double width, double off)
 {
     const double skew = draw_flat(stream, -0.7, 0.7), taper = draw_flat(stream, -0.3, 0.3);
@@ -233,7 +234,7 @@ static void draw_plain(uint64_t *stream, struct curved_case *f, double width, do
     }
 }
 
-/* Part of a ring or, rolled up, of a cylinder, through up to `degrees`. */
+/* Draws part of a ring or, rolled up, of a cylinder, of up to `degrees`. */
 static void draw_arc(uint64_t *stream, struct curved_case *f, double degrees)
 {
     const bool rolled = draw_next(stream) & 1, triangle = f->kind->corners == 3;
@@ -248,7 +249,7 @@ static void draw_arc(uint64_t *stream, struct curved_case *f, double degrees)
     }
 }
 
-/* Nodes between corners at quarters of their edges, or farther; or a corner that is folded over. */
+/* Draws nodes between corners at quarters of their edges, or farther; or folds a corner over. */
 static void draw_bad(uint64_t *stream, struct curved_case *f)
 {
     const int n = f->kind->corners, folded = draw_choose(stream, 2 * n);
@@ -264,7 +265,7 @@ static void draw_bad(uint64_t *stream, struct curved_case *f)
         }
 }
 
-/* Turned and moved by `shift`; then times 2^exponent. */
+/* Turns, moves by `shift`, then multiplies by 2^exponent. */
 static void move(uint64_t *stream, struct curved_case *f, double shift, int exponent)
 {
     double axis[3][3], to[3];
@@ -288,7 +289,7 @@ static void move(uint64_t *stream, struct curved_case *f, double shift, int expo
     }
 }
 
-/* Two nodes in one place, or all nodes of an edge. */
+/* Makes two nodes, or all nodes of an edge, coincide. */
 static void coincide(uint64_t *stream, struct curved_case *f)
 {
     const int n = f->kind->corners, edge = draw_choose(stream, n), one = draw_choose(stream, f->kind->nodes);

@@ -1,4 +1,4 @@
-/* The functions of the generated headers, for segments as a pointer to each vector, whatever their number. */
+/* The functions of the generated headers, called with a pointer to each vector of the segment. */
 #include "header_functions.h"
 
 #include "../support/kind_arguments.h"

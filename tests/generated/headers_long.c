@@ -1,4 +1,4 @@
-/* The same text as the headers', read with long double for double: what their rounding errors are measured against. */
+/* The text of the headers, compiled with long double for double: the reference for their rounding errors. */
 #include "headers_long.h"
 
 #include "../support/kind_arguments.h"

@@ -5,7 +5,7 @@
 
 enum { STEPS = 60 };
 
-/* Newton's steps from z until they stand; whether that is a minimum. */
+/* Takes Newton's steps from z until they converge; returns true if they end at a minimum. */
 static bool minimum_near(const struct curved_case *f, wide z[2])
 {
     for (int k = 0; k < STEPS; k++) {
@@ -13,7 +13,7 @@ static bool minimum_near(const struct curved_case *f, wide z[2])
         curved_slopes(f, z, g, H);
         const wide det = H[0] * H[2] - H[1] * H[1];
         const wide s = (H[2] * g[0] - H[1] * g[1]) / det, t = (H[0] * g[1] - H[1] * g[0]) / det;
-        if (!(size_of(s) + size_of(t) < 1e3)) /* nan, too */
+        if (!(size_of(s) + size_of(t) < 1e3)) /* NaN, too */
             return false;
         z[0] += s;
         z[1] += t;

@@ -1,12 +1,16 @@
-/* Statuses of every function of one generated header, whatever flags this is compiled with: C99 and C++11.
- * tests/cli/statuses.sh writes the file that includes this one, and before it the header and the macros
- *     R           double or float             NODES, VECTORS, CORNERS   of the segment; VECTORS with the slave node
- *     ARGUMENTS   of a call, from vectors x   FUNCTIONS(F)              F(name) for each function
- *     ORDER       places below, one a vector  EXTREME                   largest power of 2 that edges are made of
- * and wide_NAME(x, loc), which is NAME_at in the numbers of tests/generated/wide_number.h, where corners may have any order
- * (WIDE).  EXACT: the compiler keeps the order of operations, so that bits can be compared.  CLOSEST(F), where the header
- * has them: F(NAME_closest) for each function, whose distance stands for the gap.  Each call of NAME goes to NAME_checked_n,
- * too, between two good pairs, and where the header has it (OVER) to NAME_over_n. */
+/* Tests the statuses of every function of one generated header, compiled with any flags, as C99 and C++11.
+ * tests/cli/statuses.sh writes the file that includes this file. Before it, that file includes the header and defines
+ * the macros
+ *   R           double or float             NODES, VECTORS, CORNERS   of the segment; VECTORS with the slave node
+ *   ARGUMENTS   of a call, from vectors x   FUNCTIONS(F)              F(name) for each function
+ *   ORDER       places below, one a vector  EXTREME                   largest power of 2 for edges
+ *   WIDE        corners may have any order; wide_NAME(x, loc) is NAME_at in the numbers of
+ *     tests/generated/wide_number.h
+ *   EXACT       the compiler keeps the order of operations, so that bits can be compared
+ *   CLOSEST(F)  if the header has them: F(NAME_closest) for each function; its distance is compared as the gap
+ *   OVER        the header has NAME_over_n
+ *
+ * Each call of NAME is repeated in NAME_checked_n, between two good pairs, and in NAME_over_n. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -72,7 +76,7 @@ static const double place[12][3] = {{0, 0, 0},
 static const int order[VECTORS] = {ORDER};
 static int failures;
 
-/* Whether a status is that of a good pair: where compilers may order sums as they like, nothing is proved. */
+/* Returns true for the status of a good pair. If compilers may reorder sums, nothing is proved. */
 static int is_good(int status)
 {
 #ifdef __FAST_MATH__
@@ -96,7 +100,7 @@ static void take_places(R x[VECTORS][3])
             x[i][j] = (R)place[order[i]][j];
 }
 
-/* The same number: to the bit, where the compiler keeps the order of operations. */
+/* Compares numbers, to the bit if the compiler keeps the order of operations. */
 static int is_same(R a, R b)
 {
 #ifdef EXACT
@@ -107,7 +111,8 @@ static int is_same(R a, R b)
 #endif
 }
 
-/* The status of NAME, or 98: NAME_checked_n gives another or another answer, for this pair or for the good ones. */
+/* Returns the status of NAME, or 98 if NAME_checked_n has another status or answer, for this pair or for the good
+ * pairs. */
 static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc[2], R gap)
 {
     R good[VECTORS][3], column[3 * VECTORS][3], xi[3], eta[3], g[3];
@@ -126,7 +131,8 @@ static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc
 }
 
 #ifdef OVER
-/* The status of NAME, or 97: NAME_over_n gives another or another answer, for the same slave node three times. */
+/* Returns the status of NAME, or 97 if NAME_over_n, with the same slave node three times, has another status or
+ * answer. */
 static int as_over(over *over_n, const R (*x)[3], int status, const R loc[2], R gap)
 {
     R column[3][3], xi[3], eta[3], g[3];
@@ -148,7 +154,7 @@ static int as_over(over *over_n, const R (*x)[3], int status, const R loc[2], R 
 }
 #endif
 
-/* Nodes times 2^power; normals keep their length. */
+/* Multiplies nodes by 2^power; normals keep their length. */
 static void resize(R x[VECTORS][3], int power)
 {
     int i, j;
@@ -167,7 +173,7 @@ static void expect(int f, const R (*x)[3], int expected, const char *what, int a
         complain(f, what, a, b, status);
 }
 
-/* NaN of either sign and both infinities, made of their bits. */
+/* Tests NaN of either sign and both infinities, made of their bits. */
 static void test_not_finite(int f)
 {
     static const unsigned char high[4][2] = {{0x7f, 0xf8}, {0xff, 0xf8}, {0x7f, 0xf0}, {0xff, 0xf0}};
@@ -185,7 +191,7 @@ static void test_not_finite(int f)
             }
 }
 
-/* All nodes in one point, on a line, and corners that coincide crosswise so that nothing is left between them. */
+/* Tests nodes in one point, on a line, and corners that coincide crosswise, so that they enclose no area. */
 static void test_no_area(int f)
 {
     static const double along[11] = {0, 1, 3, 2, 0.5, 2, 2.5, 1, 1.5, 1, 2.25};
@@ -207,7 +213,7 @@ static void test_no_area(int f)
     }
 }
 
-/* The same in every unit of length. */
+/* Statuses are the same in every unit of length. */
 static void test_sizes(int f)
 {
     R x[VECTORS][3], loc[2], gap;
@@ -229,8 +235,8 @@ static void test_sizes(int f)
     }
 }
 
-/* Needles and slave nodes far away: what is returned with FOOTPOINT_OK is what the expression is without overflow and
- * underflow, of any size. */
+/* For needles and slave nodes far away, of any size, answers with FOOTPOINT_OK equal the expression without overflow
+ * and underflow. */
 static void test_shapes(int f)
 {
     enum { STEPS = 24 };

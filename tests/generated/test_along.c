@@ -1,8 +1,8 @@
-/* Projection along a direction, footpoint_KIND_along, against a certain solver that shares no code with it (line_points.h): a point
- * lies within the promise of each answer, by Newton's steps in quadruple precision, and dist is that of the answer; behind
- * FOOTPOINT_OK the face has no other one; other statuses are right, and the nearest of several points is the answer.  Faces of ten
- * families, slim and folded ones among them, at the origin and 1e6 edges away, of sizes from 1e-100 to 1e100; lines in any direction,
- * through nodes, along edges, and such that touch the face or nearly do.  3,200 lines a kind, 1e6 with FOOTPOINT_LONG. */
+/* Projection along a direction, footpoint_KIND_along, against a certain solver that shares no code with it
+ * (line_points.h). Newton's steps in quadruple precision find a point within the promise of each answer, and dist
+ * belongs to it. With FOOTPOINT_OK the face has no other point; other statuses are right, and the answer is the nearest
+ * point. Faces of ten families at the origin and 1e6 edges away, of sizes from 1e-100 to 1e100; lines in any direction,
+ * through nodes, along edges, and touching the face or nearly. 3,200 lines a kind, 1e6 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
@@ -26,7 +26,7 @@
 
 enum { ROWS = 64, SAMPLES = 50 * ROWS, SAMPLES_LONG = 15625 * ROWS, VECTORS = 10 };
 enum { SEED = 20119, SEED_STATUS = 20120, SEED_SIZE = 20121 };
-#define CLEAR 1e-9 /* of xi and eta: what lies on an edge, to rounding */
+#define CLEAR 1e-9 /* in xi and eta: within this, rounding decides whether a point is on an edge */
 
 #define ALL(F) F(tri3, 3, 3) F(quad4, 4, 4) F(tri6, 6, 3) F(quad8, 8, 4) F(quad9, 9, 4)
 #define ALONG(name, nodes, corners)                                                                                    \
@@ -51,20 +51,20 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 enum family { MILD, STRONG, ARCH, QUARTER, COLLAPSED, FOLDED, WAVY, SLIM, CIRCLE, OFF, FAMILIES };
 static const char *const family_name[] = {"mild",   "strong", "arch", "quarter-point", "collapsed",
                                           "folded", "wavy",   "slim", "circular",      "moved"};
-/* Where lines lead. */
+/* The families of lines. */
 enum lead { ANYWHERE, NORMAL, OBLIQUE, CHORD, NODE_OR_EDGE, TOUCHING, LEADS };
 
 struct line {
-    double x[VECTORS][3], p[3]; /* the slave node behind the nodes */
+    double x[VECTORS][3], p[3]; /* the slave node follows the nodes */
     enum lead lead;
-    double far; /* how many edges the slave node is away */
+    double far; /* distance of the slave node, in edges */
 };
 
 static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
 static const double triangle[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
 
-/* Nodes about 1 apart: on an arch or up to half of a circle, moved, mid-side nodes alone by 0.3 to 0.5, or a quarter from corner A or
- * from edge AB, with C at D, up to 1e4 times as long as wide. */
+/* Draws nodes about 1 apart: on an arch or up to half a circle, moved, only mid-side nodes by 0.3 to 0.5, or a quarter
+ * from corner A or from edge AB, with C at D, up to 1e4 times as long as wide. */
 static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, double (*x)[3])
 {
     static const double move[FAMILIES] = {0.1, 0.5, 0.05, 0.02, 0.1, 1.2, 0.1, 0.3, 0.02, 0.1};
@@ -101,7 +101,8 @@ static void draw_face(const struct kind *k, enum family how, gsl_rng *stream, do
         memcpy(x[6], x[2], sizeof *x);
 }
 
-/* Tangents by differences, as the surface is of degree 2 in each coordinate; from corner A, so that places far away cost no digits. */
+/* Computes tangents by differences, which are exact for degree 2 in each coordinate; relative to corner A, so that
+ * distant places lose no digits. */
 static void tangents_at(const struct kind *k, struct line *l, const double loc[2], double t[2][3])
 {
     for (int j = 0; j < 2; j++) {
@@ -113,7 +114,7 @@ static void tangents_at(const struct kind *k, struct line *l, const double loc[2
     }
 }
 
-/* The direction becomes one of the tangents' plane; r moves off the face by 1e-16 to 1e-2. */
+/* Turns the direction into the plane of the tangents; r moves off the face by 1e-16 to 1e-2. */
 static void touch(const struct kind *k, gsl_rng *stream, struct line *l, const double loc[2], double r[3])
 {
     const double angle = gsl_ran_flat(stream, 0, 6.2832);
@@ -127,8 +128,8 @@ static void touch(const struct kind *k, gsl_rng *stream, struct line *l, const d
     }
 }
 
-/* A line through a point on the face or a little beside it, and a slave node on it: in any direction, near the normal of a
- * flat face, near a chord of the face, or touching it there; through a node, or along an edge. */
+/* Draws a line through a point on the face or a little beside it, and a slave node on it: in any direction, near the
+ * normal of a flat face, near a chord of the face, or touching it there; through a node, or along an edge. */
 static void draw_line(const struct kind *k, gsl_rng *stream, struct line *l)
 {
     static const double none[3] = {0, 0, 0};
@@ -176,9 +177,8 @@ static void draw(const struct kind *k, long number, gsl_rng *stream, struct line
 /* ---- judgement ---- */
 
 struct tally {
-    long lines[4], wrong, unclear, nowhere, family[FAMILIES]; /* lines by number of points, three and more together */
-    long all[FAMILIES + 1],
-        proved[FAMILIES + 1]; /* last: mild faces, lines through these, slave nodes up to 100 edges away */
+    long lines[4], wrong, unclear, nowhere, family[FAMILIES]; /* indexed by number of points, at most three */
+    long all[FAMILIES + 1], proved[FAMILIES + 1]; /* last: mild faces, such lines, slave nodes up to 100 edges away */
     double error;
 };
 
@@ -187,7 +187,7 @@ struct answer {
     double loc[2], dist;
 };
 
-/* The line meets the surface there; mesh length. */
+/* Returns the distance of the line from the surface there; mesh length. */
 static double off_line(const struct kind *k, struct line *l, const struct answer *a)
 {
     double r[3], length = 0, off = 0;
@@ -220,7 +220,7 @@ static bool is_nowhere(const struct kind *k, struct line *l)
     return wide.count == 0 || !wide.clear;
 }
 
-/* The distance is that of the point on the face, to rounding: 1,000 units of the largest term of coordinates. */
+/* Returns true if the distance is right to rounding: 1,000 units of the largest term of coordinates. */
 static bool is_distance_of(const struct kind *k, struct line *l, const struct answer *a)
 {
     const double reach = fmax(1, fmax(fabs(a->loc[0]), fabs(a->loc[1])));
@@ -234,7 +234,7 @@ static bool is_distance_of(const struct kind *k, struct line *l, const struct an
     return fabs(dist / sqrt(length) - a->dist) <= 1.2e-13 * span_of(k, l) * pow(reach, power);
 }
 
-/* A point lies within the promise of the answer. */
+/* Returns true if a point lies within the promise of the answer. */
 static bool is_point(const struct kind *k, struct line *l, const struct answer *a, double *error)
 {
     const double reach = fmax(1, fmax(fabs(a->loc[0]), fabs(a->loc[1])));
@@ -242,7 +242,7 @@ static bool is_point(const struct kind *k, struct line *l, const struct answer *
     return *error <= FOOTPOINT_ALONG_PROMISE && is_distance_of(k, l, a);
 }
 
-/* No other point lies on the face; `found` reach 0.1 beyond it. */
+/* Returns true if no other point lies on the face; `found` covers 0.1 beyond it. */
 static bool is_only(const struct kind *k, struct line *l, const struct answer *a, const struct line_points *found,
                     double error)
 {
@@ -250,7 +250,7 @@ static bool is_only(const struct kind *k, struct line *l, const struct answer *a
     if (beyond_of(k, a->loc) > 1e-15)
         return false;
     for (double over = 0.005; over > CLEAR && !face.clear;
-         over *= 0.05) /* where it touches the surface beyond the edges */
+         over *= 0.05) /* the line touches the surface beyond the edges */
         line_points_find(k->nodes, l->x, l->x[k->nodes], l->p, over, &face);
     for (int i = 0; i < face.count; i++) {
         const struct line_point *const p = &face.point[i];
@@ -260,7 +260,7 @@ static bool is_only(const struct kind *k, struct line *l, const struct answer *a
     return face.clear;
 }
 
-/* The direction has no length, or lies in the planes of the tangents at 16 places, to rounding. */
+/* Returns true if the direction is 0 or lies, to rounding, in the tangent planes at 16 places. */
 static bool is_flat(const struct kind *k, struct line *l)
 {
     const double low = k->corners == 3 ? 0 : -1, third = (1 - low) / 3;
@@ -281,7 +281,7 @@ static bool is_flat(const struct kind *k, struct line *l)
     return true;
 }
 
-/* By how much the distance changes where xi and eta change by 1, at most. */
+/* Returns the largest change of the distance for a change of xi and eta by 1. */
 static double slope_of(const struct kind *k, struct line *l, const double loc[2])
 {
     double t[2][3], sum[2] = {0};
@@ -291,7 +291,7 @@ static double slope_of(const struct kind *k, struct line *l, const double loc[2]
     return sqrt(sum[0]) + sqrt(sum[1]);
 }
 
-/* The answer is the nearest of the points on the face, but for what their errors make of distances. */
+/* Returns true if the answer is the nearest of the points on the face, up to errors of distances. */
 static bool is_nearest(const struct kind *k, struct line *l, const struct answer *a, const struct line_points *all)
 {
     for (int i = 0; i < all->count; i++) {
@@ -303,7 +303,7 @@ static bool is_nearest(const struct kind *k, struct line *l, const struct answer
     return true;
 }
 
-/* What a status says of the number of points on the face is true. */
+/* Returns true if the status fits the number of points on the face. */
 static bool is_counted(const struct kind *k, struct line *l, const struct answer *a, int inside)
 {
     if (a->status == FOOTPOINT_ERR_DOMAIN)
@@ -369,7 +369,7 @@ static struct answer answer_of(const struct kind *k, struct line *l)
     return a;
 }
 
-/* Both ways of calling for ROWS lines. */
+/* Calls both functions for ROWS lines. */
 static void ask(const struct kind *k, struct line *l, struct answer one[ROWS], struct answer row[ROWS])
 {
     double column[3 * VECTORS][ROWS], p[3][ROWS], xi[ROWS], eta[ROWS], dist[ROWS];
@@ -444,7 +444,7 @@ static void lines_meet_faces(void **state)
 
 enum flaw { NONE, NODE, DIRECTION, SHORT, NO_AREA, IN_PLANE, FLAWS };
 
-/* A flawed line: not finite, of no direction, on a face without area or in the plane of a face. */
+/* Spoils a line: not finite, without a direction, on a face without area or in the plane of a face. */
 static void spoil(const struct kind *k, int number, enum flaw how, struct line *l)
 {
     const double bad = number % 3 == 0 ? NAN : number % 3 == 1 ? INFINITY : -INFINITY;
@@ -485,8 +485,8 @@ static void statuses_are_right(void **state)
     gsl_rng_free(stream);
 }
 
-/* Lines through points that are nearer and nearer to a corner where C is D, and lines nearer and nearer to one that touches an
- * arch, below and above its top. */
+/* Lines through points that approach a corner with C = D, and lines that approach one that touches an arch, below and
+ * above its top. */
 static void nearly_singular_lines(void **state)
 {
     (void)state;
@@ -526,7 +526,7 @@ static void nearly_singular_lines(void **state)
     }
 }
 
-/* Slave nodes as far away as numbers go: a distance that is a number, or none. */
+/* Slave nodes at the limits of numbers: the distance is finite, or there is no answer. */
 static void distances_are_finite(void **state)
 {
     static const double size[] = {1e-300, 1e-3, 1, 1e5, 1e300}, length[] = {1e-300, 1e-100, 1e-60, 1, 1e100};
@@ -553,13 +553,13 @@ static void distances_are_finite(void **state)
             assert_int_equal(one[r].status, row[r].status);
             assert_true(one[r].status < FOOTPOINT_OK ? one[r].status == FOOTPOINT_ERR_DOMAIN
                                                      : isfinite(one[r].dist) && isfinite(row[r].dist));
-            const bool straight = r % 2 == 0 && r % 3 != 0; /* no product is rounded, nor contracted */
+            const bool straight = r % 2 == 0 && r % 3 != 0; /* no product is rounded or contracted */
             assert_true(!straight || away[r] > 1e300 * fmin(1, size[n / KINDS % 5]) || one[r].status >= FOOTPOINT_OK);
         }
     }
 }
 
-/* The same in any unit of length and with a direction of any length. */
+/* Any unit of length and any length of the direction have the same answers. */
 static void size_does_not_matter(void **state)
 {
     gsl_rng *stream = stream_new();
@@ -569,7 +569,7 @@ static void size_does_not_matter(void **state)
         const struct kind *const k = &kinds[n % KINDS];
         struct line l;
         draw(k, n, stream, &l);
-        if (l.lead == NODE_OR_EDGE || fabs(log10(span_of(k, &l))) > 50) /* rounding decides; no numbers */
+        if (l.lead == NODE_OR_EDGE || fabs(log10(span_of(k, &l))) > 50) /* rounding decides; or overflow */
             continue;
         const struct answer usual = answer_of(k, &l);
         for (int power = -900; power <= 900; power += 150) {

@@ -1,6 +1,6 @@
-/* Closest points of closed faces, NAME_closest and NAME_closest_n, of faces as scenes draw them: slave nodes in their
- * ranges and up to an edge beside the face, against footpoint_robust, which shares no code with them.  50,000 of each
- * scene, 1e7 with FOOTPOINT_LONG. */
+/* Closest points of closed faces, NAME_closest and NAME_closest_n, on faces as scenes draw them, against
+ * footpoint_robust, which shares no code with them. Slave nodes lie in the scenes' ranges and up to an edge beside the
+ * face. 50,000 of each scene, 1e7 with FOOTPOINT_LONG. */
 #include "../../codegen/genome/genome.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/samples/samples.h"
@@ -25,7 +25,7 @@
 #include <cmocka.h>
 
 enum { SAMPLES = 50000, SAMPLES_LONG = 10000000, SEED = 20083, ROWS = 64 };
-#define TIE 1e-7 /* of xi and eta: where rounding hides which region it is */
+#define TIE 1e-7 /* in xi and eta: within this, rounding hides the region */
 
 typedef int closest(const double *const *x, double loc[2], double *dist, int *region);
 typedef void closest_n(size_t n, const double *const *x, double *xi, double *eta, double *dist, int *region,
@@ -65,18 +65,18 @@ static struct function {
     const char *kind, *name;
     closest *one;
     closest_n *many;
-    double worst; /* what OK promises of xi and eta */
+    double worst; /* largest error of xi and eta with FOOTPOINT_OK */
 } functions[] = {ALL(ROW)};
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
-/* A slave node, the last of x, and what is certain about it. */
+/* A slave node, the last of x, and its certain answer. */
 struct question {
     double x[5][3], longest;
     double loc[2], dist;
     int region;
 };
 
-/* Faces of a scene, and where slave nodes may be. */
+/* Faces of a scene, and the range of slave nodes. */
 struct face {
     const struct scene *scene;
     const struct surface *surface;
@@ -84,7 +84,7 @@ struct face {
     gsl_rng *stream;
 };
 
-/* Region of a point, from its coordinates. */
+/* Returns the region of a point, from its coordinates. */
 static int region_of(size_t corners, double xi, double eta)
 {
     if (corners == 3) {
@@ -96,7 +96,7 @@ static int region_of(size_t corners, double xi, double eta)
     return region[eta >= 1 ? 2 : eta > -1][xi >= 1 ? 2 : xi > -1];
 }
 
-/* How far (xi,eta) is from where its region ends, in xi and eta. */
+/* Returns the distance of (xi,eta) from the border of its region, in xi and eta. */
 static double to_border(size_t corners, double xi, double eta)
 {
     double least = 1;
@@ -113,8 +113,8 @@ static double clamp(double x, double lo, double hi)
     return x < lo ? lo : x > hi ? hi : x;
 }
 
-/* A foot point in the scene's ranges and its slave node; or one moved on along the tangents, up to the face's own
- * length beyond it. */
+/* Draws a foot point in the scene's ranges and its slave node, or moves the slave node along the tangents, up to the
+ * face's length beyond it. */
 static void place(const struct face *f, bool beside, struct question *q)
 {
     const double low = f->corners == 3 ? 0 : -1, over = beside ? 1 - low : 0.1 * (1 - low);
@@ -144,7 +144,7 @@ static void place(const struct face *f, bool beside, struct question *q)
         q->x[f->corners][k] = r[0][k] + (loc[0] - foot[0]) * r[1][k] + (loc[1] - foot[1]) * r[2][k] + gap * n[k];
 }
 
-/* The certain answer; false if there is none. */
+/* Finds the certain answer; returns false if there is none. */
 static bool answer(const struct face *f, struct question *q)
 {
     static const int triangle[9] = {0, 1, 2, 6, 3, 4, 5, 6, 6};
@@ -206,7 +206,7 @@ static void ask(const struct function *m, const struct face *f, const struct que
     const double longer = (fabs(dist) - fabs(q->dist)) / q->longest;
     e->loc = fmax(e->loc, off);
     e->dist = fmax(e->dist, fabs(longer));
-    if (!(longer > -1e-10)) /* no point is nearer than the closest one */
+    if (!(longer > -1e-10)) /* no point is nearer than the closest */
         fail_msg("%s: distance %a, certain %a", m->name, dist, q->dist);
     assert_int_equal(region, region_of(f->corners, loc[0], loc[1]));
     e->wrong += off > fmax(m->worst, TIE);
@@ -258,7 +258,8 @@ static void as_footpoint_robust(void **state)
     check_scene("tri3", "tri3");
 }
 
-/* A face, 64 slave nodes around it, in and out of reach, and coordinates that are no numbers or have no size. */
+/* Draws a face, 64 slave nodes around it, within and beyond the range, and coordinates that are NaN, infinite or too
+ * small. */
 static void draw_rows(double x[ROWS][5][3], size_t vectors)
 {
     static const double corner[4][3] = {{0, 0, 0}, {1, 0, 0}, {1.1, 1, 0}, {0, 0.9, 0.05}};
@@ -286,7 +287,7 @@ static void draw_rows(double x[ROWS][5][3], size_t vectors)
     gsl_rng_free(stream);
 }
 
-/* Statuses, and that arrays are answered as one. */
+/* Checks statuses, and that arrays have the answers of calls. */
 static void arrays_are_answered_as_one(void **state)
 {
     (void)state;
@@ -318,7 +319,7 @@ static void arrays_are_answered_as_one(void **state)
             if (one != FOOTPOINT_OK)
                 continue;
             assert_int_equal(region[i], where);
-#ifdef __FMA__ /* where compilers fuse operations each in its own way */
+#ifdef __FMA__ /* compilers fuse operations, differently in each place */
             assert_true(fabs(xi[i] - loc[0]) + fabs(eta[i] - loc[1]) < 1e-9 && fabs(dist[i] - d) <= 1e-9 * fabs(d));
 #else
             assert_true(xi[i] == loc[0] && eta[i] == loc[1] && dist[i] == d);
@@ -328,7 +329,7 @@ static void arrays_are_answered_as_one(void **state)
     }
 }
 
-/* In any unit of length the same, and from any place nearly so. */
+/* Answers are equal in any unit of length, and nearly equal at any place. */
 static void size_does_not_matter(void **state)
 {
     (void)state;
@@ -374,7 +375,8 @@ static void a_collapsed_edge_is_a_corner(void **state)
         }
 }
 
-/* Of faces about a node, that which footpoint_select_closest finds, and its answer; what has none is passed over. */
+/* Among faces about a node, the face of footpoint_select_closest is found, with its answer; faces without an answer are
+ * skipped. */
 static void the_nearest_of_many_faces(void **state)
 {
     (void)state;
@@ -403,13 +405,13 @@ static void the_nearest_of_many_faces(void **state)
         const double *const *c = corner + 4 * which;
         assert_int_equal(footpoint_quad4_full_closest(c[0], c[1], c[2], c[3], xs, one, &d, &where), FOOTPOINT_OK);
         assert_true(one[0] == loc[0] && one[1] == loc[1] && d == dist && where == region);
-        assert_true((int)which == chosen || region > 0); /* an edge is shared */
+        assert_true((int)which == chosen || region > 0); /* the faces share an edge */
     }
     gsl_rng_free(stream);
 }
 
-/* A ridge and a valley of two faces, steeper than a right angle: at the edge that they share each face sees the slave
- * node on a side of its own, and the right one is that of the face which it lies straighter over. */
+/* A ridge and a valley of two faces, steeper than a right angle. At their common edge each face sees the slave node on
+ * its own side. The right side belongs to the face that it lies more directly over. */
 static void sides_of_a_sharp_edge(void **state)
 {
     (void)state;
@@ -438,7 +440,8 @@ static void sides_of_a_sharp_edge(void **state)
         }
 }
 
-/* In single precision the same region, but near its end, and distances to some units of the last place. */
+/* In single precision the region is the same, except near its border, and distances agree to some units of the last
+ * place. */
 static void in_single_precision(void **state)
 {
     (void)state;

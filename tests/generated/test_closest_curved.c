@@ -1,8 +1,9 @@
-/* The promise of closest points of faces of six, eight and nine nodes: FOOTPOINT_OK means that the closest point of the closed face,
- * edges and corners included, lies within NAME_PROMISE of xi and eta, in the region that is returned; FOOTPOINT_NOT_UNIQUE that no point
- * is nearer by more than 1e-10 of the longest edge, and another is as near.  The judge bounds distances over parts of the face
- * (tests/support/curved_face.h), takes Newton's steps in quadruple precision from there, and shares no code with what it judges.  Some of
- * each kind and group; a million with FOOTPOINT_LONG, which prints how many are proved. */
+/* The promise of closest points of faces of six, eight and nine nodes. FOOTPOINT_OK means that the closest point of the
+ * closed face, including edges and corners, lies within NAME_PROMISE of xi and eta, in the returned region.
+ * FOOTPOINT_NOT_UNIQUE means that no point is nearer by more than 1e-10 of the longest edge, and another is as near.
+ * The judge bounds distances over parts of the face (tests/support/curved_face.h), then takes Newton's steps in
+ * quadruple precision, and shares no code with the judged functions. Some of each kind and group; a million with
+ * FOOTPOINT_LONG, which prints how many are proved. */
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_tri6.h"
@@ -23,8 +24,8 @@
 #include <cmocka.h>
 
 enum { CASES = 120, CASES_LONG = 1000000, STEPS = 80, PAIRS = 100, SEVERAL = 3, ANSWERS = 6, FUNCTIONS = 9 };
-#define BORDER 1e-9  /* of xi and eta: nearer than this to the border of a region, either is right */
-#define NOT_HERE 7.0 /* what outputs are set to beforehand */
+#define BORDER 1e-9  /* in xi and eta: within this of a border, both regions are right */
+#define NOT_HERE 7.0 /* initial value of outputs */
 
 /* ---- functions ---- */
 
@@ -70,16 +71,16 @@ static const struct function {
 
 /* ---- the judge ---- */
 
-/* A face in a unit of length in which it is about 1 long, and the nearest point. */
+/* A face in a unit of length in which it is about 1 long, and its nearest point. */
 struct judged {
     struct curved_case face;
-    struct curved_powers powers[3]; /* of triangles, numbered from each corner */
+    struct curved_powers powers[3]; /* for triangles, numbered from each corner */
     double longest, unit;
     bool known;
-    wide at[2], least; /* half the square of the distance */
+    wide at[2], least; /* half the squared distance */
 };
 
-/* A triangle, numbered from another corner: xi and eta are those that are 0 there. */
+/* Renumbers a triangle from another corner, so that xi and eta are 0 there. */
 static struct curved_case turned(const struct curved_case *f, int turn)
 {
     struct curved_case g = *f;
@@ -115,7 +116,7 @@ static void take(const struct curved_case *f, struct judged *j)
     }
 }
 
-/* xi and eta with corner number 0 become those with number `turn` of three. */
+/* Converts xi and eta to the numbering in which corner number `turn` is the first. */
 static void turn_place(int turn, wide z[2])
 {
     const wide l[3] = {1 - z[0] - z[1], z[0], z[1]};
@@ -123,8 +124,8 @@ static void turn_place(int turn, wide z[2])
     z[1] = l[(turn + 2) % 3];
 }
 
-/* Newton's steps from z, on the closed face as far as xi and eta are at least `low` and at most 1, each no longer than leads downhill,
- * until they stand; half the square of the distance. */
+/* Takes downhill Newton's steps from z, with xi and eta from `low` to 1 on the closed face, until they converge;
+ * returns half the squared distance. */
 static wide settle_in(const struct curved_powers *f, double low, wide z[2])
 {
     wide g[2], H[3], half = curved_half(f, z, g, H);
@@ -175,8 +176,8 @@ static bool bring_back(wide z[2])
     return beyond;
 }
 
-/* The same on the closed face; of triangles about the corner that is nearest, whose opposite edge does not hold the steps: once
- * they have crossed it, they go on from there about another corner. */
+/* Takes steps on the closed face. On triangles they start from the nearest corner, whose opposite edge does not stop
+ * them; once they have crossed it, they continue from another corner. */
 static wide settle(const struct judged *j, wide z[2])
 {
     wide half, g[2], H[3];
@@ -210,7 +211,7 @@ static wide clamp(wide x, double low)
     return x < low ? low : x > 1 ? 1 : x;
 }
 
-/* Which region a place is in, `border` being as good as on an edge. */
+/* Returns the region of a place; within `border` counts as on an edge. */
 static int region_of(const struct curved_kind *k, const wide z[2], double border)
 {
     static const int square[3][3] = {{5, 1, 6}, {4, 0, 2}, {8, 3, 7}}, on[8] = {0, 1, 2, 5, 3, 4, 6, 0};
@@ -219,7 +220,7 @@ static int region_of(const struct curved_kind *k, const wide z[2], double border
     return on[(z[1] <= border) + 2 * (1 - z[0] - z[1] <= border) + 4 * (z[0] <= border)];
 }
 
-/* Whether z, the closest point, lies in the region, or beside its border. */
+/* Returns true if z, the closest point, lies in the region or beside its border. */
 static bool in_region(const struct curved_kind *k, const wide z[2], int region)
 {
     const double low = k->corners == 4 ? -1 : 0;
@@ -241,7 +242,7 @@ static void point_at(const struct curved_powers *p, const wide z[2], wide d[3])
     }
 }
 
-/* The square of the distance between two points of the face. */
+/* Returns the squared distance between two points of the face. */
 static double apart(const struct judged *j, const wide a[2], const wide b[2])
 {
     wide r[3], s[3], sum = 0;
@@ -252,7 +253,7 @@ static double apart(const struct judged *j, const wide a[2], const wide b[2])
     return size_of(sum);
 }
 
-/* What an answer lacks of what its status promises; NULL: nothing. */
+/* Returns the violated part of the status's promise; NULL: none. */
 static const char *fault(struct judged *j, double promise, int status, const double loc[2], double dist, int region)
 {
     const struct curved_kind *const k = j->face.kind;
@@ -273,12 +274,12 @@ static const char *fault(struct judged *j, double promise, int status, const dou
     if (status == FOOTPOINT_OK && size_of(j->at[0] - loc[0]) <= promise && size_of(j->at[1] - loc[1]) <= promise &&
         in_region(k, j->at, region))
         return NULL;
-    const wide near = settle(j, z); /* a place as near as the judge's, or further */
+    const wide near = settle(j, z); /* a place at least as far as the judge's */
     if (status == FOOTPOINT_NOT_UNIQUE)
         return here <= sqrt(2 * (double)j->least) + 1.001e-10 * j->longest ? NULL
                                                                            : "a tie, and another point is nearer";
     if (size_of(near - j->least) > 1e-28 * scale * scale && j->least < near && apart(j, z, j->at) > 1e-40)
-        memcpy(z, j->at, sizeof z); /* another valley's */
+        memcpy(z, j->at, sizeof z); /* another valley */
     if (size_of(z[0] - loc[0]) > promise || size_of(z[1] - loc[1]) > promise)
         return "beyond the promise";
     return in_region(k, z, region) ? NULL : "another region";
@@ -307,7 +308,7 @@ static void expect(const struct function *f, const char *group, const struct cur
     }
 }
 
-/* Slave nodes of flat faces at the same distance from two points, to rounding, and over edges and corners. */
+/* Draws slave nodes of flat faces equally near to two points, to rounding, and over edges and corners. */
 static void draw_tie(uint64_t *stream, struct curved_case *f)
 {
     const int n = f->kind->corners, edge = draw_choose(stream, n);
@@ -335,7 +336,7 @@ static void draw_tie(uint64_t *stream, struct curved_case *f)
 enum { TIES = CURVED_GROUPS, OFFSET, FAR, KINDS_OF_CASES };
 static const char *const names[KINDS_OF_CASES] = {"ordinary", "strongly curved", "sliver", "wild",
                                                   "ties",     "offset",          "far"};
-/* % that must be proved to 1e-7 or less finely */
+/* percentage that must be proved to 1e-7 or more coarsely */
 static const double proved_least[KINDS_OF_CASES] = {99, 85, 50, 0, 0, 90, 0};
 
 static void draw(uint64_t *stream, int group, struct curved_case *f)
@@ -352,7 +353,7 @@ static void draw(uint64_t *stream, int group, struct curved_case *f)
             f->x[k][i] += 1e6 * (i + 1);
 }
 
-/* What all functions of its kind answer to one case; adds up statuses, indexed by function. */
+/* Judges the answers of all functions of a kind to one case; counts statuses, indexed by function. */
 static void judge(const char *group, const struct curved_case *h, long count[FUNCTIONS][ANSWERS])
 {
     const double *x[CURVED_NODES];
@@ -399,7 +400,7 @@ static void closest_points_keep_the_promise(void **state)
     }
 }
 
-/* Draws n cases of a kind, of all groups by turns. */
+/* Draws n cases of a kind, of all groups in turn. */
 static void draw_all(const struct curved_kind *k, int n, struct curved_case *f)
 {
     uint64_t stream = 62;
@@ -409,7 +410,7 @@ static void draw_all(const struct curved_kind *k, int n, struct curved_case *f)
     }
 }
 
-/* In arrays the same answers as alone, to the bit, but for rounding where compilers fuse operations. */
+/* Arrays return the answers of calls, to the bit, or to rounding if compilers fuse operations. */
 static void arrays_match_single_calls(void **state)
 {
     static struct curved_case h[PAIRS];
@@ -446,7 +447,7 @@ static void arrays_match_single_calls(void **state)
     }
 }
 
-/* Of several faces: OK only if no point of any is nearer. */
+/* With several faces, OK means that no point of any face is nearer. */
 static void the_nearest_of_several_faces_is_proved(void **state)
 {
     static struct curved_case h[PAIRS];
@@ -470,14 +471,14 @@ static void the_nearest_of_several_faces_is_proved(void **state)
             if (functions[f].of_many(SEVERAL, x, xs, loc, &dist, &region, &which) != FOOTPOINT_OK)
                 continue;
             expect(&functions[f], "of several", &h[i], &j[which], FOOTPOINT_OK, loc, dist, region);
-            for (size_t k = 0; k < SEVERAL; k++) { /* a face that has no answer is passed over */
+            for (size_t k = 0; k < SEVERAL; k++) { /* faces without an answer are skipped */
                 double at[2], d;
                 int where;
                 if (functions[f].one(x + (size_t)nodes * k, xs, at, &d, &where) < FOOTPOINT_OK)
                     continue;
                 if (!j[k].known)
                     find_nearest(&j[k]);
-                /* by as much as the promise may make of the distance of the face that is chosen */
+                /* up to the effect of the promise on the chosen face's distance */
                 const double least = sqrt(2 * (double)j[k].least) * j[k].unit;
                 const double off =
                     1e-13 * (j[k].unit + fabs(dist)) + 8 * functions[f].promise * j[which].longest * j[which].unit;

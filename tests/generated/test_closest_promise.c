@@ -1,8 +1,8 @@
-/* The promise of closest points of four-node faces: FOOTPOINT_OK means that the closest point of the closed face, edges and
- * corners included, lies within NAME_PROMISE of xi and eta, in the region that is returned.  The judge bounds distances to the
- * lines of constant eta from below, interval by interval, until no point of the face can be nearer than what it has found, takes
- * Newton's steps in quadruple precision from there, and shares no code with what it judges.  Some of each family; a million
- * with FOOTPOINT_LONG, which prints how many are proved. */
+/* The promise of closest points of four-node faces. FOOTPOINT_OK means that the closest point of the closed face,
+ * including edges and corners, lies within NAME_PROMISE of xi and eta, in the returned region. The judge bounds
+ * distances to lines of constant eta, interval by interval, until no point of the face can be nearer than its own. It
+ * then takes Newton's steps in quadruple precision and shares no code with the judged functions. Some of each family; a
+ * million with FOOTPOINT_LONG, which prints how many are proved. */
 #include "../../generated/footpoint_plane_quad4.h"
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_rectangle_quad4.h"
@@ -25,8 +25,8 @@ __extension__ typedef __float128 wide;
 typedef long double fine;
 
 enum { CASES = 60, CASES_LONG = 80000, STEPS = 80, STACK = 4000, PAIRS = 200, SEVERAL = 3, ANSWERS = 6 };
-#define BORDER 1e-9  /* of xi and eta: nearer than this to the border of a region, either is right */
-#define NOT_HERE 7.0 /* what outputs are set to beforehand */
+#define BORDER 1e-9  /* in xi and eta: within this of a border, both regions are right */
+#define NOT_HERE 7.0 /* initial value of outputs */
 
 /* ---- functions ---- */
 
@@ -74,7 +74,7 @@ enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 /* ---- families ---- */
 
-/* xS beside or over the face, up to `away` of its longest edge from it. */
+/* Draws xS beside or over the face, up to `away` of its longest edge from it. */
 static void draw_slave(uint64_t *stream, struct hard_case *h, double away)
 {
     double r[3], t[3], u[3], c[3], d[3], longest = 0;
@@ -97,7 +97,7 @@ static void draw_ordinary(uint64_t *stream, struct hard_case *h)
     draw_slave(stream, h, 1);
 }
 
-/* Two edges that a step moves span the face; the slave node is beside the first. */
+/* Draws a face spanned by two edges, the second the first after a step; the slave node lies beside the first. */
 static void draw_swept(uint64_t *stream, struct hard_case *h)
 {
     const double step = draw_power(stream, -2, 0), along = draw_flat(stream, 0, 1);
@@ -143,7 +143,7 @@ static void draw_folded(uint64_t *stream, struct hard_case *h)
     draw_slave(stream, h, 1);
 }
 
-/* C = D, two points or three that coincide, xS on a node. */
+/* Draws C = D, two or three coinciding points, xS on a node. */
 static void draw_coincident(uint64_t *stream, struct hard_case *h)
 {
     draw_ordinary(stream, h);
@@ -163,7 +163,7 @@ static void draw_far(uint64_t *stream, struct hard_case *h)
     draw_slave(stream, h, draw_power(stream, 0, 2));
 }
 
-/* Slave nodes over edges and corners of flat faces, and at the same distance from two points, to rounding. */
+/* Draws slave nodes over edges and corners of flat faces, and equally near to two points, to rounding. */
 static void draw_tie(uint64_t *stream, struct hard_case *h)
 {
     static const double square[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -190,7 +190,7 @@ static void draw_sized(uint64_t *stream, struct hard_case *h)
     draw_move(stream, h, draw_power(stream, 0, 1) * (draw_choose(stream, 2) ? 1e299 : 1e-299), 0);
 }
 
-/* Each coordinate of each point in a scale of its own. */
+/* Scales each coordinate of each point separately. */
 static void draw_mixed(uint64_t *stream, struct hard_case *h)
 {
     for (int k = 0; k < 5; k++)
@@ -201,7 +201,7 @@ static void draw_mixed(uint64_t *stream, struct hard_case *h)
 static const struct family {
     const char *name;
     void (*draw)(uint64_t *stream, struct hard_case *h);
-    double least; /* percent that is proved to 1e-3 and to 1e-7 */
+    double least; /* percentage proved to 1e-3 and to 1e-7 */
 } families[] = {{"ordinary", draw_ordinary, 99.9},  {"swept", draw_swept, 85}, {"sliver", draw_sliver, 90},
                 {"needle", draw_needle, 0},         {"taper", draw_taper, 85}, {"folded", draw_folded, 0},
                 {"coincident", draw_coincident, 0}, {"far", draw_far, 0},      {"tie", draw_tie, 0},
@@ -215,7 +215,7 @@ struct judged {
     wide x[5][3];
     fine y[5][3];
     double longest, unit;
-    bool known; /* the nearest point, and half the square of its distance */
+    bool known; /* the nearest point, and half its squared distance */
     wide at[2], least;
 };
 
@@ -248,7 +248,7 @@ static void take(const struct hard_case *h, struct judged *j)
     }
 }
 
-/* Half the square of the distance at z, its slopes downhill g, and its Hessian. */
+/* Returns half the squared distance at z, and computes its downhill slopes g and its Hessian. */
 static wide slopes(const struct judged *j, const wide z[2], wide g[2], wide H[3])
 {
     wide half = g[0] = g[1] = H[0] = H[1] = H[2] = 0;
@@ -271,7 +271,7 @@ static wide clamp(wide x)
     return x < -1 ? -1 : x > 1 ? 1 : x;
 }
 
-/* Newton's steps from z on the closed face, each no longer than leads downhill, until they stand; half the square of the distance. */
+/* Takes downhill Newton's steps from z on the closed face until they converge; returns half the squared distance. */
 static wide settle(const struct judged *j, wide z[2])
 {
     wide g[2], H[3], half = slopes(j, z, g, H);
@@ -306,7 +306,7 @@ static wide settle(const struct judged *j, wide z[2])
     return half;
 }
 
-/* The distance to the line of constant eta = v, and xi of the nearest point on it. */
+/* Returns the distance to the line of constant eta = v, and xi of its nearest point. */
 static fine line(const struct judged *j, fine v, fine *xi)
 {
     fine e[3], d[3], ee = 0, ed = 0, square = 0;
@@ -324,8 +324,8 @@ static fine line(const struct judged *j, fine v, fine *xi)
     return sqrtl(square);
 }
 
-/* A point of the face than which none is nearer by more than 1e-5 of the longest edge: the distance to a line of constant eta
- * changes no faster than the longer of the edges that it moves along. */
+/* Finds a point that is nearest to within 1e-5 of the longest edge: the distance to a line of constant eta changes no
+ * faster than the longer of the edges along which the line moves. */
 static void find_nearest(struct judged *j)
 {
     static double middle[STACK], half[STACK];
@@ -370,7 +370,7 @@ static int region_of(wide xi, wide eta)
     return region[eta >= 1 ? 2 : eta > -1][xi >= 1 ? 2 : xi > -1];
 }
 
-/* Whether z lies in the region, or beside its border. */
+/* Returns true if z lies in the region, or beside its border. */
 static bool in_region(const wide z[2], int region)
 {
     for (int i = -1; i < 2; i++)
@@ -380,7 +380,7 @@ static bool in_region(const wide z[2], int region)
     return false;
 }
 
-/* The square of the distance between two points of the face. */
+/* Returns the squared distance between two points of the face. */
 static double apart(const struct judged *j, const wide a[2], const wide b[2])
 {
     wide sum = 0;
@@ -393,7 +393,7 @@ static double apart(const struct judged *j, const wide a[2], const wide b[2])
     return size_of(sum) / 16;
 }
 
-/* What an answer lacks of what its status promises; NULL: nothing. */
+/* Returns the violated part of the status's promise; NULL: none. */
 static const char *fault(struct judged *j, double promise, int status, const double loc[2], double dist, int region)
 {
     wide g[2], H[3], z[2] = {loc[0], loc[1]};
@@ -411,12 +411,12 @@ static const char *fault(struct judged *j, double promise, int status, const dou
     if (status == FOOTPOINT_OK && size_of(j->at[0] - loc[0]) <= promise && size_of(j->at[1] - loc[1]) <= promise &&
         in_region(j->at, region))
         return NULL;
-    const wide near = settle(j, z); /* a place as near as the judge's, or further */
+    const wide near = settle(j, z); /* a place at least as far as the judge's */
     if (status == FOOTPOINT_NOT_UNIQUE)
         return here <= sqrt(2 * (double)j->least) + 1.001e-10 * j->longest ? NULL
                                                                            : "a tie, and another point is nearer";
     if (size_of(near - j->least) > 1e-28 * scale * scale && j->least < near && apart(j, z, j->at) > 1e-40)
-        memcpy(z, j->at, sizeof z); /* another valley's */
+        memcpy(z, j->at, sizeof z); /* another valley */
     if (size_of(z[0] - loc[0]) > promise || size_of(z[1] - loc[1]) > promise)
         return "beyond the promise";
     return in_region(z, region) ? NULL : "another region";
@@ -441,7 +441,7 @@ static void expect(const struct function *f, const char *family, const struct ha
     }
 }
 
-/* What all functions answer to one case; adds up statuses, indexed by function. */
+/* Judges all functions' answers to one case; counts statuses, indexed by function. */
 static void judge(const char *family, const struct hard_case *h, bool all, long count[FUNCTIONS][ANSWERS])
 {
     const double *const x[5] = {h->x[0], h->x[1], h->x[2], h->x[3], h->x[4]};
@@ -471,7 +471,7 @@ static void closest_points_of_hard_faces_keep_the_promise(void **state)
         }
 }
 
-/* ... and are proved as often as they should be. */
+/* Closest points keep the promise and are proved often enough. */
 static void closest_points_keep_the_promise(void **state)
 {
     (void)state;
@@ -496,7 +496,7 @@ static void closest_points_keep_the_promise(void **state)
     }
 }
 
-/* Draws n cases of all families by turns. */
+/* Draws n cases of all families in turn. */
 static void draw_all(int n, struct hard_case *h)
 {
     uint64_t stream = 62;
@@ -509,7 +509,7 @@ static void draw_all(int n, struct hard_case *h)
     }
 }
 
-/* In arrays the same answers as alone, to the bit, but for rounding where compilers fuse operations. */
+/* Arrays return the answers of calls, to the bit, or to rounding if compilers fuse operations. */
 static void arrays_match_single_calls(void **state)
 {
     static struct hard_case h[PAIRS];
@@ -545,7 +545,7 @@ static void arrays_match_single_calls(void **state)
     }
 }
 
-/* Of several faces: OK only if no point of any is nearer. */
+/* With several faces, OK means that no point of any face is nearer. */
 static void the_nearest_of_several_faces_is_proved(void **state)
 {
     static struct hard_case h[PAIRS];
@@ -569,7 +569,7 @@ static void the_nearest_of_several_faces_is_proved(void **state)
                 continue;
             expect(&functions[f], "of several", &h[i], &j[which], FOOTPOINT_OK, loc, dist, region);
             for (int k = 0; k < SEVERAL; k++) {
-                /* a face that has no answer, for its distance or its area, is passed over */
+                /* faces without an answer, because of their distance or area, are skipped */
                 const double *const y[5] = {x[4 * k], x[4 * k + 1], x[4 * k + 2], x[4 * k + 3], h[i].x[4]};
                 double at[2], d;
                 int where;
@@ -577,7 +577,7 @@ static void the_nearest_of_several_faces_is_proved(void **state)
                     continue;
                 if (!j[k].known)
                     find_nearest(&j[k]);
-                /* by as much as the promise may make of the distance of the face that is chosen */
+                /* up to the effect of the promise on the chosen face's distance */
                 const double least = sqrt(2 * (double)j[k].least) * j[k].unit;
                 const double off =
                     1e-13 * (j[k].unit + fabs(dist)) + 2 * functions[f].promise * j[which].longest * j[which].unit;

@@ -1,7 +1,7 @@
-/* Faces of six, eight and nine nodes: closest points, NAME_closest and footpoint_face_robust, of faces as scenes draw them,
- * against a search that is certain and shares no code with them, tests/support/curved_face.h.  Slave nodes lie in the ranges
- * of the scenes and up to an edge beside the face.  1,000 of each scene, 1e6 with FOOTPOINT_LONG; and footpoint_face_robust
- * on 1,000 strongly curved faces of each kind, or 1e5. */
+/* Closest points of faces of six, eight and nine nodes, NAME_closest and footpoint_face_robust, on faces as scenes draw
+ * them, against a certain search that shares no code with them, tests/support/curved_face.h. Slave nodes lie in the
+ * scenes' ranges and up to an edge beside the face. 1,000 of each scene, 1e6 with FOOTPOINT_LONG; and
+ * footpoint_face_robust on 1,000 strongly curved faces of each kind, or 1e5. */
 #include "../../codegen/genome/genome.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/samples/samples.h"
@@ -26,7 +26,7 @@
 
 enum { SAMPLES = 1000, SAMPLES_LONG = 1000000, STRONG = 1000, STRONG_LONG = 100000 };
 enum { SEED = 20131, SEED_STRONG = 20132, VECTORS = SEGMENT_VECTORS + 1 };
-#define TIE 1e-6 /* of xi and eta: where rounding hides which region it is */
+#define TIE 1e-6 /* in xi and eta: within this, rounding hides the region */
 
 #define N6(x) x[0], x[1], x[2], x[3], x[4], x[5]
 #define N8(x) N6(x), x[6], x[7]
@@ -74,8 +74,8 @@ static double clamp(double x, double lo, double hi)
     return x < lo ? lo : x > hi ? hi : x;
 }
 
-/* A foot point in the scene's ranges and its slave node; or one moved on along the tangents, up to the face's own
- * length beyond it. */
+/* Draws a foot point in the scene's ranges and its slave node, or moves the slave node along the tangents, up to the
+ * face's length beyond it. */
 static void place(const struct kind *k, const struct scene *scene, const struct surface *f, gsl_rng *stream,
                   bool beside, struct question *q)
 {
@@ -126,7 +126,7 @@ static void each_sample(const struct kind *k,
 
 /* ---- closest points ---- */
 
-/* How far (xi,eta) is from where its region ends, and which it is, by its distances from the edges. */
+/* Returns the region of (xi,eta) and its distance from the border of the region, by its distances from the edges. */
 static int region_of(int corners, double xi, double eta, double *margin)
 {
     static const int square[3][3] = {{5, 1, 6}, {4, 0, 2}, {8, 3, 7}}, on[8] = {0, 1, 3, 4, 2, 5, 6, 7};
@@ -142,7 +142,8 @@ static int region_of(int corners, double xi, double eta, double *margin)
     return on[edges];
 }
 
-/* Of footpoint_face_robust: answers by status; of footpoint_face_closest and footpoint_face_locate: those that are OK and longer. */
+/* footpoint_face_robust: answers by status; footpoint_face_closest and footpoint_face_locate: answers with OK that are
+ * longer. */
 struct robust {
     long status[FOOTPOINT_STATUS_MOST + 1], wrong, apart, closest, located;
     double longer;
@@ -159,8 +160,8 @@ static bool is_in(int corners, const double loc[2])
     return corners == 3 ? loc[0] >= 0 && loc[1] >= 0 && loc[0] + loc[1] <= 1 : fabs(loc[0]) <= 1 && fabs(loc[1]) <= 1;
 }
 
-/* The distance is that of loc, and longer than the certain one by 1e-10 of the largest difference of coordinates at most;
- * what is said to be the only closest point is. */
+/* Checks that the distance is that of loc, exceeds the certain distance by at most 1e-10 of the largest difference of
+ * coordinates, and that an answer with FOOTPOINT_OK is the only closest point. */
 static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, const struct curved_face *f,
                        const double certain[2], double least, struct robust *t)
 {
@@ -267,8 +268,8 @@ static void closest_points_are_right(void **state)
 
 enum bend { LOOSE, ROUND, TUBE, FOLDED, BENDS };
 
-/* Nodes at places p from -1/2 to 1/2: moved, middles of edges by up to half an edge; on arcs of up to a half circle in
- * one direction or both; with C near A. */
+/* Draws nodes at places p from -1/2 to 1/2: moved, middles of edges by up to half an edge; on arcs of up to half a
+ * circle in one direction or both; with C near A. */
 static void bend(const struct kind *k, enum bend how, gsl_rng *stream, double (*x)[3], double angle[2])
 {
     static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
@@ -289,7 +290,8 @@ static void bend(const struct kind *k, enum bend how, gsl_rng *stream, double (*
     }
 }
 
-/* Up to two edges away, on the face or near it, as near to one node as to another, or near an axis of the arcs. */
+/* Draws a slave node up to two edges away, on the face or near it, equally near to two nodes, or near an axis of the
+ * arcs. */
 static void put(const struct kind *k, enum bend how, gsl_rng *stream, double (*x)[3], const double angle[2], double *xs)
 {
     const double none[3] = {0, 0, 0}, near = pow(10, gsl_ran_flat(stream, -10, 0));

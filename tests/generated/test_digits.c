@@ -1,6 +1,6 @@
-/* Digits far from the origin: segments are moved by a hundred, ten thousand and a million edges, and the rounding errors
- * of every function are what they are for the same coordinates, as they have been rounded, relative to a node; so is the
- * gap.  They are measured against the function itself in long double. */
+/* Digits far from the origin: segments move by a hundred, ten thousand and a million edges. The rounding errors of
+ * every function, and of the gap, stay as for the same rounded coordinates relative to a node. The reference is the
+ * function itself in long double. */
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/footpoint.h"
@@ -21,20 +21,20 @@
 
 enum { MOVES = 3 };
 
-/* By how many edges; every coordinate goes far. */
+/* Distances in edges; every coordinate moves. */
 static const double far[MOVES] = {1e2, 1e4, 1e6}, way[3] = {0.61, -0.53, 0.59};
 
-#define FACTOR 1.1   /* between the errors far from the origin and at it, mean and 99 % */
+#define FACTOR 1.1   /* largest ratio of the errors far from the origin and at it, mean and 99 % */
 #define OF_GAP 1e-15 /* over the length of an edge */
 
-/* A sample moved; and relative to its first node, which far from the origin is exact.  Normals stay. */
+/* A moved sample; and the same relative to its first node, which is exact far from the origin. Normals stay. */
 struct moved {
     double x[SEGMENT_VECTORS + 1][3], near[SEGMENT_VECTORS + 1][3], edge;
     const double *at[SEGMENT_VECTORS + 1], *near_at[SEGMENT_VECTORS + 1]; /* the slave node last */
 };
 
-/* Of the samples held out.  The scene whole-quad4, whose errors vary most, needs the larger number, and is left out
- * with the smaller. */
+/* Returns the number of held-out samples. The scene whole-quad4, whose errors vary most, needs the larger number and is
+ * skipped with the smaller. */
 static size_t samples(void)
 {
     return getenv("FOOTPOINT_LONG") ? 20000 : 500;
@@ -59,7 +59,7 @@ static void move(const struct segment_kind *kind, const struct sample *s, double
     }
 }
 
-/* How far off xi or eta is, the larger of the two, far from the origin or at it. */
+/* Returns the larger error of xi and eta, far from the origin or at it. */
 static double error_of(size_t method, size_t vectors, const struct moved *m, bool away)
 {
     const double *const *x = away ? m->at : m->near_at;
@@ -82,7 +82,7 @@ static void check_gap(size_t method, size_t vectors, const struct moved *m, doub
     const int status[2] = {header_functions[method].locate(m->at, m->at[vectors], loc, &gap),
                            header_functions[method].locate(m->near_at, m->near_at[vectors], near_loc, &near_gap)};
     const char *const name = header_functions[method].name;
-    const bool patch = strstr(name, "gregory") || strstr(name, "bezier"); /* of which some answers are not proved */
+    const bool patch = strstr(name, "gregory") || strstr(name, "bezier"); /* some answers of patches are not proved */
     for (int k = 0; k < 2; k++)
         assert_true(status[k] == FOOTPOINT_OK || (patch && status[k] >= FOOTPOINT_OK));
     if (!(fabs(gap - near_gap) <= OF_GAP * m->edge))
@@ -117,7 +117,7 @@ static void test_scene(void **state)
     struct diag d = {0};
     struct scene *scene = scene_read(".", *state, &d);
     struct sample_set set = {0};
-    if (scene && scene->heldout > 2 * samples()) /* of which some may be left out */
+    if (scene && scene->heldout > 2 * samples()) /* some samples may be skipped */
         scene->heldout = 2 * samples();
     if (!scene || !scene_samples(scene, PART_HELDOUT_RANDOM, &set, &d))
         fail_msg("%s", d.text);

@@ -1,7 +1,7 @@
-/* On which side of one face slave nodes lie: headers, footpoint_robust, footpoint_face_robust and footpoint_face_closest agree
- * at corners that have no normal, those of collapsed edges and those of 180 degrees, and have the side that the plane of the
- * face has; nodes beside a face are no penetrations, nodes below it are.  At the origin and 1e6 edges away; some thousands of
- * each, 1e6 with FOOTPOINT_LONG. */
+/* The side of one face on which slave nodes lie. Headers, footpoint_robust, footpoint_face_robust and
+ * footpoint_face_closest agree, with the side of the face's plane, at corners without a normal: those of collapsed
+ * edges and of 180 degrees. Nodes beside a face do not penetrate, nodes below it do. At the origin and 1e6 edges away;
+ * some thousands of each, 1e6 with FOOTPOINT_LONG. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
@@ -48,7 +48,7 @@ struct answer {
     double loc[2], dist;
 };
 
-/* Answers of everything that gives a distance with a sign; how many there are. */
+/* Collects the answers of all functions that return a signed distance; returns their number. */
 static int ask_all(const struct kind *k, const double *x, struct answer a[8])
 {
     const double *const s = x + 3 * k->nodes;
@@ -96,7 +96,7 @@ static double distance(const double *a, const double *b)
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/* Corners of a plane face about 1 long, in its plane; middle nodes follow. */
+/* Draws corners of a plane face about 1 long, in its plane; middle nodes follow. */
 static void draw_corners(gsl_rng *stream, const struct kind *k, double (*x)[3])
 {
     static const double corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -134,7 +134,7 @@ static void move(gsl_rng *stream, double (*x)[3], int n, double away)
 
 /* ---- corners without a normal ---- */
 
-/* Corner c becomes the next one, or lies between its neighbours. */
+/* Moves corner c onto the next, or between its neighbours. */
 static void spoil(gsl_rng *stream, int c, int straight, double (*x)[3])
 {
     const double t = gsl_ran_flat(stream, 0.3, 0.7);
@@ -143,7 +143,7 @@ static void spoil(gsl_rng *stream, int c, int straight, double (*x)[3])
         x[c][i] = straight ? (1 - t) * next[i] + t * before[i] : next[i];
 }
 
-/* Slave nodes at, over and beside corner c, and anywhere about the face. */
+/* Draws slave nodes at, over and beside corner c, and anywhere near the face. */
 static void draw_slave(gsl_rng *stream, long n, const double corner[3], double xs[3])
 {
     const double wide = n % 4 == 0 ? 0 : n % 4 == 1 ? 1e-6 : 0.4;
@@ -168,7 +168,7 @@ static void corners_without_normals(void **state)
             add_middles(k, x);
             draw_slave(stream, n, x[c], x[k->nodes]);
             move(stream, x, k->nodes + 1, n / 32 % 2 ? FAR : 0);
-            if (!straight) /* one point, whatever rounding does to the middle of the edge */
+            if (!straight) /* one point, however rounding places the middle of the edge */
                 memcpy(x[k->corners + c], x[c], k->nodes > 4 ? sizeof *x : 0);
             const double height = height_over(x[(c + 1) % 4], x[(c + 2) % 4], x[(c + 3) % 4], x[k->nodes]);
             for (int i = 0; i < 4; i++)
@@ -190,8 +190,8 @@ static void corners_without_normals(void **state)
 
 /* ---- beside and below ---- */
 
-/* A slave node in the tangent plane of a point of an edge, `beside` outside of it at right angles; or, where that is 0, below a
- * point inside of a plane face. */
+/* Draws a slave node in the tangent plane of a point of an edge, `beside` outside of it at right angles; or, if
+ * `beside` is 0, below a point inside of a plane face. */
 static void draw_node(gsl_rng *stream, const struct kind *k, double beside, double below, double (*x)[3])
 {
     double *const xs = x[k->nodes], e[3], w[3], ee = 0, we = 0, size = 0;
@@ -211,8 +211,8 @@ static void draw_node(gsl_rng *stream, const struct kind *k, double beside, doub
         xs[i] = x[c][i] + t * e[i] + (beside > 0 ? -beside / sqrt(size) : 0.3) * w[i] - (i == 2 ? below : 0);
 }
 
-/* A slave node in the plane of a face whose corner c is also the next one: beside that point, at right angles to an edge that
- * leaves it, so that points inside are as near as rounding can tell. */
+/* Draws a slave node in the plane of a face whose corners c and c + 1 coincide: beside that point, at right angles to
+ * an adjacent edge, so that points inside are as near as rounding can resolve. */
 static void draw_beside_collapsed(gsl_rng *stream, int c, double beside, double (*x)[3])
 {
     const int ahead = (int)gsl_rng_uniform_int(stream, 2), along = (c + (ahead ? 2 : 3)) % 4;

@@ -1,6 +1,6 @@
-/* Code in float: the committed header is measured again on its scene's held-out samples, whose coordinates are floats,
- * and shows the figures of its banner; what it computes depends on neither place nor size; and nearly all of these samples
- * are proved.  Hard cases are in tests/hard/ and test_promise_float.c. */
+/* Code in float: the committed header reproduces the figures of its banner on its scene's held-out samples, whose
+ * coordinates are floats; results depend neither on place nor on size; nearly all of these samples are proved. Hard
+ * cases are in tests/hard/ and test_promise_float.c. */
 #include "../../codegen/genome/genome.h"
 #include "../../evolve/samples/samples.h"
 #include "../../generated/footpoint_quad4_float.h"
@@ -17,7 +17,7 @@
 
 #include <cmocka.h>
 
-/* Fused operations are as good, but not the same. */
+/* Fused operations are equally accurate, but not equal. */
 #ifdef __FP_FAST_FMAF
 #define AGREE 0.5
 #else
@@ -39,17 +39,17 @@ static const struct function {
     straight *at;
     checked *bare, *sure;
     double promise;
-    double unproved; /* the largest part of the scene's samples that may be unproved */
+    double unproved; /* largest unproved share of the scene's samples */
 } functions[] = {FUNCTION(fast, FAST, 0),          FUNCTION(coarse, COARSE, 0),       FUNCTION(gauss2, GAUSS2, 0),
                  FUNCTION(medium, MEDIUM, 0),      FUNCTION(balanced, BALANCED, 0),   FUNCTION(fine, FINE, 2e-3),
                  FUNCTION(precise, PRECISE, 2e-3), FUNCTION(accurate, ACCURATE, 2e-3)};
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
-enum { PARTS = 2, TOLD = 1 /* of these, in banners */ };
+enum { PARTS = 2, TOLD = 1 /* parts in banners */ };
 static struct sample_set set[PARTS];
 static const char *const part_name[TOLD] = {"heldout"};
 
-/* Nodes and the slave node, the slave node last. */
+/* Copies the nodes and the slave node, which comes last. */
 static void set_single(const struct sample *s, float x[5][3])
 {
     for (int i = 0; i < 5; i++)
@@ -90,7 +90,8 @@ static void coordinates_are_floats(void **state)
         }
 }
 
-/* The banner's line of a function: "KEY: xi MEAN P99 WORST, eta MEAN P99 WORST, of N samples", "and climbing" perhaps. */
+/* Reads a function's line of the banner: "KEY: xi MEAN P99 WORST, eta MEAN P99 WORST, of N samples", with or without
+ * "and climbing". */
 static void read_banner(const char *text, const char *function, const char *part, struct error_stats e[2], size_t *n,
                         bool *climbed)
 {
@@ -169,7 +170,7 @@ static void samples_are_proved(void **state)
     }
 }
 
-/* Of the same segment 2^-13 to 2^13 times as large (1e-4 to 1e4), the same numbers to the bit. */
+/* The same segment, 2^-13 to 2^13 times as large (1e-4 to 1e4), has the same numbers to the bit. */
 static void size_does_not_matter(void **state)
 {
     (void)state;

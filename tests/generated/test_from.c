@@ -1,6 +1,6 @@
-/* Searches that begin with the last answer: where they return FOOTPOINT_OK a minimum of the distance lies within NAME_PROMISE, and
- * they return it wherever NAME does.  Faces of four to nine nodes, ordinary, strongly curved, slivers and wild ones; starts are off
- * by 1e-6 to 10 faces, or are no numbers; alone, in arrays and over one face.  With FOOTPOINT_LONG ten million calls. */
+/* Searches from the last answer: with FOOTPOINT_OK a minimum of the distance lies within NAME_PROMISE, and they return
+ * FOOTPOINT_OK whenever NAME does. Faces of four to nine nodes: ordinary, strongly curved, slivers and wild. Starts are
+ * off by 1e-6 to 10 faces, or NaN; calls, arrays and one face. With FOOTPOINT_LONG ten million calls. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
@@ -98,7 +98,7 @@ static void draw_subject(uint64_t *stream, const struct curved_kind *kind, enum 
     s->xs = s->face.x[kind->nodes];
 }
 
-/* A last answer: the foot point moved by 1e-6 to 10 faces of width 2, now and then no number. */
+/* Draws a last answer: the foot point moved by 1e-6 to 10 faces of width 2, sometimes NaN. */
 static void draw_start(uint64_t *stream, const double loc[2], double start[2])
 {
     const double moved = draw_power(stream, -6, 1.3);
@@ -121,7 +121,7 @@ static void fail_on(const struct subject *s, const struct function *f, const cha
     fail_msg("%s, %s: from (%a, %a) to (%a, %a)", f->name, what, start[0], start[1], loc[0], loc[1]);
 }
 
-/* One answer; `status` is what it came with, `scratch` the status from scratch. */
+/* Judges one answer with its `status`; `scratch` is the status of NAME. */
 static void judge(struct subject *s, const struct function *f, const double start[2], int scratch, int status,
                   const double loc[2])
 {
@@ -160,7 +160,7 @@ static void test_moves(void **state)
         }
 }
 
-/* As many pairs in arrays, and the slave nodes of all over the first face. */
+/* Judges as many pairs in arrays, and all their slave nodes over the first face. */
 static void arrays(const struct function *f, const struct curved_kind *kind, uint64_t *stream)
 {
     static double column[MOST_ROWS][PAIRS], start[2][PAIRS], loc[2][PAIRS], gap[PAIRS];

@@ -1,7 +1,7 @@
-/* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene,
- * with FOOTPOINT_LONG on all of them, else of some scenes on the random ones, and must show the figures of its banner, of
- * patches the share of proved answers, too.  It must compute what its genome does; and the checked function must agree with
- * the unchecked one however the corners are numbered; of nodes on a line it must say so. */
+/* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene
+ * and must reproduce the figures of its banner, for patches also the share of proved answers. With FOOTPOINT_LONG all
+ * samples are used, otherwise the random samples of some scenes. Functions must compute their genome. The checked
+ * function must agree with the unchecked function for any numbering of the corners, and report nodes on a line. */
 #include "../../codegen/base/random.h"
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/eval/lines_run.h"
@@ -23,7 +23,7 @@
 #include <cmocka.h>
 
 enum { COMPARED = 500, MEASURED = 40000, COMPARED_LONG = 50000, BLOCK = 1000, COLLINEAR = 1000 };
-#define ROUNDING 1e-11 /* of xi and eta; beyond 1, where steps go astray, it grows with the square */
+#define ROUNDING 1e-11 /* of xi and eta; beyond 1, where steps fail, it grows with the square */
 
 static void at_sample(const struct header_function *m, const struct sample *s, double loc[2])
 {
@@ -33,7 +33,8 @@ static void at_sample(const struct header_function *m, const struct sample *s, d
     m->at(x, s->xs, &loc[0], &loc[1]);
 }
 
-/* Genome of a method of scene file `f`: function footpoint_<scene>_<genome>, with _ for - in the scene's name. */
+/* Returns the genome of a method of scene file `f`: function footpoint_<scene>_<genome>, with _ for - in the scene's
+ * name. */
 static const struct genome *find_genome(const struct genome_file *f, const struct header_function *m)
 {
     const size_t prefix = strlen("footpoint_") + strlen(m->scene) + 1;
@@ -43,7 +44,7 @@ static const struct genome *find_genome(const struct genome_file *f, const struc
     return NULL;
 }
 
-/* Figures of all samples are those of the note; those of some, about. */
+/* Checks that figures of all samples equal the note's; figures of some samples are near. */
 static void check_note(const struct genome *g, const char *key, int k, size_t samples, const struct error_stats *e)
 {
     double mean[2], p99[2], max[2];
@@ -62,7 +63,7 @@ static void check_note(const struct genome *g, const char *key, int k, size_t sa
     }
     const double stated[3] = {mean[k], p99[k], max[k]}, measured[3] = {e->mean, e->p99, e->max};
     for (int i = 0; i < 3;
-         i++) /* three decimals in the text; below 1e-12 rounding errors depend on the order of sums */
+         i++) /* the text has three decimals; below 1e-12 rounding errors depend on the order of sums */
         if (!(fabs(measured[i] - stated[i]) <= 1e-3 * stated[i] + 1e-12))
             fail_msg("%s %s: the banner says %g, measured %g", g->name, key, stated[i], measured[i]);
 }
@@ -89,7 +90,8 @@ static void measure(const struct header_function *m, const struct genome *g, con
     }
 }
 
-/* The note of a genome of patches says how many samples the checked function proves; of some samples, about. */
+/* Checks the share of samples that the checked function of a patch proves against its genome's note; roughly, if not
+ * all samples are used. */
 static void check_share(const struct header_function *m, const struct genome *g, const struct sample_set *set,
                         const char *part)
 {
@@ -113,8 +115,8 @@ static void check_share(const struct header_function *m, const struct genome *g,
         fail_msg("%s: the banner says %g %% are proved, measured %g %%", m->name, share, proved);
 }
 
-/* The code in double against the genome in double, gene by gene: they differ by rounding alone.  By blocks, whose columns
- * stay in the cache. */
+/* Compares the code in double with the genome in double, gene by gene, which differ only by rounding. Works by blocks,
+ * whose columns stay in the cache. */
 static void compare_with_genome(const struct header_function *m, const struct genome_file *f, const struct genome *g,
                                 const struct sample_set *set)
 {
@@ -136,7 +138,7 @@ static void compare_with_genome(const struct header_function *m, const struct ge
     }
 }
 
-/* The gap is that of the surface at the xi and eta found. */
+/* Checks that the gap belongs to the surface at the xi and eta found. */
 static void check_gap(const struct header_function *m, const struct segment_kind *kind, const struct sample *s,
                       const double loc[2], double gap, double size)
 {
@@ -149,8 +151,8 @@ static void check_gap(const struct header_function *m, const struct segment_kind
         fail_msg("%s: gap %a, on the surface %a", m->name, gap, there);
 }
 
-/* The checked function keeps its promise, or agrees with the unchecked one, and its gap is right at first order.  Returns whether it
- * is FOOTPOINT_UNPROVED, which it may be seldom. */
+/* Checks that the checked function keeps its promise, or agrees with the unchecked function, and that its gap is right
+ * at first order. Returns true for FOOTPOINT_UNPROVED, which must be rare. */
 static int check(const struct header_function *m, const struct segment_kind *kind, const struct sample *s)
 {
     const double *x[SEGMENT_VECTORS];
@@ -168,7 +170,7 @@ static int check(const struct header_function *m, const struct segment_kind *kin
     if (m->promise > 0)
         assert_true(fmax(fabs(loc[0] - s->xi), fabs(loc[1] - s->eta)) <= m->promise + 1e-12); /* of the sample itself */
     else
-#ifdef __FMA__ /* where compilers fuse operations each in its own way */
+#ifdef __FMA__ /* compilers fuse operations, differently in each place */
         assert_true(fabs(loc[0] - first[0]) + fabs(loc[1] - first[1]) <= 1e-12);
 #else
         assert_true(loc[0] == first[0] && loc[1] == first[1]);
@@ -179,7 +181,8 @@ static int check(const struct header_function *m, const struct segment_kind *kin
     return 0;
 }
 
-/* Every 500th sample: the checked function, and at most 1 % unproved of those whose promise is the finest or coarse, 0.1 % of others. */
+/* Checks the checked function on every 500th sample. At most 1 % may be unproved for the finest and for coarse
+ * promises, 0.1 % for others. */
 static void check_some(const struct header_function *m, const struct segment_kind *kind, const struct sample_set *set)
 {
     size_t unproved = 0, checked = 0;
@@ -189,7 +192,7 @@ static void check_some(const struct header_function *m, const struct segment_kin
         fail_msg("%s: %zu of %zu unproved", m->name, unproved, checked);
 }
 
-/* Rotations and reflections of the numbering give the same status and point of the segment. */
+/* Checks that rotated and reflected numberings have the same status and point of the segment. */
 static void renumber(const struct header_function *m, const struct sample *s)
 {
     const double *const first_x[4] = {s->x[0], s->x[1], s->x[2], s->x[3]};
@@ -220,8 +223,8 @@ static double uniform(uint64_t *stream)
     return (double)(random_next(stream) >> 11) * 0x1p-52 - 1;
 }
 
-/* Nodes on a line have no area, however regular they are on it: mid-side nodes in the middle, every other time corners as of
- * a parallelogram.  Searches go far astray there, to where rounding makes a normal. */
+/* Checks that nodes on a line have no area, however regular they are: mid-side nodes in the middle, alternately with
+ * corners of a degenerate parallelogram. Searches diverge there, to where rounding makes a normal. */
 static void check_collinear(const struct header_function *m, const struct segment_kind *kind)
 {
     const size_t nodes = strlen(kind->nodes), corners = kind->corners;
@@ -253,7 +256,8 @@ static void check_collinear(const struct header_function *m, const struct segmen
     }
 }
 
-/* Samples on a lattice or a mesh take long, and so do those off the paper's lattices; meshes are segments as quad4's. */
+/* Returns true for parts to skip: lattices and meshes, and samples off the paper's lattices, take long; meshes have the
+ * segments of quad4. */
 static bool is_left(const char *scene, enum sample_part part)
 {
     static const char *const scenes[] = {"paper-quad4",  "whole-quad4", "paper-gregory",
@@ -262,7 +266,7 @@ static bool is_left(const char *scene, enum sample_part part)
            !getenv("FOOTPOINT_LONG");
 }
 
-/* Figures of banners take all samples of a part. */
+/* Returns true if the figures of the banner use all samples of a part. */
 static bool is_measured(const char *scene)
 {
     static const char *const scenes[] = {"quad4", "tri6", "gregory"};
@@ -284,7 +288,7 @@ static void check_scene(const char *name)
             check_collinear(&header_functions[i], scene->segment);
     for (int p = 0; scene && p < HELDOUT_PARTS; p++) {
         struct sample_set set = {0};
-        const bool off = scene->source == SOURCE_RANDOM ? p == 0 : p == 1; /* drawn at random, off any grid */
+        const bool off = scene->source == SOURCE_RANDOM ? p == 0 : p == 1; /* random, off any grid */
         if (!scene_has(scene, heldout_part[p].part) || is_left(name, heldout_part[p].part))
             continue;
         if (!scene_samples(scene, heldout_part[p].part, &set, &d))
@@ -302,7 +306,7 @@ static void check_scene(const char *name)
             if (off && scene->order == CORNERS_ANY)
                 check_some(&header_functions[i], scene->segment, &set);
             for (size_t k = 0; off && scene->order != CORNERS_ANY && k < set.n; k += 1 + set.n / 500)
-                renumber(&header_functions[i], &set.s[k]); /* off the grid: there corners tie */
+                renumber(&header_functions[i], &set.s[k]); /* off the grid, because corners tie on it */
         }
         sample_set_free(&set);
     }
@@ -317,8 +321,8 @@ static void test_scene(void **state)
     check_scene(*state);
 }
 
-/* Faces an edge of which has no length, its mid-side node on its ends: they have an area everywhere else, and the foot
- * points inside are found by the most accurate function of each kind. */
+/* Faces with an edge of length 0, its mid-side node at its ends, have an area elsewhere. The most accurate function of
+ * each kind finds the foot points inside. */
 static void test_collapsed(void **state)
 {
     static const char *const best[][2] = {

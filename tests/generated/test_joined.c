@@ -1,5 +1,5 @@
-/* Searches joined with derivatives, FOOTPOINT_KIND_GENOME_OF(search): as the two one after the other, for a pair and over
- * arrays, with bad, very large and degenerate pairs among them. */
+/* Searches joined with derivatives, FOOTPOINT_KIND_GENOME_OF(search), equal the two calls in sequence, for a pair and
+ * over arrays, including bad, very large and degenerate pairs. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_bezier.h"
 #include "../../generated/footpoint_bezier_derivatives.h"
@@ -32,7 +32,7 @@ enum { PAIRS = 67, C = MOST_COORDINATES, NORMALS = 12, NODES = 9 };
 #define UNTOUCHED 77.25
 
 struct given {
-    double loc[2], gap, d[3][C], d_n[3][NORMALS]; /* of xi, eta, gap: by nodes, and of patches by normals */
+    double loc[2], gap, d[3][C], d_n[3][NORMALS]; /* of xi, eta, gap: by nodes, and for patches by normals */
 };
 
 struct arrays {
@@ -95,7 +95,7 @@ static double about(gsl_rng *stream, double value, double most)
     return value + most * (2 * gsl_rng_uniform(stream) - 1);
 }
 
-/* A segment near the plane face of its kind, normals near z, the slave node above its middle. */
+/* Draws a segment near the plane face of its kind, with normals near z and the slave node above its middle. */
 static void draw(gsl_rng *stream, const struct kind *k, double (*x)[3])
 {
     const struct exact_face f = exact_face_of(k->nodes);
@@ -115,7 +115,7 @@ static void draw(gsl_rng *stream, const struct kind *k, double (*x)[3])
         x[k->vectors - 1][i] = about(stream, i < 2 ? middle[i] : 0, 0.2);
 }
 
-/* Pair p of them all: one in eight 1e200 times as large, one with a NaN, one with all corners in one point. */
+/* Draws pair p: one in eight 1e200 times as large, one with a NaN, one with all corners in one point. */
 static void draw_pair(gsl_rng *stream, const struct kind *k, int p, double (*x)[3])
 {
     draw(stream, k, x);
@@ -209,7 +209,7 @@ static void joined_is_one_after_the_other(void **state)
     gsl_rng_free(stream);
 }
 
-/* Of a sliver, whose answer is not proved, derivatives are computed, and the search's status is told. */
+/* For a sliver, whose answer is not proved, derivatives are computed, and the search's status is returned. */
 static void unproved_stays_unproved(void **state)
 {
     static double column[C][PAIRS];

@@ -1,5 +1,5 @@
-/* Kinds of segments: geometry against finite differences and itself, the certain foot point against other roads to it.
- */
+/* Kinds of segments: geometry against finite differences and itself, and the certain foot point against other
+ * methods. */
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/foot_bilinear.h"
 #include "../../evolve/surface/surface.h"
@@ -33,7 +33,7 @@ static const struct kind {
     const char *name;
     size_t nodes;
     const double (*at)[2];
-    int degree; /* polynomials of this degree in all are reproduced */
+    int degree; /* polynomials of this total degree are reproduced */
     first *position;
     two *derivatives;
     three *second;
@@ -46,7 +46,7 @@ static const struct kind {
 
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* x, y, z as polynomials of xi and eta, and their derivatives. */
+/* Evaluates x, y, z as polynomials of xi and eta, and their derivatives. */
 static double polynomial(int degree, int k, double u, double v, int by_u, int by_v)
 {
     static const double c[3][6] = {
@@ -75,7 +75,7 @@ static void check_near(const char *what, double got, double wanted, double toler
         fail_msg("%s: %a instead of %a", what, got, wanted);
 }
 
-/* A surface that the kind can represent is represented, with its derivatives, also outside of the segment. */
+/* A surface that the kind can represent is reproduced with its derivatives, also outside of the segment. */
 static void polynomials_are_reproduced(void **state)
 {
     (void)state;
@@ -104,8 +104,8 @@ static void polynomials_are_reproduced(void **state)
     }
 }
 
-/* Shape functions are 1 at their node and 0 at the others; derivatives are those of finite differences (which are exact
- * for cubics, but for rounding). */
+/* Shape functions are 1 at their node and 0 at the others. Derivatives equal finite differences, which are exact for
+ * cubics up to rounding. */
 static void shape_functions_are_right(void **state)
 {
     const double h = 1.0 / 16;
@@ -159,7 +159,7 @@ static double square_distance(const struct surface *f, struct sample *s, double 
     return sum;
 }
 
-/* The labels of a scene are stationary, with that gap, and no point of a grid over the segment is nearer. */
+/* The labels of a scene are stationary, with their gap, and no point of a grid over the segment is nearer. */
 static void labels_are_nearest(void **state)
 {
     (void)state;
@@ -192,7 +192,7 @@ static void labels_are_nearest(void **state)
     }
 }
 
-/* A bilinear segment is a nine-node one whose other nodes are where the corners have them: the quintic's answer. */
+/* A bilinear segment written with nine nodes has the quintic's answer. */
 static void bisection_agrees_with_the_quintic(void **state)
 {
     const struct surface *f = surface_find(segment_find("quad9"));
@@ -216,7 +216,7 @@ static void bisection_agrees_with_the_quintic(void **state)
     sample_set_free(&set);
 }
 
-/* A face without area has no foot points, and what is not finite has none. */
+/* Faces without area and coordinates that are not finite have no foot points. */
 static void degenerate_faces_have_none(void **state)
 {
     const struct surface *f = surface_find(segment_find("quad9"));
@@ -239,7 +239,7 @@ static void degenerate_faces_have_none(void **state)
     assert_false(f->foot(f, &s, lo, hi, NULL));
 }
 
-/* Names of the inputs, and kinds that are unknown. */
+/* Inputs have names; unknown kinds are refused. */
 static void vectors_have_names(void **state)
 {
     static const struct segment_kind patch = {.name = "patch", .nodes = "ABCD", .normals = "ABCD", .corners = 4};
@@ -261,7 +261,7 @@ static void vectors_have_names(void **state)
         assert_int_equal(segment_inputs(segment_find(kinds[n].name)), 3 * (kinds[n].nodes + 1));
 }
 
-/* Samples of patches: the slave node stands over its foot point, at the gap; parts share none. */
+/* Samples of patches: the slave node lies over its foot point, at the gap; parts share no sample. */
 static void patches_hold_their_foot_points(void **state)
 {
     static const char *const name[] = {"gregory", "bezier", "paper-gregory"};

@@ -1,6 +1,6 @@
-/* What footpoint_bezier_derivatives.h and footpoint_gregory_derivatives.h give at a foot point, against differences in
- * quadruple precision of patches made of their control points; what must add up to zero; corners and edges, statuses,
- * rows that are not wanted, sizes, arrays.  60 patches a kind, 1e5 with FOOTPOINT_LONG. */
+/* Derivatives of footpoint_bezier_derivatives.h and footpoint_gregory_derivatives.h at a foot point, against
+ * differences in quadruple precision of patches made from their control points; sums that must be 0; corners and edges,
+ * statuses, NULL rows, sizes, arrays. 60 patches a kind, 1e5 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_bezier_derivatives.h"
 #include "../../generated/footpoint_gregory_derivatives.h"
@@ -19,13 +19,13 @@
 #include <cmocka.h>
 
 enum { SAMPLES = 60, SAMPLES_LONG = 100000, ROWS = 24, CORNERS = 12, OTHERS = 15, ALL = PATCH_COORDINATES };
-#define STEP 1e-12      /* of differences */
-#define CONDITIONED 1e4 /* of Hessian and metric: derivatives have so many digits less than the coordinates */
-#define NEAR 1e-9       /* relative error below that */
-#define IDENTITY 1e-10  /* what adds up to zero, of the sum of magnitudes */
+#define STEP 1e-12      /* step of differences */
+#define CONDITIONED 1e4 /* of Hessian and metric: derivatives lose as many digits against the coordinates */
+#define NEAR 1e-9       /* relative error below that condition */
+#define IDENTITY 1e-10  /* sums that must be 0, relative to the sum of magnitudes */
 #define UNTOUCHED 77.25
 
-/* All that the functions give; derivatives by corners and slave node, and _n by normals. */
+/* All outputs of the functions: derivatives by corners and slave node, and _n by normals. */
 struct given {
     double r[3], r_xi[3], r_eta[3], normal[3], gap;
     double d[3][OTHERS], d_n[3][CORNERS]; /* of xi, eta and gap */
@@ -57,7 +57,7 @@ FUNCTIONS(gregory)
 static const struct kind {
     const char *name;
     bool twins;
-    place_function *place, *first, *alone; /* alone: of `first` the gap by the normals alone */
+    place_function *place, *first, *alone; /* alone: the gap of `first`, by normals only */
     loop_function *loop;
 } kinds[] = {
     {"bezier", false, place_bezier, first_bezier, alone_bezier, footpoint_bezier_gradients_n},
@@ -71,8 +71,8 @@ static void widen(double (*x)[3], quadruple *y)
         y[i] = x[i / 3][i % 3];
 }
 
-/* A patch about a sphere, and a slave node with the foot point near loc: `wild` says how far corners are moved, normals
- * tilted, and how far away the slave node is. */
+/* Draws a patch about a sphere, and a slave node with its foot point near loc. `wild` scales the motion of corners, the
+ * tilt of normals, and the distance of the slave node. */
 static void draw(gsl_rng *stream, const struct kind *k, double wild, double (*x)[3], double loc[2])
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -98,14 +98,14 @@ static void draw(gsl_rng *stream, const struct kind *k, double wild, double (*x)
         x[8][i] = (double)(at.r[i] + gap * at.normal[i]);
 }
 
-/* Derivative of output o by coordinate c of all. */
+/* Returns the derivative of output o by coordinate c of all. */
 static double *derivative(struct given *g, int o, int c)
 {
     return c < CORNERS ? &g->d[o][c] : c < 2 * CORNERS ? &g->d_n[o][c - CORNERS] : &g->d[o][c - CORNERS];
 }
 
-/* Central differences; false if a foot point gets lost.  That on the one side of the known one is nearly as far away as
- * that on the other. */
+/* Computes central differences; returns false if a foot point gets lost: those on both sides must be about equally far
+ * from the known foot point. */
 static bool differences(const struct kind *k, quadruple *x, const struct patch_foot *foot, double slope[3][ALL])
 {
     for (int c = 0; c < ALL; c++) {
@@ -152,7 +152,8 @@ static void compare(const struct kind *k, struct given *g, const struct patch_fo
     }
 }
 
-/* Moving all corners and the slave node changes nothing, turning them and the normals neither; d gap / d xS is n. */
+/* Checks that moving all corners and the slave node changes nothing, nor does turning them with the normals; and that d
+ * gap / d xS is n. */
 static void expect_identities(struct given *g, double (*x)[3])
 {
     for (int o = 0; o < 3; o++)
@@ -211,7 +212,7 @@ static void derivatives_are_right(void **state)
     gsl_rng_free(stream);
 }
 
-/* At corners, where the points of a Gregory patch are 0/0, and on edges. */
+/* Derivatives are right at corners, where the points of a Gregory patch are 0/0, and on edges. */
 static void corners_and_edges(void **state)
 {
     gsl_rng *stream = stream_new();
@@ -271,7 +272,7 @@ static void statuses_are_right(void **state)
             expect_status(k, x, loc, FOOTPOINT_ERR_NOT_FINITE);
         }
         draw(stream, k, 0.1, x, loc);
-        for (int c = 1; c < 4; c++) /* all corners in one line, normals across it */
+        for (int c = 1; c < 4; c++) /* all corners on one line, normals across it */
             for (int i = 0; i < 3; i++) {
                 x[c][i] = x[0][i] + (i == 0) * c;
                 x[4 + c][i] = x[4][i] = i == 2;
@@ -279,14 +280,14 @@ static void statuses_are_right(void **state)
         expect_status(k, x, loc, FOOTPOINT_ERR_DEGENERATE);
         draw(stream, k, 0.1, x, loc);
         memcpy(x[1], x[0],
-               sizeof x[0]); /* an edge of no length: the point away from it is as good as any, on a Bezier patch */
+               sizeof x[0]); /* an edge of length 0: on a Bezier patch, points away from it are unaffected */
         if (k->twins)
             expect_status(k, x, loc, FOOTPOINT_ERR_DEGENERATE);
     }
     gsl_rng_free(stream);
 }
 
-/* A row alone is the same, and in another unit of length all goes with its power of lengths. */
+/* A single row is the same, and in another unit of length all rows change by their power of lengths. */
 static void rows_and_sizes(void **state)
 {
     gsl_rng *stream = stream_new();
@@ -317,7 +318,7 @@ static void rows_and_sizes(void **state)
     gsl_rng_free(stream);
 }
 
-/* Over arrays as one at a time, with bad and very large pairs among them. */
+/* Arrays equal single calls, with bad and very large pairs among them. */
 static void arrays_are_the_same(void **state)
 {
     gsl_rng *stream = stream_new();

@@ -1,5 +1,5 @@
-/* What footpoint_KIND_derivatives.h gives at a foot point, against differences in quadruple precision, which share no code
- * with it; what must add up to zero; statuses, rows that are not wanted, sizes, arrays.  100 faces a kind, 1e5 with
+/* Derivatives of footpoint_KIND_derivatives.h at a foot point, against differences in quadruple precision, which share
+ * no code with them; sums that must be 0; statuses, NULL rows, sizes, arrays. 100 faces a kind, 1e5 with
  * FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_quad4_derivatives.h"
@@ -21,13 +21,13 @@
 #include <cmocka.h>
 
 enum { SAMPLES = 100, SAMPLES_LONG = 100000, ROWS = 40, C = MOST_COORDINATES, PACKED = C * (C + 1) / 2 };
-#define STEP 1e-14      /* of differences: far below where the greatest third derivatives, 1e19, tell */
-#define CONDITIONED 1e4 /* of Hessian and metric: derivatives have so many digits less than the coordinates */
-#define NEAR 1e-9       /* relative error below that */
-#define IDENTITY 1e-11  /* what adds up to zero, of the sum of magnitudes */
+#define STEP 1e-14      /* step of differences, so small that the largest third derivatives, 1e19, do not matter */
+#define CONDITIONED 1e4 /* of Hessian and metric: derivatives lose as many digits against the coordinates */
+#define NEAR 1e-9       /* relative error below that condition */
+#define IDENTITY 1e-11  /* sums that must be 0, relative to the sum of magnitudes */
 #define UNTOUCHED 77.25
 
-/* All that the functions of a kind give. */
+/* All outputs of a kind's functions. */
 struct given {
     double phi[MOST_NODES], r_xi[3], r_eta[3], normal[3], gap;
     double d_xi[C], d_eta[C], d_gap[C], d_normal[3 * C], hessian[PACKED];
@@ -68,7 +68,7 @@ FUNCTIONS(quad9)
 static const struct kind {
     const char *name;
     int nodes;
-    place_function *place, *first, *second, *alone; /* alone: of `second` the Hessian alone */
+    place_function *place, *first, *second, *alone; /* alone: only the Hessian of `second` */
     loop_function *loop;
 } kinds[] = {
 #define KIND(kind)                                                                                                     \
@@ -81,7 +81,8 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* ---- faces ---- */
 
-/* A face and a slave node with the foot point near loc: `wild` says how far nodes are moved, and how far away it is. */
+/* Draws a face and a slave node with its foot point near loc. `wild` scales the motion of nodes and the distance of the
+ * slave node. */
 static void draw(gsl_rng *stream, const struct exact_face *f, double wild, double (*x)[3], double loc[2])
 {
     const int triangle = f->nodes % 3 == 0 && f->nodes < 9;
@@ -105,7 +106,7 @@ static int coordinates(const struct kind *k)
     return 3 * (k->nodes + 1);
 }
 
-/* Element (r, c) of the Hessian. */
+/* Returns element (r, c) of the Hessian. */
 static double hessian_at(const struct given *g, int r, int c)
 {
     return r < c ? hessian_at(g, c, r) : g->hessian[r * (r + 1) / 2 + c];
@@ -125,8 +126,8 @@ struct slopes {
     double xi[C], eta[C], gap[C], normal[3][C], force[C][C]; /* force: of the derivatives of the gap */
 };
 
-/* Central differences by all coordinates; false if a foot point gets lost.  That on the one side of the known one is
- * nearly as far away as that on the other. */
+/* Computes central differences by all coordinates; returns false if a foot point gets lost: those on both sides must be
+ * about equally far from the known foot point. */
 static bool differences(const struct kind *k, const struct exact_face *f, quadruple *x, const struct exact_foot *foot,
                         struct slopes *s)
 {
@@ -146,7 +147,7 @@ static bool differences(const struct kind *k, const struct exact_face *f, quadru
         s->gap[c] = (double)(to[0].gap - to[1].gap) / (2 * STEP);
         for (int i = 0; i < 3; i++)
             s->normal[i][c] = (double)(to[0].normal[i] - to[1].normal[i]) / (2 * STEP);
-        for (int r = 0; r < n; r++) { /* -phi n, and n of the slave node */
+        for (int r = 0; r < n; r++) { /* -phi n, and n for the slave node */
             const int node = r / 3, i = r % 3;
             s->force[r][c] =
                 node == k->nodes
@@ -190,7 +191,7 @@ static void compare(const struct kind *k, const struct given *g, const struct ex
 
 /* ---- identities ---- */
 
-/* The sum over all nodes of a row's elements, and of their moments about the origin, are 0. */
+/* Checks that the sum of a row's elements over all nodes, and of their moments about the origin, is 0. */
 static void expect_balance(const struct kind *k, const double *row, double (*x)[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -216,7 +217,7 @@ static void expect_identities(const struct kind *k, const struct given *g, doubl
     expect_balance(k, g->d_xi, x);
     expect_balance(k, g->d_eta, x);
     expect_balance(k, g->d_gap, x);
-    for (int r = 0; r < n; r++) { /* of the Hessian the sums alone: a rotation turns forces, too */
+    for (int r = 0; r < n; r++) { /* for the Hessian only the sums, because a rotation turns forces, too */
         for (int i = 0; i < 3; i++) {
             double sum = 0, sums = 0;
             for (int node = 0; node <= k->nodes; node++) {
@@ -328,7 +329,8 @@ static void statuses_are_right(void **state)
             *(c < 2 ? &loc[c] : &x[(c - 2) / 3][(c - 2) % 3]) = c % 2 ? (double)NAN : -(double)INFINITY;
             expect_status(k, x, loc, FOOTPOINT_ERR_NOT_FINITE);
         }
-        /* All on a line; then z = xi eta with the slave node in its centre of curvature: the Hessian is singular. */
+        /* all nodes on a line; then z = xi eta with the slave node in its centre of curvature, where the Hessian is
+         * singular */
         double x[MOST_NODES + 1][3] = {{0}}, loc[2] = {0, 0};
         for (int node = 0; node < k->nodes; node++)
             x[node][0] = x[node][1] = f.place[node][0] + 3 * f.place[node][1];
@@ -346,7 +348,7 @@ static void statuses_are_right(void **state)
     gsl_rng_free(stream);
 }
 
-/* The slope along xi or eta, which is 0 or 1, of how far the face on a line is along it. */
+/* Returns the slope by xi or eta (0 or 1) of the position along the line of a face whose nodes are on it. */
 static quadruple slope_on_line(const struct exact_face *f, const quadruple *at, const double along[3],
                                const double loc[2], int variable)
 {
@@ -361,8 +363,8 @@ static quadruple slope_on_line(const struct exact_face *f, const quadruple *at, 
     return slope;
 }
 
-/* Nodes on a line as far as rounding goes, in any order, and places where, if there are such, one tangent vanishes, as it
- * does where the face turns back; rounding leaves some area there. */
+/* Nodes on a line up to rounding, in any order; and places at which one tangent vanishes, if they exist, where the face
+ * turns back. Rounding leaves some area there. */
 static void lines_have_no_normal(void **state)
 {
     const int faces = getenv("FOOTPOINT_LONG") ? 2000 : 200;
@@ -435,7 +437,8 @@ static void lines_have_no_normal_far_away(void **state)
     gsl_rng_free(stream);
 }
 
-/* Faces and slave nodes of sizes from 1e-300 to 1e300, places up to 1e300 away: all rows are finite, or none is written. */
+/* Faces and slave nodes of sizes from 1e-300 to 1e300, places up to 1e300 away: all rows are finite, or no row is
+ * written. */
 static void rows_are_finite_or_untouched(void **state)
 {
     const int samples = getenv("FOOTPOINT_LONG") ? 100000 : 3000;
@@ -467,7 +470,7 @@ static void rows_are_finite_or_untouched(void **state)
     gsl_rng_free(stream);
 }
 
-/* A Hessian alone is the same, and in another unit of length all goes with its power of lengths. */
+/* A single Hessian is the same, and in another unit of length all rows change by their power of lengths. */
 static void rows_and_sizes(void **state)
 {
     (void)state;
@@ -499,7 +502,7 @@ static void rows_and_sizes(void **state)
     gsl_rng_free(stream);
 }
 
-/* Over arrays as one at a time, with bad and very large pairs among them. */
+/* Arrays equal single calls, with bad and very large pairs among them. */
 static void arrays_are_the_same(void **state)
 {
     (void)state;

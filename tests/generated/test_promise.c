@@ -1,7 +1,8 @@
-/* What functions of four-node faces promise: where they say FOOTPOINT_OK a minimum of the distance lies within NAME_PROMISE of xi
- * and eta, on ordinary faces, on the families of hard cases and on faces that moving edges sweep, alone and in arrays; some of
- * each, many with FOOTPOINT_LONG.  Functions that keep to the closed face promise as much of a minimum at its border where they
- * say FOOTPOINT_OUTSIDE.  The judge takes Newton's steps in quadruple precision and shares no code with what it judges. */
+/* The promise of functions of four-node faces. With FOOTPOINT_OK a minimum of the distance lies within NAME_PROMISE of
+ * xi and eta, on ordinary faces, on the families of hard cases and on faces swept by moving edges, in calls and in
+ * arrays; some of each, many with FOOTPOINT_LONG. Functions that stay on the closed face promise the same of a minimum
+ * at its border with FOOTPOINT_OUTSIDE. The judge takes Newton's steps in quadruple precision and shares no code with
+ * the judged functions. */
 #include "../../runtime/footpoint.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
@@ -24,7 +25,7 @@ __extension__ typedef __float128 wide;
 
 enum { CASES = 100, CASES_LONG = 20000, STEPS = 60, SWEPT_LEAST = 80, LATTICE_LEAST = 99, ORDINARY_LEAST = 99 };
 
-/* Whether answers keep to the closed face: where the scene assumes an order of its corners. */
+/* Returns true if answers stay on the closed face: the scene assumes an order of its corners. */
 static bool is_kept(const struct header_function *f)
 {
     return strcmp(f->scene, "paper-quad4") == 0 || strcmp(f->scene, "whole-quad4") == 0;
@@ -40,7 +41,8 @@ static double size_of(wide x)
     return fabs((double)x);
 }
 
-/* Two edges that a step moves, of other lengths than the step, span the face; the slave node is beside the first. */
+/* Draws a face spanned by an edge and its position after a step, of another length than the step; the slave node lies
+ * beside the first. */
 static void draw_swept(uint64_t *stream, struct hard_case *h)
 {
     const double step = draw_power(stream, -2, 0);
@@ -62,7 +64,7 @@ static void draw_ordinary(uint64_t *stream, struct hard_case *h)
     memcpy(h->x[4], q.xs, sizeof q.xs);
 }
 
-/* A face of the paper's lattice, distorted far, with the foot point inside. */
+/* Draws a face of the paper's lattice, strongly distorted, with the foot point inside. */
 static void draw_lattice(uint64_t *stream, struct hard_case *h)
 {
     const double z[2] = {draw_flat(stream, -0.95, 0), draw_flat(stream, -0.95, 0)},
@@ -91,7 +93,7 @@ static void draw_lattice(uint64_t *stream, struct hard_case *h)
 
 /* ---- the judge ---- */
 
-/* Slopes and Hessian of half the squared distance at z. */
+/* Computes slopes and Hessian of half the squared distance at z. */
 static void slopes(const struct hard_case *h, const wide z[2], wide g[2], wide H[3])
 {
     g[0] = g[1] = H[0] = H[1] = H[2] = 0;
@@ -107,7 +109,7 @@ static void slopes(const struct hard_case *h, const wide z[2], wide g[2], wide H
     }
 }
 
-/* Newton's steps from z until they stand; whether that is a minimum. */
+/* Takes Newton's steps from z until they converge; returns true if they end at a minimum. */
 static bool minimum_near(const struct hard_case *h, wide z[2])
 {
     for (int k = 0; k < STEPS; k++) {
@@ -115,7 +117,7 @@ static bool minimum_near(const struct hard_case *h, wide z[2])
         slopes(h, z, g, H);
         const wide det = H[0] * H[2] - H[1] * H[1];
         const wide s = (H[2] * g[0] - H[1] * g[1]) / det, t = (H[0] * g[1] - H[1] * g[0]) / det;
-        if (!(size_of(s) + size_of(t) < 1e3)) /* nan, too */
+        if (!(size_of(s) + size_of(t) < 1e3)) /* NaN, too */
             return false;
         z[0] += s;
         z[1] += t;
@@ -130,9 +132,9 @@ static bool is_near(const wide z[2], const double loc[2], double within)
     return size_of(z[0] - loc[0]) <= within && size_of(z[1] - loc[1]) <= within;
 }
 
-/* Whether an answer that is OK is as near to a minimum as promised.  From an answer that was moved to the border, steps may lead
- * elsewhere, but not from near the minimum, or from the lowest point of a line of constant eta or xi near it, as valleys may be
- * narrow. */
+/* Returns true if an answer with status OK is as near to a minimum as promised. From an answer that was moved to the
+ * border, steps may lead elsewhere. They do not from near the minimum, or from the lowest point of a nearby line of
+ * constant eta or xi, as valleys may be narrow. */
 static bool holds(const struct header_function *f, const struct hard_case *h, const double loc[2])
 {
     const double unit = fmax(1, fmax(fabs(loc[0]), fabs(loc[1])));
@@ -148,8 +150,8 @@ static bool holds(const struct header_function *f, const struct hard_case *h, co
     return false;
 }
 
-/* Whether a minimum on the closed face is at the border, as near as promised: on an edge, along which the slope is linear, or in a
- * corner. */
+/* Returns true if a minimum on the closed face is at the border, as near as promised: on an edge, along which the slope
+ * is linear, or in a corner. */
 static bool holds_at_border(const struct header_function *f, const struct hard_case *h, const double loc[2])
 {
     for (int j = 0; j < 2; j++) {
@@ -175,7 +177,7 @@ static bool is_judged(const struct header_function *f)
     return f->promise > 0 && strcmp(f->kind, "quad4") == 0;
 }
 
-/* Whether an answer is as good as its status says. */
+/* Returns true if an answer is as good as its status. */
 static bool is_true(const struct header_function *f, const struct hard_case *h, int status, const double loc[2])
 {
     if (status == FOOTPOINT_OUTSIDE)
@@ -183,7 +185,7 @@ static bool is_true(const struct header_function *f, const struct hard_case *h, 
     return status == FOOTPOINT_OK ? holds(f, h, loc) : status == FOOTPOINT_UNPROVED || status < FOOTPOINT_OK;
 }
 
-/* One function on one case; 1 if the answer is proved. */
+/* Judges one function on one case; returns 1 if the answer is proved. */
 static int judge(const struct header_function *f, const char *family, const struct hard_case *h)
 {
     const double *const x[4] = {h->x[0], h->x[1], h->x[2], h->x[3]};
@@ -209,7 +211,7 @@ static void test_hard(void **state)
             }
 }
 
-/* n faces of a family; at least so many in a hundred are proved. */
+/* Judges n faces of a family, of which a least percentage must be proved. */
 static void judge_drawn(const struct header_function *f, const char *family,
                         void (*draw)(uint64_t *, struct hard_case *), long n, int least)
 {
@@ -249,7 +251,7 @@ static void test_lattice(void **state)
             judge_drawn(&header_functions[i], "lattice", draw_lattice, 10 * cases(&header_functions[i]), LATTICE_LEAST);
 }
 
-/* In arrays the same answers as alone, but for rounding where compilers fuse operations. */
+/* Arrays have the answers of calls, to rounding if compilers fuse operations. */
 static void test_arrays(void **state)
 {
     enum { PAIRS = 500 };

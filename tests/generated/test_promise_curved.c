@@ -1,7 +1,7 @@
-/* What functions of faces of six, eight and nine nodes promise: where they say FOOTPOINT_OK a minimum of the distance lies within
- * NAME_PROMISE of xi and eta.  Faces are ordinary, strongly curved, arcs, folded, slivers, far away, of any size, with points that
- * coincide; some of each, a million of each kind in each group with FOOTPOINT_LONG.  The judge takes Newton's steps in quadruple
- * precision, of shape functions, and shares no code with what it judges. */
+/* The promise of functions of faces of six, eight and nine nodes. With FOOTPOINT_OK a minimum of the distance lies
+ * within NAME_PROMISE of xi and eta. Faces are ordinary, strongly curved, arcs, folded, slivers, far away, of any size,
+ * with coinciding points; some of each, a million of each kind in each group with FOOTPOINT_LONG. The judge takes
+ * Newton's steps in quadruple precision on shape functions and shares no code with the judged functions. */
 #include "../../runtime/footpoint.h"
 #include "header_functions.h"
 #include "judged_faces.h"
@@ -27,7 +27,7 @@ static long cases(void)
 
 /* ---- tests ---- */
 
-/* % that must be proved of promises from 1e-7 to 1e-2. */
+/* Percentage that must be proved, for promises from 1e-7 to 1e-2. */
 static const int proved_least[] = {99, 80, 80, 40};
 
 static const struct header_function *judged(size_t i, const struct curved_kind *k)
@@ -107,7 +107,7 @@ static void test_wild(void **state)
     test_group(WILD);
 }
 
-/* In arrays the same answers as alone, but for rounding where compilers fuse operations. */
+/* Arrays have the answers of calls, to rounding if compilers fuse operations. */
 static void test_arrays(void **state)
 {
     enum { PAIRS = 400, ROWS = 3 * (CURVED_NODES + 1) };

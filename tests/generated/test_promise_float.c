@@ -1,8 +1,8 @@
-/* What functions in float promise: where they return FOOTPOINT_OK a minimum of the distance, or the closest point of the closed
- * face, lies within NAME_PROMISE of xi and eta, whatever the face, alone and in arrays.  The judge computes in long double from the
- * same floats and shares no code with what it judges: it takes Newton's steps from the answer, and descends from the lowest points of
- * lines across the face.  Some of each family; 1e5 of each hard one and 1e7 ordinary answers with FOOTPOINT_LONG, which prints the
- * shares that are proved. */
+/* The promise of functions in float. With FOOTPOINT_OK a minimum of the distance, or the closest point of the closed
+ * face, lies within NAME_PROMISE of xi and eta, on any face, in calls and in arrays. The judge computes in long double
+ * from the same floats and shares no code with the judged functions. It takes Newton's steps from the answer, and
+ * descends from the lowest points of lines across the face. Some of each family; 1e5 of each hard family and 1e7
+ * ordinary answers with FOOTPOINT_LONG, which prints the proved shares. */
 #include "../../generated/footpoint_quad4_float.h"
 #include "../../runtime/footpoint.h"
 #include "../hard/draw.h"
@@ -25,7 +25,7 @@ typedef long double fine;
 
 enum { CASES = 1000, CASES_LONG = 100000, ORDINARY_LONG = 2500000, STEPS = 60, LINES = 48, BLOCK = 200 };
 
-/* ---- functions: one of each promise ---- */
+/* ---- functions: one for each promise ---- */
 
 typedef int one(const float *xA, const float *xB, const float *xC, const float *xD, const float *xS, float loc[2],
                 float *gap);
@@ -66,7 +66,7 @@ static void draw_ordinary(uint64_t *stream, struct hard_case *h)
     draw_move(stream, h, draw_power(stream, -2, 2), draw_flat(stream, 0, 3));
 }
 
-/* Two edges that a step moves span the face; the slave node is beside the first. */
+/* Draws a face spanned by two edges, the second the first after a step; the slave node lies beside the first. */
 static void draw_swept(uint64_t *stream, struct hard_case *h)
 {
     const double step = draw_power(stream, -2, 0), along = draw_flat(stream, 0, 1);
@@ -130,7 +130,7 @@ static void draw_huge(uint64_t *stream, struct hard_case *h)
     draw_move(stream, h, draw_power(stream, 8, 38), draw_choose(stream, 2));
 }
 
-/* Each coordinate of each point in a scale of its own. */
+/* Scales each coordinate of each point separately. */
 static void draw_mixed(uint64_t *stream, struct hard_case *h)
 {
     for (int k = 0; k < 5; k++)
@@ -141,7 +141,7 @@ static void draw_mixed(uint64_t *stream, struct hard_case *h)
 static const struct family {
     const char *name;
     void (*draw)(uint64_t *stream, struct hard_case *h);
-    double least; /* percent that NAME proves of the finest promise */
+    double least; /* percentage that NAME proves with the finest promise */
 } families[] = {{"ordinary", draw_ordinary, 99}, {"swept", draw_swept, 30},  {"sliver", draw_sliver, 0},
                 {"taper", draw_taper, 50},       {"folded", draw_folded, 0}, {"far", draw_far, 0},
                 {"offset", draw_offset, 50},     {"tiny", draw_tiny, 50},    {"huge", draw_huge, 50},
@@ -164,7 +164,7 @@ static struct single rounded(const struct hard_case *h)
 
 /* ---- the judge ---- */
 
-/* Half the square of the distance at z, its slopes downhill g, and its Hessian. */
+/* Returns half the squared distance at z, and computes its downhill slopes g and its Hessian. */
 static fine slopes(const struct single *s, const fine z[2], fine g[2], fine H[3])
 {
     fine half = g[0] = g[1] = H[0] = H[1] = H[2] = 0;
@@ -183,7 +183,7 @@ static fine slopes(const struct single *s, const fine z[2], fine g[2], fine H[3]
     return half;
 }
 
-/* Newton's steps from z until they stand; whether that is a minimum. */
+/* Takes Newton's steps from z until they converge; returns true if they end at a minimum. */
 static bool minimum_near(const struct single *s, fine z[2])
 {
     for (int k = 0; k < STEPS; k++) {
@@ -191,7 +191,7 @@ static bool minimum_near(const struct single *s, fine z[2])
         slopes(s, z, g, H);
         const fine det = H[0] * H[2] - H[1] * H[1];
         const fine p = (H[2] * g[0] - H[1] * g[1]) / det, q = (H[0] * g[1] - H[1] * g[0]) / det;
-        if (!(fabsl(p) + fabsl(q) < 1e3L)) /* nan, too */
+        if (!(fabsl(p) + fabsl(q) < 1e3L)) /* NaN, too */
             return false;
         z[0] += p;
         z[1] += q;
@@ -201,7 +201,7 @@ static bool minimum_near(const struct single *s, fine z[2])
     return false;
 }
 
-/* Whether an answer that is OK is as near to a minimum as promised. */
+/* Returns true if an answer with status OK is as near to a minimum as promised. */
 static bool holds(const struct single *s, const float loc[2], double promise)
 {
     fine z[2] = {loc[0], loc[1]};
@@ -214,7 +214,8 @@ static fine clamp(fine x)
     return x < -1 ? -1 : x > 1 ? 1 : x;
 }
 
-/* Newton's steps from z on the closed face, each no longer than leads downhill, until they stand; half the square of the distance. */
+/* Takes Newton's steps from z on the closed face, shortened to lead downhill, until they converge; returns half the
+ * squared distance. */
 static fine settle(const struct single *s, fine z[2])
 {
     fine g[2], H[3], half = slopes(s, z, g, H);
@@ -249,7 +250,7 @@ static fine settle(const struct single *s, fine z[2])
     return half;
 }
 
-/* The nearest point of the line of constant eta. */
+/* Finds the nearest point of the line of constant eta. */
 static fine line(const struct single *s, fine eta, fine z[2])
 {
     fine g[2], H[3];
@@ -260,7 +261,7 @@ static fine line(const struct single *s, fine eta, fine z[2])
     return slopes(s, z, g, H);
 }
 
-/* The nearest point of the face, by descents from the lines that are nearer than those beside them. */
+/* Finds the nearest point of the face, by descents from lines that are nearer than their neighbours. */
 static fine nearest(const struct single *s, fine best[2])
 {
     fine half[LINES + 1], z[LINES + 1][2], least = INFINITY;
@@ -278,7 +279,7 @@ static fine nearest(const struct single *s, fine best[2])
     return least;
 }
 
-/* How far apart two places are in space. */
+/* Returns the distance in space between two places. */
 static fine apart(const struct single *s, const fine a[2], const fine b[2])
 {
     fine square = 0;
@@ -291,13 +292,14 @@ static fine apart(const struct single *s, const fine a[2], const fine b[2])
     return sqrtl(square);
 }
 
-/* Whether a closest point that is OK is as near to the closest of all as promised; `least` at `best`. */
+/* Returns true if a closest point with status OK is as near to the nearest point of all as promised; `least`: its
+ * distance, at `best`. */
 static bool is_closest(const struct single *s, const float loc[2], double promise, fine least, const fine best[2])
 {
     fine z[2] = {loc[0], loc[1]};
     const fine half = settle(s, z);
     if (least < half * (1 - 1e-15L) && apart(s, z, best) > 0)
-        memcpy(z, best, sizeof z); /* another valley's */
+        memcpy(z, best, sizeof z); /* another valley */
     return fabsl(z[0] - loc[0]) <= (fine)promise && fabsl(z[1] - loc[1]) <= (fine)promise;
 }
 
@@ -319,7 +321,7 @@ struct tally {
     long asked, ok, closest_asked, closest_ok;
 };
 
-/* What all functions answer to one case. */
+/* Judges all functions' answers to one case. */
 static void judge(const char *family, const struct single *s, bool is_global, struct tally count[FUNCTIONS])
 {
     fine best[2] = {0, 0}, least = -1;
@@ -392,7 +394,7 @@ static void answers_to_hard_cases_keep_the_promise(void **state)
     }
 }
 
-/* In arrays the same answers as alone, to the bit, but for rounding where compilers fuse operations. */
+/* Arrays return the answers of calls, to the bit, or to rounding if compilers fuse operations. */
 static void arrays_match_single_calls(void **state)
 {
     static struct single s[BLOCK];
@@ -437,7 +439,7 @@ static void arrays_match_single_calls(void **state)
     }
 }
 
-/* Of two faces: OK only if no point of either is nearer than the distance that is returned, but for rounding. */
+/* With two faces, OK means that no point of either is nearer than the returned distance, up to rounding. */
 static void the_nearest_of_two_faces_is_proved(void **state)
 {
     uint64_t stream = 64;

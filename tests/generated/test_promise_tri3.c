@@ -1,7 +1,8 @@
-/* What plane triangles promise: where footpoint_tri3_exact says FOOTPOINT_OK the foot point lies within its promise, and so does
- * the closest point of the closed triangle where footpoint_tri3_exact_closest does, on ordinary triangles, slivers, needles, far and
- * shifted ones, of any size and of coordinates of mixed scales, on edges and corners and within rounding of them, and on three corners of
- * the hard cases; alone, in arrays and of several.  The judge solves the normal equations in quadruple precision. */
+/* The promise of plane triangles. With FOOTPOINT_OK the foot point of footpoint_tri3_exact lies within its promise, and
+ * so does the closest point of the closed triangle of footpoint_tri3_exact_closest. Triangles are ordinary, slivers,
+ * needles, far and shifted, of any size, with coordinates of mixed scales; slave nodes lie also on edges and corners
+ * and within rounding of them; and three corners of the hard cases; in calls, in arrays and of several triangles. The
+ * judge solves the normal equations in quadruple precision. */
 #include "../../generated/footpoint_tri3.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
@@ -52,7 +53,7 @@ static bool is_near(const wide z[2], const double loc[2], double within)
     return size_of(z[0] - loc[0]) <= within && size_of(z[1] - loc[1]) <= within;
 }
 
-/* Whether the foot point is as near to loc as promised. */
+/* Returns true if the foot point is as near to loc as promised. */
 static bool holds(double x[4][3], const double loc[2])
 {
     wide z[2];
@@ -60,7 +61,7 @@ static bool holds(double x[4][3], const double loc[2])
     return is_near(z, loc, FOOTPOINT_TRI3_EXACT_PROMISE * fmax(1, fmax(fabs(loc[0]), fabs(loc[1]))));
 }
 
-/* The square of the distance of the point at z. */
+/* Returns the squared distance of the point at z. */
 static wide apart(double x[4][3], const wide z[2])
 {
     wide sum = 0;
@@ -71,7 +72,7 @@ static wide apart(double x[4][3], const wide z[2])
     return sum;
 }
 
-/* The closest point of edge k, AB, BC or CA. */
+/* Finds the closest point of edge k, AB, BC or CA. */
 static void find_on_edge(double x[4][3], int k, wide z[2])
 {
     static const int corner[4][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
@@ -86,7 +87,7 @@ static void find_on_edge(double x[4][3], int k, wide z[2])
         z[j] = corner[k][j] + t * (corner[k + 1][j] - corner[k][j]);
 }
 
-/* The closest point of the closed triangle; returns the square of its distance. */
+/* Finds the closest point of the closed triangle; returns its squared distance. */
 static wide find_closest(double x[4][3], wide z[2])
 {
     wide least = -1;
@@ -105,7 +106,7 @@ static wide find_closest(double x[4][3], wide z[2])
     return least;
 }
 
-/* Whether loc lies where `region` says, and the closest point as near to it as promised. */
+/* Returns true if loc lies in `region`, and the closest point is as near to it as promised. */
 static bool holds_closest(double x[4][3], int status, const double loc[2], double dist, int region)
 {
     const double last = 1 - loc[0] - loc[1], of[3] = {loc[1], last, loc[0]}; /* 0 on AB, BC, CA */
@@ -135,7 +136,7 @@ static void draw(enum family family, uint64_t *stream, double x[4][3])
     const double away = family == FAR ? draw_power(stream, 0, 2) : 1,
                  size = family == SIZE ? draw_power(stream, -300, 300) : 1;
     double p = draw_flat(stream, -0.5, 1.5), q = draw_flat(stream, -0.5, 1.5), u[3], v[3], n[3], shift[3];
-    if (family == BORDER) { /* halves and corners, and as little beside them as rounding */
+    if (family == BORDER) { /* halves and corners, and places beside them by no more than rounding */
         p = 0.5 * floor(4 * p) / 2 + draw_power(stream, -18, -12);
         q = 0.5 * floor(4 * q) / 2 - draw_power(stream, -18, -12);
     }
@@ -169,7 +170,7 @@ static int judge(double x[4][3], const char *what)
 
 static void promises_hold(void **state)
 {
-    static const double least[FAMILIES] = {0.97, 0.1, 0.3, 0.9, 0.9, 0.9, 0.0, 0.9}; /* parts that have to be proved */
+    static const double least[FAMILIES] = {0.97, 0.1, 0.3, 0.9, 0.9, 0.9, 0.0, 0.9}; /* shares that must be proved */
     (void)state;
     for (int family = 0; family < FAMILIES; family++) {
         uint64_t stream = (uint64_t)family + 1;
@@ -184,7 +185,7 @@ static void promises_hold(void **state)
     }
 }
 
-/* One closest point: 1 if it is proved, -1 if there is none. */
+/* Judges one closest point; returns 1 if it is proved, -1 if there is none. */
 static int judge_closest(double x[4][3], const char *what)
 {
     double loc[2], dist;
@@ -232,7 +233,7 @@ static void promises_hold_on_hard_cases(void **state)
         }
 }
 
-/* Of several triangles with one slave node: no point of any is nearer, and arrays match calls. */
+/* With several triangles and one slave node no point of any is nearer, and arrays match calls. */
 static void closest_points_of_several(void **state)
 {
     enum { SEVERAL = 3, ROUNDS = 300 };
@@ -274,7 +275,7 @@ static void closest_points_of_several(void **state)
     }
 }
 
-/* The same bits as alone, but for fused operations. */
+/* Arrays return the bits of calls, unless operations are fused. */
 static void arrays_match_calls(void **state)
 {
     enum { PAIRS = 700 };

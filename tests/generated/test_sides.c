@@ -1,7 +1,7 @@
-/* On which side of faces slave nodes lie: the sign of distances, of headers and of the library, around ridges, valleys and
- * corners where faces meet, at corners of one face that has no normal there, and beside and below a face.  The truth is
- * taken from the rounded coordinates by determinants in long double, which share no code with the searches.  Each case at
- * the origin and 1e6 edges away; some thousands of each, 1e6 with FOOTPOINT_LONG. */
+/* The side of faces on which slave nodes lie: the sign of distances, of headers and of the library, around ridges,
+ * valleys and corners at which faces meet, at corners of one face without a normal, and beside and below a face. The
+ * reference uses determinants in long double of the rounded coordinates and shares no code with the searches. Each case
+ * at the origin and 1e6 edges away; some thousands of each, 1e6 with FOOTPOINT_LONG. */
 #include "../../generated/footpoint_plane_quad4.h"
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad4_float.h"
@@ -83,7 +83,7 @@ static void difference(const double a[3], const double b[3], long double d[3])
         d[i] = (long double)b[i] - (long double)a[i];
 }
 
-/* Turns and moves all points in the same way, at random. */
+/* Turns and moves all points alike, at random. */
 static void move(gsl_rng *stream, double (*x)[3], size_t n, double away)
 {
     double q[4], at[3];
@@ -101,7 +101,7 @@ static void move(gsl_rng *stream, double (*x)[3], size_t n, double away)
     }
 }
 
-/* Middles of straight edges, and of the face. */
+/* Adds the middles of straight edges, and of the face. */
 static void add_middles(const struct function *f, double x[MOST][3])
 {
     for (int k = 0; k < f->nodes - f->corners; k++)
@@ -110,9 +110,9 @@ static void add_middles(const struct function *f, double x[MOST][3])
                                                   : 0.25 * (x[0][i] + x[1][i] + x[2][i] + x[3][i]);
 }
 
-/* ---- asking ---- */
+/* ---- calls ---- */
 
-/* The sign that a header, or the library, returns, proved or not; 0: no answer. */
+/* Returns the sign from a header or the library, proved or not; 0: no answer. */
 static int sign_of(const struct function *f, const struct patch *p, int library)
 {
     const double *x[SECTORS * MOST];
@@ -142,8 +142,8 @@ static void ask(const struct function *f, const struct patch *p, int truth, cons
     }
 }
 
-/* Whether a height over a face is more than rounding: of what a search computes, and of middle nodes, which bend faces far
- * from the origin.  Nodes of straight edges bend nothing. */
+/* Returns true if a height over a face exceeds rounding: of the search, and of middle nodes, which bend faces far from
+ * the origin. Nodes of straight edges bend nothing. */
 static int is_clear(const struct function *f, double origin, long double height, long double away)
 {
     const long double bent = f->nodes > f->corners ? 8 * DBL_EPSILON * origin : 0;
@@ -152,7 +152,7 @@ static int is_clear(const struct function *f, double origin, long double height,
 
 /* ---- ridges and valleys ---- */
 
-/* Two faces at a right or sharp or blunt edge from (0,0,0) to (0,1,0), outside of the angle between them up. */
+/* Draws two faces at a right, sharp or blunt edge from (0,0,0) to (0,1,0), outside of their upper angle. */
 static void draw_ridge(gsl_rng *stream, const struct function *f, int valley, double angle, struct patch *p)
 {
     const double s = sin(0.5 * angle), c = cos(0.5 * angle);
@@ -165,7 +165,7 @@ static void draw_ridge(gsl_rng *stream, const struct function *f, int valley, do
             corner[k][1] += gsl_ran_flat(stream, -0.2, 0.2);
             corner[k][2] -= c * reach;
         }
-        const int back = side != valley; /* corners are in order seen from outside */
+        const int back = side != valley; /* corners are ordered as seen from outside */
         for (int k = 0; k < 4; k++)
             memcpy(p->x[side][back ? 3 - k : k], corner[f->corners == 3 && k == 2 ? 1 : k], sizeof *corner);
         if (f->corners == 3) {
@@ -178,7 +178,7 @@ static void draw_ridge(gsl_rng *stream, const struct function *f, int valley, do
     }
 }
 
-/* Ends of the common edge, and of each face a node beside it. */
+/* Returns the true side, from the ends of the common edge and a node of each face beside it. */
 static int truth_of_ridge(const struct function *f, double origin, const struct patch *p, const double end[2][3],
                           double beside[2][3], int *clear)
 {
@@ -247,8 +247,8 @@ static void ridges_and_valleys(void **state)
 
 /* ---- slim triangles ---- */
 
-/* Two triangles of a slim wall that meet at right angles with one of the plate under it; the slave node within 1e-10 of the wall,
- * so that errors in xi and eta, aspect ratio times rounding, are larger than its distance. */
+/* Two triangles of a slim wall meet a triangle of the plate below at right angles. The slave node is within 1e-10 of
+ * the wall, so errors in xi and eta, aspect ratio times rounding, exceed its distance. */
 static void slim_triangles(void **state)
 {
     (void)state;
@@ -272,8 +272,9 @@ static void slim_triangles(void **state)
 
 /* ---- corners ---- */
 
-/* Faces around a corner at 0, seen from above in order of their azimuths: ends[k] to ends[k + 1], all of them below or above the
- * corner as it comes, so that the surface is star-shaped.  Edges and faces of middle nodes bend away from their tangents. */
+/* Draws faces around a corner at 0, ordered by azimuth as seen from above: ends[k] to ends[k + 1], at random below or
+ * above the corner, so that the surface is star-shaped. Edges and faces with middle nodes bend away from their
+ * tangents. */
 static int draw_corner(gsl_rng *stream, const struct function *f, struct patch *p, double ends[SECTORS + 1][3])
 {
     double azimuth[SECTORS], bend[SECTORS][3];
@@ -307,7 +308,7 @@ static int draw_corner(gsl_rng *stream, const struct function *f, struct patch *
     return p->faces;
 }
 
-/* Some of the faces of four nodes become triangles, written with one node twice, the corner itself or another one. */
+/* Collapses some of the four-node faces to triangles, with one node twice, the corner or another. */
 static void collapse_some(gsl_rng *stream, const struct function *f, struct patch *p)
 {
     for (int k = 0; k < p->faces && f->nodes == 4; k++) {
@@ -337,7 +338,7 @@ static void collapse_some(gsl_rng *stream, const struct function *f, struct patc
     }
 }
 
-/* 1: above the cone of the ends, along `up`. */
+/* Returns 1 above the cone of the ends, along `up`. */
 static int truth_of_corner(const struct function *f, double origin, int faces, const double *corner,
                            double ends[SECTORS + 1][3], const double up[3], const double xs[3], int *clear)
 {

@@ -1,7 +1,6 @@
-/* Numbers that are rounded as double or float (NARROW) are, and whose exponents have four bits more than those of
- * double: what an expression gives where nothing overflows and nothing underflows.  They are kept in 113 binary digits,
- * enough for
- * +, -, *, / and roots to be rounded twice without a trace.  For GCC's C++. */
+/* Numbers that are rounded like double or float (NARROW), with an exponent of four more bits than double: the value of
+ * an expression without overflow and underflow. They are stored in 113 binary digits, so that a second rounding of +,
+ * -, *, / and roots changes nothing. For GCC's C++. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -104,7 +103,8 @@ static inline wide_number frexp(wide_number a, int *exponent)
     *exponent = wide_number::exponent_of(a.value) + 1;
     return ldexp(a, -*exponent);
 }
-/* Newton's iteration, from a start that is right to 50 binary digits, of the number less an even power of 2. */
+/* Runs Newton's iteration, from a start that is right to 50 binary digits, for the number divided by an even power of
+ * 2. */
 static inline wide_number sqrt(wide_number a)
 {
     const int half = wide_number::exponent_of(a.value) / 2;
@@ -125,6 +125,6 @@ static inline wide_number atan2(wide_number a, wide_number b)
 #define sqrtf sqrt
 #define ldexpf ldexp
 #define frexpf frexp
-#define __builtin_isgreater(a, b) ((a) > (b)) /* which takes no classes */
+#define __builtin_isgreater(a, b) ((a) > (b)) /* the builtin does not accept classes */
 #define double wide_number
 #define float wide_number

@@ -1,5 +1,5 @@
-/* Calls of footpoint_edge3_accurate, and of two steps of Newton's as FE codes write them, on the same ordinary edges, to count
- * instructions of: cost_main accurate|closest|newton. */
+/* Calls footpoint_edge3_accurate, or two Newton steps as FE codes write them, on the same ordinary edges, to count
+ * instructions: cost_main accurate|closest|newton. */
 #include "../../generated/footpoint_edge3.h"
 #include "edge_judge.h"
 
@@ -25,7 +25,7 @@ int counted_closest(double x[4][2], double *xi, double *gap)
     return footpoint_edge3_accurate_closest(x[0], x[1], x[2], x[3], xi, gap, &region);
 }
 
-/* From S to r, tangent and second derivative at t. */
+/* Computes r - S, tangent and second derivative at t. */
 static inline void evaluate(double x[4][2], double t, double d[2], double u[2], double v[2])
 {
     for (int i = 0; i < 2; i++) {
@@ -35,7 +35,7 @@ static inline void evaluate(double x[4][2], double t, double d[2], double u[2], 
     }
 }
 
-/* From the slave node's projection on AB. */
+/* Starts from the slave node's projection on AB. */
 int counted_newton(double x[4][2], double *xi, double *gap)
 {
     const double h[2] = {x[1][0] - x[0][0], x[1][1] - x[0][1]};

@@ -25,7 +25,7 @@ static wide square(const struct judged *j, wide t)
     return (r[0] - j->x[3][0]) * (r[0] - j->x[3][0]) + (r[1] - j->x[3][1]) * (r[1] - j->x[3][1]);
 }
 
-/* r = C + t u + t^2 v. */
+/* Expands r = C + t u + t^2 v. */
 void judge_expand(struct judged *j)
 {
     memset(j->f, 0, sizeof j->f);
@@ -47,7 +47,7 @@ wide judge_root(wide a)
     return root;
 }
 
-/* The zero between low and high, where the cubic has other signs. */
+/* Returns the zero between low and high, where the cubic has opposite signs. */
 static wide zero(const wide f[4], wide low, wide high)
 {
     const bool rises = judge_value(f, low) < 0;
@@ -80,7 +80,7 @@ static void add_place(struct judged *j, wide t)
     j->square[k] = s;
 }
 
-/* All zeros of the cubic on the edge lie between its extremes, and the ends. */
+/* Finds all zeros of the cubic on the edge, which lie between its extremes and the ends. */
 void judge_find(struct judged *j)
 {
     wide knot[4] = {-1, -1, -1, 1};
@@ -131,7 +131,7 @@ bool judge_holds(const struct judged *j, double xi)
     return judge_value(j->f, (wide)xi - within) < 0 && judge_value(j->f, (wide)xi + within) > 0;
 }
 
-/* The gap, right to the promise and rounding. */
+/* The gap must be right to the promise and rounding. */
 bool judge_gap_holds(const struct judged *j, double xi, double gap)
 {
     wide r[2], t[2], d[2];
@@ -173,7 +173,7 @@ bool judge_closest_holds(const struct judged *j, int status, double xi, double d
 const char *const edge_families[FAMILIES] = {"ordinary", "curved", "quarter", "line",   "wild", "coincident",
                                              "far",      "offset", "size",    "scales", "end",  "tie"};
 
-/* The middle node, with the edge from (-1, 0) to (1, 0). */
+/* Draws the middle node, with the edge from (-1, 0) to (1, 0). */
 static void draw_middle(enum family family, uint64_t *stream, double c[2])
 {
     const bool wild = family == WILD || family == COINCIDENT;
@@ -186,7 +186,7 @@ static void draw_middle(enum family family, uint64_t *stream, double c[2])
         c[0] = draw_flat(stream, -1, 1);
 }
 
-/* The slave node: over a place of the curve. */
+/* Draws the slave node over a place of the curve. */
 static void draw_slave(enum family family, uint64_t *stream, double x[4][2])
 {
     const double t = family == END ? draw_sign(stream) : draw_flat(stream, -1.3, 1.3);

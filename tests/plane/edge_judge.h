@@ -1,4 +1,4 @@
-/* Edges for tests, and what is true of them: all roots of the cubic of shape functions in quadruple precision. */
+/* Edges for tests, and their true answers: all roots of the cubic of shape functions in quadruple precision. */
 #ifndef FOOTPOINT_EDGE_JUDGE_H
 #define FOOTPOINT_EDGE_JUDGE_H
 
@@ -12,16 +12,16 @@ struct judged {
     wide f[4];    /* coefficients of r' . (r - S) */
     wide least;   /* the square of the least distance */
     wide place[5], square[5];
-    int places; /* minima on the edge, the least first */
+    int places; /* minima on the edge, the nearest first */
 };
 
 /** Sets x and f of an edge of `nodes` nodes and a slave node. */
 void judge_edge(struct judged *j, int nodes, double x[4][2]);
-/** Sets f to the coefficients of r' . (r - S) for the x that there are. */
+/** Sets f to the coefficients of r' . (r - S) for the current x. */
 void judge_expand(struct judged *j);
 /** Finds the minima on the edge. */
 void judge_find(struct judged *j);
-/** The point at t. */
+/** Computes the point at t. */
 void judge_point(const struct judged *j, wide t, wide r[2]);
 wide judge_value(const wide f[4], wide t);
 wide judge_root(wide a);
@@ -30,13 +30,14 @@ wide judge_root(wide a);
 bool judge_holds(const struct judged *j, double xi);
 /** Returns true if the gap is right to the promise and rounding. */
 bool judge_gap_holds(const struct judged *j, double xi, double gap);
-/** The same of a closest point with the status FOOTPOINT_OK or FOOTPOINT_NOT_UNIQUE, after judge_find. */
+/** Returns true if a closest point with the status FOOTPOINT_OK or FOOTPOINT_NOT_UNIQUE is right; call after
+ *  judge_find. */
 bool judge_closest_holds(const struct judged *j, int status, double xi, double dist, int region);
 
 enum family { ORDINARY, CURVED, QUARTER, LINE, WILD, COINCIDENT, FAR, OFFSET, SIZE, SCALES, END, TIE, FAMILIES };
 extern const char *const edge_families[FAMILIES];
 
-/** An edge of two or three nodes, and behind these the slave node. */
+/** Draws an edge of two or three nodes, followed by the slave node. */
 void draw_edge(enum family family, uint64_t *stream, int nodes, double x[4][2]);
 
 #endif

@@ -1,7 +1,7 @@
-/* What edges promise: where footpoint_edge2_exact, footpoint_edge3_accurate and their _closest return FOOTPOINT_OK or
- * FOOTPOINT_NOT_UNIQUE, that holds: on ordinary and strongly curved edges, with the middle node at a quarter, on a line or
- * anywhere, of coinciding nodes, of any size and of coordinates of mixed scales, for near, far and equally near slave
- * nodes; alone, from last answers, in arrays and of several edges.  The judge finds all roots of the cubic of shape
+/* The promise of edges: FOOTPOINT_OK and FOOTPOINT_NOT_UNIQUE of footpoint_edge2_exact, footpoint_edge3_accurate and
+ * their _closest hold on ordinary and strongly curved edges, with the middle node at a quarter, on a line or anywhere,
+ * with coinciding nodes, of any size and with coordinates of mixed scales, for near, far and equally near slave nodes;
+ * in calls, from last answers, in arrays and of several edges. The judge finds all roots of the cubic of shape
  * functions in quadruple precision. */
 #include "../../generated/footpoint_edge2.h"
 #include "../../generated/footpoint_edge3.h"
@@ -52,7 +52,7 @@ static void refuse(int nodes, double x[4][2], const char *what, const char *call
     fail_msg("%s, %d nodes, %s: xi %.17g, gap %.17g", what, nodes, call, xi, gap);
 }
 
-/* Returns 1 if the foot point is proved, plus 2 if the closest point is, plus 4 if another is as near. */
+/* Returns 1 if the foot point is proved, plus 2 if the closest point is proved, plus 4 if another point is as near. */
 static int judge(int nodes, double x[4][2], enum family family, double last)
 {
     struct judged j;
@@ -73,7 +73,7 @@ static int judge(int nodes, double x[4][2], enum family family, double last)
     return proved;
 }
 
-/* Parts of the foot points and of the closest points that have to be proved. */
+/* Shares of the foot points and of the closest points that must be proved. */
 /* clang-format off */
 static const double proved_part[2][FAMILIES][2] = {
     {{0.999, 0.999}, {0.999, 0.999}, {0.999, 0.999}, {0.999, 0.999}, {0.999, 0.999}, {0.7, 0.7}, {0.99, 0.99}, {0.999, 0.999}, {0.97, 0.97}, {0.9, 0.9}, {0.999, 0.999}, {0.999, 0.999}},
@@ -126,7 +126,7 @@ static void row_of(int i, double x[4][2])
         x[k / 2][k % 2] = column[k][i];
 }
 
-/* The same bits as alone, but for fused operations. */
+/* Arrays return the bits of calls, unless operations are fused. */
 static void same(int i, int status, double xi, double gap)
 {
 #ifndef __FMA__
@@ -222,7 +222,7 @@ static void gaps_are_open_on_the_right(void **state)
     assert_true(xi == 0.5 && gap == 0.25);
 }
 
-/* Sides of a closed polygon, counter-clockwise: a node is behind the nearest edge if it is inside, however sharp the corners. */
+/* Sides of a closed polygon, counter-clockwise: a node inside is behind the nearest edge, however sharp the corners. */
 static void several_edges_have_a_side(void **state)
 {
     enum { CORNERS = 7 };

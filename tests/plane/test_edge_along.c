@@ -1,5 +1,5 @@
-/* Projection of a slave node on an edge along a direction: each proved status, point and distance, against the roots of the
- * quadratic equation in quadruple precision. */
+/* Projection of a slave node on an edge along a direction: each proved status, point and distance, against the roots of
+ * the quadratic equation in quadruple precision. */
 #include "../../generated/footpoint_edge2.h"
 #include "../../generated/footpoint_edge3.h"
 #include "../hard/draw.h"
@@ -21,7 +21,7 @@ static int along_of(int nodes, double x[4][2], const double p[2], double *xi, do
                       : footpoint_edge3_along(x[0], x[1], x[2], x[3], p, xi, dist);
 }
 
-/* g = (r(t) - S) x p, r = C + t u + t^2 v. */
+/* Computes g = (r(t) - S) x p for r = C + t u + t^2 v. */
 static void equation(const struct judged *j, const double p[2], wide g[3])
 {
     wide c[3][2];
@@ -32,12 +32,12 @@ static void equation(const struct judged *j, const double p[2], wide g[3])
     }
     for (int k = 0; k < 3; k++)
         g[k] = c[k][0] * p[1] - c[k][1] * p[0];
-    const wide most = g[1] * g[1] > g[2] * g[2] ? g[1] : g[2]; /* one of the coefficients becomes 1 */
+    const wide most = g[1] * g[1] > g[2] * g[2] ? g[1] : g[2]; /* scales one of the coefficients to 1 */
     for (int k = 0; k < 3; k++)
         g[k] /= most != 0 ? (most < 0 ? -most : most) : 1;
 }
 
-/* Real roots, at most two. */
+/* Finds the real roots, at most two. */
 static int roots_of(const wide g[3], wide root[2])
 {
     const wide under = g[1] * g[1] - 4 * g[2] * g[0];

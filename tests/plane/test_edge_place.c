@@ -1,4 +1,5 @@
-/* Derivatives at foot points of edges, against differences in quadruple precision, and statuses where there are none. */
+/* Derivatives at foot points of edges, against differences in quadruple precision, and statuses if they do not
+ * exist. */
 #include "../../generated/footpoint_edge2.h"
 #include "../../generated/footpoint_edge3.h"
 #include "edge_judge.h"

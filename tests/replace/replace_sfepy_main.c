@@ -1,4 +1,4 @@
-/* runtime/replace/sfepy.c: two faces that face each other, each with a Gauss point, apart and one within the other. */
+/* runtime/replace/sfepy.c: two opposite faces, each with a Gauss point, apart and penetrating. */
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -19,7 +19,7 @@ static void near(const char *what, double is, double should_be)
     }
 }
 
-/* Faces of 1 x 1 at heights 0 and `height`, the upper one's nodes in the other sense. */
+/* Makes faces of 1 x 1 at heights 0 and `height`; the upper face's nodes run the other way. */
 static void two_faces(double height)
 {
     double X[3][8] = {{0, 1, 1, 0, 0, 0, 1, 1}, {0, 0, 1, 1, 0, 1, 1, 0}};

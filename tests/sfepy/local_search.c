@@ -1,6 +1,6 @@
-/* runtime/replace/sfepy.c with the searches of four-node segments counted and each done REPEAT times: by our header, or,
- * where TOLERANCE is given, by our equivalent of sfepy's own, Gauss-Newton from the middle of the segment until a step is
- * shorter than that. */
+/* runtime/replace/sfepy.c with the searches of four-node segments counted and repeated REPEAT times: by our header, or,
+ * if TOLERANCE is defined, by our equivalent of sfepy's own search, Gauss-Newton from the middle of the segment until a
+ * step is shorter than TOLERANCE. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 
@@ -32,7 +32,7 @@ static int search_quad4(const double a[3], const double b[3], const double c[3],
     } while (sqrt(dr * dr + ds * ds) > TOLERANCE && --left > 0);
     loc[0] = r;
     loc[1] = s;
-    *gap = sqrt(scalar(to, to)); /* before the last step, as sfepy has it */
+    *gap = sqrt(scalar(to, to)); /* before the last step, as in sfepy */
     return left ? 0 : -1;
 }
 #else
