@@ -1,10 +1,12 @@
-/* What projection along a direction promises. */
+/* The contract of projection along a direction on edges. */
 
-/* PREFIX_along:  where the line through xS in the direction `along`, of any length but 0, meets the edge: xi, and dist with
- *           xS = r(xi) + dist along / |along|.  FOOTPOINT_OK is proved: the line meets the curve within ALONG_PROMISE of xi,
- *           and the edge nowhere else; FOOTPOINT_NOT_UNIQUE, it meets the edge twice, the point that is nearer to xS is the
- *           answer; FOOTPOINT_OUTSIDE, it meets the edge nowhere, but the curve beyond its ends within the promise of xi, times
- *           |xi|.  FOOTPOINT_UNPROVED: any of these, as where it nearly touches the edge.  xi and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: it does not meet the curve, or there is no number; FOOTPOINT_ERR_DEGENERATE: no
- *           length, no direction, or that of a straight edge; and FOOTPOINT_ERR_NOT_FINITE.
- * PREFIX_along_n:  the same for n pairs, each with its status and its direction, two columns. */
+/* PREFIX_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           edge: xi, and dist with xS = r(xi) + dist along / |along|. FOOTPOINT_OK is proved: the line meets the curve
+ *           within ALONG_PROMISE of xi, and the edge nowhere else. FOOTPOINT_NOT_UNIQUE is proved: it meets the edge
+ *           twice, and the answer is the point nearer to xS. FOOTPOINT_OUTSIDE is proved: it does not meet the edge,
+ *           but the curve beyond its ends within the promise of xi, times |xi|. FOOTPOINT_UNPROVED: any of these, for
+ *           example if the line nearly touches the edge.
+ *           On error xi and dist are untouched: FOOTPOINT_ERR_DOMAIN if the line does not meet the curve, or a result
+ *           is not finite; FOOTPOINT_ERR_DEGENERATE if edge or direction have no length, or the line is parallel to a
+ *           straight edge; and FOOTPOINT_ERR_NOT_FINITE.
+ * PREFIX_along_n:  does the same for n pairs, each with its status and its direction, two columns. */
