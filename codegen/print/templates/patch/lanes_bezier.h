@@ -1,4 +1,4 @@
-/* Bezier patches side by side: a net and nothing else; see patch_bezier.h. */
+/* Bezier patches side by side: only a net; see patch_bezier.h. */
 
 typedef struct {
     footpoint_detail_net net;

@@ -1,19 +1,21 @@
 /* Gregory patches side by side; see patch_gregory.h. */
 
-/* Inner points add (1 - p^2) (1 - q^2) (inner0 + p inner1 + q inner2 + p q inner3), and each corner x^2 y / (x + y) f(x) f(y) twist, f(x) =
- * (1 - x)^2, where x and y are halves of the ways along xi and eta from it.  twists: sums of the absolute coordinates. */
+/* Inner points add (1 - p^2) (1 - q^2) (inner0 + p inner1 + q inner2 + p q inner3). Each corner adds x^2 y / (x + y)
+ * f(x) f(y) twist, f(x) = (1 - x)^2, where x and y are half the distances from it along xi and eta. twists: sums of the
+ * absolute coordinates. */
 typedef struct {
     footpoint_detail_net net;
     REAL inner[4][3], twist[4][3], twists[4];
 } footpoint_detail_KIND_terms;
 
-/* An edge as its ends see it: the handle along it, 3 n x handle and the other handle; 3 k and 3 l, so that of a unit normal n the other
- * is k n x handle + l handle. */
+/* An edge as its ends use it: the handle along it, 3 n x handle and the other handle; 3 k and 3 l. For a unit normal n
+ * the other handle is k n x handle + l handle. */
 typedef struct {
     REAL along[3], turn[3], across[3], k, l;
 } footpoint_detail_KIND_end;
 
-/* The handles of a corner, whose edges begin there or end there.  The largest quotient of the squares of an edge and a handle along it. */
+/* Computes the handles of a corner, whose edges begin or end there. Returns the largest quotient of the squares of an
+ * edge and a handle along it. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_corner(const REAL n[3], const REAL x[3], const REAL y[3],
                                                  const REAL xx, const REAL yy,
                                                  footpoint_detail_KIND_end *a,
@@ -36,7 +38,7 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_corner(const REAL n[3], const REAL x[3
     return footpoint_detail_greater(xx * u, yy * v);
 }
 
-/* Nine times what an edge makes of the inner points at its ends, less the net's. */
+/* Computes nine times an edge's part of the inner points at its ends, minus the net's. */
 FOOTPOINT_PART void footpoint_detail_KIND_make(const REAL edge[3],
                                                const footpoint_detail_KIND_end *a,
                                                const footpoint_detail_KIND_end *b, REAL first[3],
@@ -54,7 +56,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_make(const REAL edge[3],
     }
 }
 
-/* Handles at the ends of an edge. */
+/* Computes the handles at the ends of an edge. */
 FOOTPOINT_PART void footpoint_detail_KIND_handles(const footpoint_detail_bent *t, REAL a[3],
                                                   REAL b[3])
 {
@@ -67,15 +69,18 @@ FOOTPOINT_PART void footpoint_detail_KIND_handles(const footpoint_detail_bent *t
     }
 }
 
-/* Rounding, of d* the longest edge, w >= 2.98 the largest quotient of an edge and a handle along it, M = w^2 d*, u a unit of rounding.
- * Handles are off by 3.4 u of their edge, 4 u where normals are rounded, and b / |b|^2, as inversion keeps angles, by that times w / |b|.
- * Of what an edge makes, less than 1.9 M, `l * middle` is off by 41 u M, products with k and the others by 5 u M each, the sum by 8 u M:
- * 73 u M, 84 where normals are rounded.  `inner` is 1/64 of four of these: 5.6 u M, less than 0.13 M.  In d, factors add up to 1.93, and
- * twists of 168 u M weigh 0.03: 16, and 4 u M of products.  In tangents 5.6 and 0.08: 45, and 14 u M.  In second derivatives 16 and 0.6: 190,
- * 330 of weights at x + y = 0.01, and 30 u M.  In units of 1.5 u, which count, 14, 50 and 980 M are more than that.
+/* Completes the patch.
  *
- * Third derivatives of what `inner` makes, up to 1/8 beside the patch, are bounded term by term, of w = 1 - p^2: its first derivative by 2.25,
- * its second by 2, those of p w by 2.8, 6.75 and 6. */
+ * Rounding, with d* the longest edge, w >= 2.98 the largest quotient of an edge and a handle along it, M = w^2 d*, u a
+ * unit of rounding. Handles are off by 3.4 u of their edge, 4 u if normals are rounded, and b / |b|^2, as inversion
+ * keeps angles, by that times w / |b|. An edge's part is less than 1.9 M: `l * middle` is off by 41 u M, products with
+ * k and the others by 5 u M each, the sum by 8 u M: 73 u M, 84 if normals are rounded. `inner` is 1/64 of four of
+ * these: 5.6 u M, less than 0.13 M. In d, factors add up to 1.93, and twists of 168 u M weigh 0.03: 16, and 4 u M of
+ * products. In tangents 5.6 and 0.08: 45, and 14 u M. In second derivatives 16 and 0.6: 190, 330 of weights at x + y =
+ * 0.01, and 30 u M. The code counts 14, 50 and 980 M in units of 1.5 u, which is more.
+ *
+ * Third derivatives of the part of `inner`, up to 1/8 beside the patch, are bounded term by term for w = 1 - p^2: its
+ * first derivative by 2.25, its second by 2, those of p w by 2.8, 6.75 and 6. */
 FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n, footpoint_detail_bent bent[4],
                                                 footpoint_detail_KIND_terms *t)
 {
@@ -129,7 +134,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n, footpoint_
     t->net.far += 0.1 * t->net.base + 3.5 * most;
 }
 
-/* 1 / (x + y) of the corners, kept from infinity. */
+/* Computes 1 / (x + y) of the corners, kept from infinity. */
 FOOTPOINT_PART void footpoint_detail_KIND_near(REAL p, REAL q, REAL near[4])
 {
     const REAL up = 0.5 * (p + q), down = 0.5 * (p - q), tiny = 1e-30;
@@ -142,7 +147,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_near(REAL p, REAL q, REAL near[4])
     near[3] = per * b * ac;
 }
 
-/* Factors of a twist: value, first and second derivatives by xi and eta. */
+/* Computes the factors of a twist: value, first and second derivatives by xi and eta. */
 FOOTPOINT_PART void footpoint_detail_KIND_twist(REAL along, REAL across, REAL p, REAL q, REAL near,
                                                 REAL w[6])
 {

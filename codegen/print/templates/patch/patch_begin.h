@@ -1,4 +1,4 @@
-/* The search of pairs side by side: where their steps begin. */
+/* The start of steps, for pairs side by side. */
 
 FOOTPOINT_APART void NAME_begin(BLOCK *FOOTPOINT_RESTRICT b)
 {

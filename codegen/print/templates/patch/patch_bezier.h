@@ -1,4 +1,4 @@
-/* The Bezier patch near a point of it: its net and nothing else. */
+/* The Bezier patch near one of its points: only its net. */
 
 typedef struct {
     footpoint_detail_net net;
@@ -17,7 +17,7 @@ FOOTPOINT_PART void footpoint_detail_bezier_local(const footpoint_detail_bezier_
     footpoint_detail_net_local(&t->net, p, q, l);
 }
 
-/* What third derivatives are greater by inside, beside the net's bounds, and along edges. */
+/* Returns the excess of third derivatives over the net's bounds, inside and along edges: 0. */
 FOOTPOINT_PART REAL footpoint_detail_bezier_inner(const footpoint_detail_bezier_terms *t, REAL p,
                                                   REAL q)
 {
@@ -31,7 +31,7 @@ FOOTPOINT_FN REAL footpoint_detail_bezier_rim(const footpoint_detail_bezier_term
     return 0.0;
 }
 
-/* Where that holds: up to so far from (p,q). */
+/* Returns the distance from (p,q) within which the bounds hold. */
 FOOTPOINT_PART REAL footpoint_detail_bezier_ball(REAL p, REAL q)
 {
     (void)p, (void)q;

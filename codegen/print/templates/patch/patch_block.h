@@ -1,8 +1,8 @@
 /* Pairs side by side, for loops over arrays of any caller. */
 
-/* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS less the middle, for the search, in a unit of length in which the sum of the
- * edges' absolute coordinates, `size`, is from 1 to 2; that unit.  Where the search is, (p,q); gap; and in the highest bit of `doubt` whether
- * they are not proved. */
+/* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
+ * which `size`, the sum of the edges' absolute coordinates, is from 1 to 2; that unit. (p,q): the present point of the
+ * search; gap. The highest bit of `doubt` is set if they are not proved. */
 typedef struct {
     double x[9][3][FOOTPOINT_LANES], unit[FOOTPOINT_LANES];
     LANE edge[4][3][FOOTPOINT_LANES], normal[4][3][FOOTPOINT_LANES], d[3][FOOTPOINT_LANES];
@@ -10,7 +10,7 @@ typedef struct {
     LANE_BITS doubt[FOOTPOINT_LANES];
 } BLOCK;
 
-/* From x all that precedes a search. */
+/* Computes from x everything that precedes a search. */
 FOOTPOINT_APART void NARROW(BLOCK *FOOTPOINT_RESTRICT b)
 {
     int l, k, i;

@@ -1,20 +1,20 @@
-/* The Gregory patch near a point of it: a net, and what its inner points are off from those of that. */
+/* The Gregory patch near one of its points: a net, and the difference of its inner points from the net's. */
 
-/* Corner c adds f(x) f(y) (x y side + x^2 y / (x + y) twist), f(x) = (1 - x)^2, where x and y are halves of the ways along xi and
- * eta from the corner: nine times what the edge along eta makes of the inner point, less the net's, and what the other edge does more
- * than it.  twists: sums of the absolute coordinates. */
+/* Corner c adds f(x) f(y) (x y side + x^2 y / (x + y) twist), f(x) = (1 - x)^2, where x and y are half the distances
+ * from the corner along xi and eta. side: nine times the difference of the inner point of the edge along eta from the
+ * net's; twist: the other edge's difference minus that. twists: sums of the absolute coordinates. */
 typedef struct {
     footpoint_detail_net net;
     REAL side[4][3], twist[4][3], twists[4];
 } footpoint_detail_gregory_terms;
 
-/* Which of AB, DC, AD, BC handle m of corner c lies along. */
+/* Returns which of AB, DC, AD, BC handle m of corner c lies along. */
 FOOTPOINT_PART int footpoint_detail_gregory_edge(int c, int m)
 {
     return m ? (c == 0 || c == 3 ? 2 : 3) : c / 2;
 }
 
-/* Handles b[c][0] along xi and b[c][1] along eta of the corners. */
+/* Computes the corners' handles b[c][0] along xi and b[c][1] along eta. */
 FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent bent[4],
                                                      REAL b[4][2][3])
 {
@@ -34,8 +34,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent
     }
 }
 
-/* Of unit normals handle b[c][1 - m] is k[c][m] n x b[c][m] + l[c][m] b[c][m].  turn: n x b.  The largest square of an edge
- * over that of a handle along it. */
+/* Computes, for unit normals, handle b[c][1 - m] as k[c][m] n x b[c][m] + l[c][m] b[c][m]; turn: n x b. Returns the
+ * largest quotient of the squares of an edge and a handle along it. */
 FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
                                                    const footpoint_detail_bent bent[4],
                                                    REAL b[4][2][3], REAL turn[4][2][3],
@@ -64,12 +64,16 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
     return most;
 }
 
-/* Rounding, of d* the longest edge and w >= 2.98 the largest quotient of an edge and a handle along it, as lengths: handles are off by 3.2
- * u d*, so b / |b|^2 by 3.2 u w and 4 u w of products; |b| <= d* / 3.  At the other end of an edge handles are w / 3 times as long at most:
- * k turn and l b are off by 1.7 u w^2 d*, twice middle, of middle <= 5 / 3 of an edge, by 13 u w^2 d*, made[] <= 1.9 w^2 d* by 64 u w^2 d*
- * with the sum.  In d the four corners weigh 1 / 16 of that, in tangents 1 / 8 and 0.06 of twice that for x / (x + y), in second derivatives
- * 3 / 8 and 0.6 of twice that: 5, 12 and 100 u w^2 d*.  Weights are off by some 20 u of themselves, those of second derivatives by
- * 0.5 (3 u / (x + y) / 2 + 20 u) of twist <= 3.8 w^2 d*, 330 u w^2 d* where x + y is 0.01.  18, 60 and 280 2.5 allow for both. */
+/* Completes the patch.
+ *
+ * Rounding, with d* the longest edge and w >= 2.98 the largest quotient of an edge and a handle along it, as lengths:
+ * handles are off by 3.2 u d*, so b / |b|^2 by 3.2 u w and 4 u w of products; |b| <= d* / 3. At the other end of an
+ * edge handles are at most w / 3 times as long. So k turn and l b are off by 1.7 u w^2 d*, twice middle, with middle <=
+ * 5 / 3 of an edge, by 13 u w^2 d*, and made[] <= 1.9 w^2 d* by 64 u w^2 d* including the sum. In d the four corners
+ * weigh 1 / 16 of that, in tangents 1 / 8 and 0.06 of twice that for x / (x + y), in second derivatives 3 / 8 and 0.6
+ * of twice that: 5, 12 and 100 u w^2 d*. Weights are off by some 20 u of themselves, those in second derivatives by 0.5
+ * (3 u / (x + y) / 2 + 20 u) of twist <= 3.8 w^2 d*, 330 u w^2 d* at x + y = 0.01. 18, 60 and 280 2.5 allow for
+ * both. */
 FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
                                                    footpoint_detail_bent bent[4],
                                                    footpoint_detail_gregory_terms *t)
@@ -112,7 +116,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
     t->net.far += 2.5 * most;
 }
 
-/* 1 / (x + y) of the corners, kept from infinity. */
+/* Computes 1 / (x + y) of the corners, kept from infinity. */
 FOOTPOINT_PART void footpoint_detail_gregory_near(REAL p, REAL q, REAL near[4])
 {
     const REAL up = 0.5 * (p + q), down = 0.5 * (p - q), tiny = 1e-30;
@@ -125,7 +129,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_near(REAL p, REAL q, REAL near[4])
     near[3] = per * b * ac;
 }
 
-/* What the corner adds, see above, as factors of side[] and of twist[]: values, first and second derivatives by xi and eta. */
+/* Computes the corner's additions, see above, as factors of side[] and of twist[]: values, first and second derivatives
+ * by xi and eta. */
 FOOTPOINT_PART void footpoint_detail_gregory_corner(REAL along, REAL across, REAL p, REAL q,
                                                     REAL near, REAL side[6], REAL twist[6])
 {
@@ -148,7 +153,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_corner(REAL along, REAL across, REA
     twist[5] = 0.5 * (f * h + fg1 * hy - fg * (a * a * a));
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregory_terms *t, REAL p,
                                                    REAL q, footpoint_detail_local *l)
 {
@@ -174,13 +179,15 @@ FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregor
     }
 }
 
-/* What third derivatives are greater by inside, beside the net's bounds: the twists' are less than 16.5 + 2.92 / (x + y) times
- * those, within a quarter of x + y.
+/* Returns the excess of third derivatives over the net's bounds, inside: the twists' are less than 16.5 + 2.92 / (x +
+ * y) times those, within a quarter of x + y.
  *
- * How: h = x^2 y / (x + y), a = x / (x + y), b = 1 - a: h_x = y a (1 + b), h_y = x a^2, h_xx = 2 b^3, h_xy = a^2 (3 - 2 a), h_yy = -2 a^3, and
- * the third ones -6 b^3, 6 a b^2, -6 a^2 b, 6 a^3 over x + y.  There x, y are 1.0625 at most, a and b 7/6, f 1.13, f' 2.125, f'' 2.  The third
- * ones add 6/8 f f (|b^3| + 2 |a| b^2 + a^2 |b|) / (0.75 (x + y)) <= 1.28 2.08 / (x + y), others 14.5 and 15.2 by Leibniz' rule.  Of `side`,
- * m = x f and its derivatives are 0.149, 1.27, 4.38, 6 at most: (6 0.149 + 3 4.38 1.27) / 8 = 2.2, in footpoint_detail_gregory_expand. */
+ * Derivation: h = x^2 y / (x + y), a = x / (x + y), b = 1 - a: h_x = y a (1 + b), h_y = x a^2, h_xx = 2 b^3, h_xy = a^2
+ * (3 - 2 a), h_yy = -2 a^3, and the third derivatives -6 b^3, 6 a b^2, -6 a^2 b, 6 a^3 over x + y. There x, y are at
+ * most 1.0625, a and b 7/6, f 1.13, f' 2.125, f'' 2. The third derivatives add 6/8 f f (|b^3| + 2 |a| b^2 + a^2 |b|) /
+ * (0.75 (x + y)) <= 1.28 2.08 / (x + y), other terms 14.5 and 15.2 by Leibniz' rule. For `side`, m = x f and its
+ * derivatives are at most 0.149, 1.27, 4.38, 6: (6 0.149 + 3 4.38 1.27) / 8 = 2.2, in
+ * footpoint_detail_gregory_expand. */
 FOOTPOINT_PART REAL footpoint_detail_gregory_inner(const footpoint_detail_gregory_terms *t, REAL p,
                                                    REAL q)
 {
@@ -193,15 +200,16 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_inner(const footpoint_detail_gregor
     return sum;
 }
 
-/* What r_ppq is greater by along edges q = -1 and 1, and r_pqq along the others: of the two corners of an edge |f'' x + 2 f'| / 8 <= 0.55
- * twists each, and nothing along the others; r_ppp and r_qqq along edges are the net's. */
+/* Returns the excess of r_ppq over the net's bound along edges q = -1 and 1, and of r_pqq along the others: for the two
+ * corners of an edge |f'' x + 2 f'| / 8 <= 0.55 twists each, and 0 along the others. r_ppp and r_qqq along edges are
+ * the net's. */
 FOOTPOINT_FN REAL footpoint_detail_gregory_rim(const footpoint_detail_gregory_terms *t)
 {
     return 0.55 * (t->twists[0] + t->twists[1] + t->twists[2] + t->twists[3]);
 }
 
-/* Where inner bounds hold: up to so far from (p,q), not nearer to a corner than x + y = 0.01, where rounding takes the digits of second
- * derivatives. */
+/* Returns the distance from (p,q) within which inner bounds hold, and not nearer to a corner than x + y = 0.01, where
+ * rounding takes the digits of second derivatives. */
 FOOTPOINT_PART REAL footpoint_detail_gregory_ball(REAL p, REAL q)
 {
     const REAL most = 0.2475 - 0.125 * (fabs(p) + fabs(q));

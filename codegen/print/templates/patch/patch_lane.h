@@ -1,13 +1,14 @@
 /* The proof of a step on a patch in a loop over arrays, and its gap. */
 
-/* As the proof of patch_proof.h, but rounding is counted term by term, in units of 1.5 u: in single precision edges and normals are rounded
- * before the net is made of them.  An edge is rounded once either way.  A normal enters a product by two
- * roundings or more, so that its own makes half as many more.
+/* Proves a step as patch_proof.h does, but counts rounding term by term, in units of 1.5 u: in single precision edges
+ * and normals are rounded before the net is computed from them. An edge is rounded once in both cases. A normal enters
+ * a product with at least two roundings, so its own rounding adds half as much.
  *
- * With H as computed from x, off by less than k, F by less than (f,g), and eta = |H^-1 F| + off: |1 - H^-1 H(y)| <= most + w |y - x|, most =
- * |H^-1| k.  If 2 most + w eta <= 1/4, then there is a root within 1.25 eta of x, within (1.25 most + 0.79 w eta) eta + off of where the
- * step ends, and H is positive definite all the way there.  Third derivatives are off by 25000 units of far at most where
- * footpoint_detail_KIND_ball() admits them.  det >= 1e-3 r11 r22 keeps its rounding errors below what 1.3, 0.8 and 0.249 leave. */
+ * H as computed at x is off by less than k, F by less than (f,g). With eta = |H^-1 F| + off, |1 - H^-1 H(y)| <= most +
+ * w |y - x|, most = |H^-1| k. If 2 most + w eta <= 1/4, then there is a root within 1.25 eta of x, within (1.25 most +
+ * 0.79 w eta) eta + off of the step's end, and H is positive definite on the whole way there. Third derivatives are off
+ * by at most 25000 units of far if footpoint_detail_KIND_ball() admits them. det >= 1e-3 r11 r22 keeps its rounding
+ * errors below the margins of 1.3, 0.8 and 0.249. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_lane(const footpoint_detail_KIND_terms *of,
                                                     const footpoint_detail_local *r, REAL promise,
                                                     REAL *p, REAL *q)
@@ -62,7 +63,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_lane(const footpoint_detail_KIND_
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* 1 / sqrt(x) of ordinary x by four of Newton's steps: no call, no division. */
+/* Returns 1 / sqrt(x) of ordinary x by four Newton steps, without a call or a division. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_root(REAL x)
 {
     union {
@@ -77,7 +78,7 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_root(REAL x)
     return y.number * (1.5 - half * y.number * y.number);
 }
 
-/* The gap of r, where tangents have an angle. */
+/* Computes the gap of r, if the tangents are not parallel. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_rise(const footpoint_detail_local *r, REAL *gap)
 {
     REAL n[3], nn;

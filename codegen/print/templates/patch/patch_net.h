@@ -1,16 +1,19 @@
 /* Bicubic patches whose edges start at right angles to the normals at their ends, as polynomials about the middle. */
 
-/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is (1 - p^2)
- * (p x1 - x0), X, y and Y likewise: x bends the mean of the edges AB and DC, X is what DC bends more than AB.  d = xS - r0.
+/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
+ * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
+ * over AB. d = xS - r0.
  *
- * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch.  base: the sum of the edges'
- * absolute coordinates; tilt: the largest square of a normal.  Rounding, in units of u = 1.11e-16, if tilt <= 1.01: coordinates of d
- * are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q <= 2.5 far, r_pp, r_pq, r_qq <= 3.5 far.
+ * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch. base: the sum of
+ * the edges' absolute coordinates; tilt: the largest square of a normal. Rounding, in units of u = 1.11e-16, if tilt <=
+ * 1.01: coordinates of d are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q
+ * <= 2.5 far, r_pp, r_pq, r_qq <= 3.5 far.
  *
- * How: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q.  begin and end are 0.127 of an edge at most, off by 0.64 u of it, so that x1 and
- * x0 are 0.127 P, off by 0.9 u P; X1, X0, Y0 twice that; Y1 0.51 Q, off by 2.3 u Q + 0.5 u P.  |p| <= 1: |a| <= 0.385, |a1| <= 2, |b| <=
- * 0.5, |b1| <= 0.75, off by 1.4, 8, 1.5, 1.5 u.  Adding up, sums included: tangents 20.5 u Q + 8 u P, d without xS 11 u base, second
- * derivatives 29 u P + 9 u Q; xS less corners 3 u (|D| + 1.1 base), four subtractions 4 u |D| + 2 u base. */
+ * Derivation: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q. begin and end are at most 0.127 of an edge, off by 0.64 u
+ * of it, so x1 and x0 are 0.127 P, off by 0.9 u P; X1, X0, Y0 twice that; Y1 0.51 Q, off by 2.3 u Q + 0.5 u P. |p| <=
+ * 1: |a| <= 0.385, |a1| <= 2, |b| <= 0.5, |b1| <= 0.75, off by 1.4, 8, 1.5, 1.5 u. In total, including sums: tangents
+ * 20.5 u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1 base),
+ * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
     REAL e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
     REAL third[2], base, tilt, place, turn, far;
@@ -34,9 +37,10 @@ FOOTPOINT_PART void footpoint_detail_bend(const REAL m[3], const REAL n[3],
     }
 }
 
-/* The bounds of a net with its vectors; n: normals.  Where |p| <= 1.125, a, w and b, and their first and second derivatives, are 0.385, 2.8, 6.75; 1, 2.25,
- * 2; 0.5, 0.75, 1.69 at most, the third 6, 0, 1.5.  Thus of X1 in third[0] 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9, X0 2 0.75 2 + 1.69 2.25 =
- * 6.9; of Y1 1.5 0.385 + 2 1.69 2.8 + 0.75 6.75 = 15.2, Y0 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7, m 1.69; in third[1] m 1.5 1.125 + 2 1.69. */
+/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
+ * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
+ * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
+ * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
 FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *n, footpoint_detail_net *t)
 {
     const REAL X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
@@ -55,7 +59,7 @@ FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *n, footpoint_
     t->far = t->base;
 }
 
-/* The edges AB, DC, AD and BC, and d. */
+/* Computes the edges AB, DC, AD and BC, and d. */
 FOOTPOINT_PART void footpoint_detail_net_edges(const REAL *const *x, footpoint_detail_bent bent[4],
                                                footpoint_detail_net *t)
 {
@@ -70,7 +74,7 @@ FOOTPOINT_PART void footpoint_detail_net_edges(const REAL *const *x, footpoint_d
                           ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
 }
 
-/* What edges and the normals n make. */
+/* Computes the net from edges and normals n. */
 FOOTPOINT_PART void footpoint_detail_net_expand(const REAL *const *n, footpoint_detail_bent bent[4],
                                                 footpoint_detail_net *t)
 {
@@ -104,7 +108,7 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const REAL *const *n, footpoint_
     footpoint_detail_net_bounds(n, t);
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, REAL p, REAL q,
                                                footpoint_detail_local *l)
 {

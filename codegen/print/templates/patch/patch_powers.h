@@ -2,7 +2,7 @@
 
 enum { FOOTPOINT_LANES = 16 }; /* pairs at a time */
 
-/* The largest power of two that is not greater than x, an ordinary number, and its inverse. */
+/* Computes the largest power of two that is at most x, an ordinary number, and its inverse. */
 FOOTPOINT_PART void footpoint_detail_powers(REAL x, REAL *power, REAL *inverse)
 {
     const REAL_BITS one = (REAL_BITS)1 << (REAL_DIGITS - 1), all = ((REAL_BITS)1 << REAL_TOP) - one;

@@ -1,8 +1,8 @@
 /* The proof of a step on a patch. */
 
-/* By how much rounding may change (r_xi . D, r_eta . D), and per step, see footpoint_detail_net; dot products and Cramer's rule count
- * as 3 + 4 of 9 u |r_i| |D|, and a step as much more as both entries of a row of the Hessian are off by, 1820 u far^2, and its determinant,
- * 3 u (r11 r22 + r12^2) <= 42 u far^2 max(r11, r22). */
+/* Bounds the effect of rounding on (r_xi . D, r_eta . D), and per step; see footpoint_detail_net. Dot products and
+ * Cramer's rule count as 3 + 4 of 9 u |r_i| |D|. A step counts the errors of both entries of a row of the Hessian, 1820
+ * u far^2, and of its determinant, 3 u (r11 r22 + r12^2) <= 42 u far^2 max(r11, r22). */
 FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REAL u, REAL v, REAL d,
                                               REAL step, REAL off[2])
 {
@@ -12,19 +12,22 @@ FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REA
     off[1] = place * v + turn;
 }
 
-/* Newton's step from a point in the patch, where r is the surface.  The highest bit of the result is not set if a minimum of the distance is
- * proved to lie within `promise` of the answer, on the patch or on the surface that its polynomials make beside it.
+/* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
+ * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
+ * polynomials make beside it.
  *
- * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11 r12; r12 r22];
- * `step` = |H^-1 F|.  Row i of the derivatives of H adds up to l_i = R_i A + 2 R A_i + |D| T_i at most, where R_i = |r_i|,
- * A_i = |r_i1| + |r_i2|, T_i = |r_i11| + 2 |r_i12| + |r_i22|, R and A being sums over i, each the largest in `ball`.  Let w =
- * max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|.  If h = w step <= 1/4, then there is a
- * root within 1.2 step of x, it is within 0.7 h step of where the step ends, and H is positive definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
+ * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
+ * where R_i = |r_i|, A_i = |r_i1| + |r_i2|, T_i = |r_i11| + 2 |r_i12| + |r_i22|, R and A are sums over i, and each is
+ * the largest in `ball`. Let w = max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y -
+ * x|. If h = w step <= 1/4, then there is a root within 1.2 step of x, it is within 0.7 h step of the step's end, and H
+ * is positive definite on the whole way there.
  *
- * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far: 2 2.5 35 and 19 of r_i . r_j, 280 + 3.5 12 of r_ij . D.  Let
- * e = 1820 u far^2 |H^-1|.  It adds 0.27 e to h, and l_i, off by 5 far 2 1680 u far of |r_ij| twice, 3400 u far^2 |H^-1| as steps are 0.1 at
- * most: 7000 u far^2 |H^-1| is taken of what is allowed to h, which keeps e below 0.07, so that H is definite, too.  The weak
- * inequality of `det` keeps the rounding errors of w and of the step below what 0.72, 0.249 and 0.999 leave. */
+ * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far: 2 2.5 35 and 19 for r_i . r_j, 280 +
+ * 3.5 12 for r_ij . D. Let e = 1820 u far^2 |H^-1|. It adds 0.27 e to h. l_i, off by 5 far 2 1680 u far for |r_ij|
+ * twice, adds 3400 u far^2 |H^-1|, as steps are at most 0.1. So 7000 u far^2 |H^-1| is subtracted from the limit of h.
+ * This keeps e below 0.07, so H is definite, too. The weak inequality of `det` keeps the rounding errors of w and of
+ * the step below the margins of 0.72, 0.249 and 0.999. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_terms *of,
                                                     const footpoint_detail_local *r, REAL promise,
                                                     REAL *p, REAL *q)
@@ -68,8 +71,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* xi, eta and the gap (9) from where a search ended, by `bare` steps and one that is proved.  The gap, and the normal along which it is, follow
- * from the values of the last step, to its second order, if the step is short: `near`. */
+/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step. If that step is short
+ * (`near`), the gap and its normal follow from the values before it, to its second order. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL promise, int bare,
                                                      int near, REAL least, REAL *xi, REAL *eta,
                                                      REAL *gap)

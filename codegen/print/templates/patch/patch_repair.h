@@ -1,10 +1,10 @@
-/* Answers on patches where the quick way does not tell. */
+/* Answers on patches if the quick way fails. */
 
 #ifndef FOOTPOINT_OUTSIDE
 #define FOOTPOINT_OUTSIDE 1
 #endif
 
-/* The square of the distance at `at`. */
+/* Returns the squared distance at `at`. */
 FOOTPOINT_COLD REAL footpoint_detail_KIND_apart(const footpoint_detail_KIND_terms *of,
                                                 const REAL at[2])
 {
@@ -13,12 +13,13 @@ FOOTPOINT_COLD REAL footpoint_detail_KIND_apart(const footpoint_detail_KIND_term
     return footpoint_detail_dot(r.d, r.d);
 }
 
-/* Whether a minimum of the distance on the closed patch is proved to lie within `promise` of where (p,q), on an edge or in a corner,
- * moves to, one from which the distance falls beyond the border.  out: which coordinates are held, 1 or -1, else 0; r: the surface there.
+/* Returns 1 if a minimum of the distance on the closed patch is proved to lie within `promise` of the place to which
+ * (p,q), on an edge or in a corner, moves, and the distance falls from there beyond the border. out: 1 or -1 for held
+ * coordinates, otherwise 0; r: the surface there.
  *
- * In a corner both slopes are, by more than rounding.  On an edge, along coordinate j, F_j = r_j . D has the derivative -h, h = r_j . r_j -
- * r_jj . D, which changes by 3 |r_j| |r_jj| + |D| |r_jjj| at most: Newton's step is proved as above.  Slopes across change by |r_ij| |D| +
- * |r_i| |r_j| at most on the way to the root. */
+ * In a corner both slopes must lead outwards by more than rounding. On an edge, along coordinate j, F_j = r_j . D has
+ * the derivative -h, h = r_j . r_j - r_jj . D, which changes by at most 3 |r_j| |r_jj| + |D| |r_jjj|: Newton's step is
+ * proved as above. Slopes across change by at most |r_ij| |D| + |r_i| |r_j| on the way to the root. */
 FOOTPOINT_COLD int footpoint_detail_KIND_border(const footpoint_detail_KIND_terms *of,
                                                 const footpoint_detail_local *r, const int out[2],
                                                 REAL promise, REAL at[2])
@@ -62,7 +63,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_border(const footpoint_detail_KIND_term
     return 1;
 }
 
-/* Newton's step on the patch from `at`, of coordinates that are not held; that of Gauss and Newton where the Hessian is not positive. */
+/* Computes Newton's step on the patch from `at`, in the coordinates that are not held; the Gauss-Newton step if the
+ * Hessian is not positive definite. */
 FOOTPOINT_COLD void footpoint_detail_KIND_move(const footpoint_detail_local *r, const int out[2],
                                                REAL step[2])
 {
@@ -86,7 +88,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_move(const footpoint_detail_local *r, 
     step[1] = (r11 * g - r12 * f) / det;
 }
 
-/* From `at` by up to 30 steps until one is proved: FOOTPOINT_OK, FOOTPOINT_OUTSIDE, or FOOTPOINT_UNPROVED. */
+/* Takes up to 30 steps from `at` until one is proved. Returns FOOTPOINT_OK, FOOTPOINT_OUTSIDE, or
+ * FOOTPOINT_UNPROVED. */
 FOOTPOINT_COLD int footpoint_detail_KIND_steps(const footpoint_detail_KIND_terms *of, REAL promise,
                                                REAL at[2])
 {
@@ -121,13 +124,13 @@ FOOTPOINT_COLD int footpoint_detail_KIND_steps(const footpoint_detail_KIND_terms
         } while (moved > 1e-4 && damp > 1e-4 && !(footpoint_detail_KIND_apart(of, to) <= apart));
         at[0] = to[0];
         at[1] = to[1];
-        if (!(moved > 1e-3 * promise) && !(moved > 1e-12)) /* rounding forbids the proof */
+        if (!(moved > 1e-3 * promise) && !(moved > 1e-12)) /* rounding prevents the proof */
             break;
     }
     return FOOTPOINT_UNPROVED;
 }
 
-/* Steps from where the search ends, and from the middle. */
+/* Takes steps from the end of the search, and from the middle. */
 FOOTPOINT_COLD int footpoint_detail_KIND_repair(footpoint_detail_search *search,
                                                 const REAL *const *x, REAL promise, REAL at[2])
 {
@@ -148,8 +151,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_repair(footpoint_detail_search *search,
     return status;
 }
 
-/* The answer where a search is not good beyond doubt: the search once more, in a unit of length in which the segment is about 1 long,
- * then repair. */
+/* Answers if a search is not good beyond doubt: searches again in a unit of length in which the segment is about 1
+ * long, then repairs. */
 FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
                                                 REAL loc[2], REAL *gap)
@@ -169,7 +172,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
     }
     g = ldexp(g, exponent);
     if (footpoint_detail_infinite(g) >> REAL_TOP)
-        return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+        return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     loc[0] = at[0];
     loc[1] = at[1];
     *gap = g;
