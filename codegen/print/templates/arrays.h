@@ -16,8 +16,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_n(footpoint_detail_KIND_search *search
     }
 }
 
-/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
- * doubt is searched in full behind the loop. */
+/* Searches with statuses. p: the vectors, the first `nodes` of which another unit of length changes. Answers that are
+ * not good beyond doubt are searched in full after the loop. */
 FOOTPOINT_PART void footpoint_detail_KIND_full(footpoint_detail_search *search,
                                                const REAL *const *row, int nodes, REAL promise,
                                                REAL *xi, REAL *eta, REAL *gap, int *status)

@@ -1,4 +1,4 @@
-/* What callers have over arrays. */
+/* The functions for callers over arrays. */
 
 FOOTPOINT_LOOP void NAME_n(size_t n, const REAL *const x[COORDINATES], REAL *FOOTPOINT_RESTRICT xi,
                            REAL *FOOTPOINT_RESTRICT eta)

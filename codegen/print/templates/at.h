@@ -1,4 +1,4 @@
-/* The search alone. */
+/* The unchecked search. */
 
 FOOTPOINT_FN void NAME_at(NODE_PARAMETERS, REAL *xi, REAL *eta)
 {

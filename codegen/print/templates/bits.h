@@ -1,7 +1,8 @@
 /* The bits of numbers, on which every status depends. */
 
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_bits(REAL x)
 {
     union {
@@ -12,8 +13,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_bits(REAL x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART REAL footpoint_detail_zero(void)
 {
     const volatile int zero = 0;

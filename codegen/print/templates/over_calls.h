@@ -1,4 +1,4 @@
-/* What callers have over one segment. */
+/* The functions for callers over one segment. */
 
 FOOTPOINT_LOOP void NAME_over_n(const REAL *const nodes[SEGMENT_VECTORS], size_t n,
                                 const REAL *const x[3], REAL *FOOTPOINT_RESTRICT xi,

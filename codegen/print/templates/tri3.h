@@ -1,6 +1,6 @@
 /* The flat triangle. */
 
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta). */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_tri3_surface(const REAL *const *x, REAL xi, REAL eta, REAL u[3],
                                                 REAL v[3], REAL d[3])
 {

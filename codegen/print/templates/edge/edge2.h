@@ -1,8 +1,8 @@
-/* Edges of two nodes: everything is exact to rounding. */
+/* Edges of two nodes: all results are exact to rounding. */
 
-/* With e = B - A and d = S - A, (xi + 1) / 2 is d.e / e.e.  Differences are off by one unit of rounding, products by two
- * more; the sums of products, of whose terms one cancels, and the quotient by eight units of the sum of the absolute
- * values at most. */
+/* Projects S.  With e = B - A and d = S - A, (xi + 1) / 2 is d.e / e.e.  Differences are off by one unit of rounding,
+ * products by two more.  The sums of products, one term of which cancels, and the quotient are off by at most eight
+ * units of the sum of the absolute values. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge2_project(const REAL *const *x, REAL promise,
                                                         REAL e[2], REAL d[2], REAL *xi)
 {
@@ -15,7 +15,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge2_project(const REAL *const *x, RE
     terms = fabs(d[0] * e[0]) + fabs(d[1] * e[1]);
     per = 2.0 / ee;
     *xi = footpoint_detail_plane_dot(d, e) * per - 1.0;
-    reach = fabs(*xi); /* the greater of this and 1, without a comparison */
+    reach = fabs(*xi); /* the larger of this and 1, without a comparison */
     room = 0.99 * promise * (0.5 * (1.0 + reach + fabs(1.0 - reach))) -
            10.0 * REAL_UNIT * (terms * per);
     return footpoint_detail_outside(ee) | footpoint_detail_bits(room) |
@@ -28,7 +28,7 @@ FOOTPOINT_PART void footpoint_detail_edge2_at(const REAL *const *x, REAL *xi)
     (void)footpoint_detail_edge2_project(x, 1.0, e, d, xi);
 }
 
-/* The highest bit of what it returns is set unless xi is proved and there is a gap. */
+/* Finds the foot point.  The highest bit of the result is set unless xi is proved and there is a gap. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge2_locate(const REAL *const *x, REAL promise, REAL *xi,
                                                        REAL *gap)
 {
@@ -38,7 +38,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge2_locate(const REAL *const *x, REA
     return flaw | footpoint_detail_infinite(*gap);
 }
 
-/* The same in full, in a unit of length in which the edge is about 1 long. */
+/* Repeats the search in full, in a unit of length in which the edge is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_edge2_repair(const REAL *const *x, REAL promise, REAL *xi,
                                                  REAL *gap)
 {
@@ -48,14 +48,14 @@ FOOTPOINT_COLD int footpoint_detail_edge2_repair(const REAL *const *x, REAL prom
     return flaw >> REAL_TOP ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
-/* The search from the last answer has nothing to gain. */
+/* Ignores the last answer, from which the search gains nothing. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge2_follow(const REAL *const *x, REAL promise, REAL *xi,
                                                        REAL *gap)
 {
     return footpoint_detail_edge2_locate(x, promise, xi, gap);
 }
 
-/* The closest point: the end that xi lies beyond, or xi. */
+/* Finds the closest point: the end beyond which xi lies, or xi. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge2_near(const REAL *const *x, REAL promise, REAL *xi,
                                                      REAL *dist, int *region)
 {
@@ -84,7 +84,7 @@ FOOTPOINT_COLD int footpoint_detail_edge2_seek(const REAL *const *x, REAL promis
     return flaw >> REAL_TOP ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
-/* The tangent at an end, of any length. */
+/* Computes the tangent at an end, of any length. */
 FOOTPOINT_PART void footpoint_detail_edge2_tangent(const REAL *const *x, REAL xi, REAL t[2])
 {
     (void)xi;
@@ -92,7 +92,7 @@ FOOTPOINT_PART void footpoint_detail_edge2_tangent(const REAL *const *x, REAL xi
     t[1] = x[1][1] - x[0][1];
 }
 
-/* Nothing bounds distances that no place is proved for. */
+/* Returns 0: distances without a proved place have no bound. */
 FOOTPOINT_FN int footpoint_detail_edge2_at_least(const REAL *const *x, REAL dist)
 {
     (void)x;
@@ -100,7 +100,7 @@ FOOTPOINT_FN int footpoint_detail_edge2_at_least(const REAL *const *x, REAL dist
     return 0;
 }
 
-/* Shape functions, their derivatives and second derivatives. */
+/* Computes shape functions, their derivatives and second derivatives. */
 FOOTPOINT_PART void footpoint_detail_edge2_shape(REAL xi, REAL *phi, REAL *slope, REAL *bend)
 {
     phi[0] = 0.5 - 0.5 * xi;
@@ -110,7 +110,7 @@ FOOTPOINT_PART void footpoint_detail_edge2_shape(REAL xi, REAL *phi, REAL *slope
     bend[0] = bend[1] = 0.0;
 }
 
-/* The line through the slave node in the direction p, and S - r. */
+/* Computes the line through the slave node in the direction p, and S - r. */
 FOOTPOINT_PART void footpoint_detail_edge2_line(const REAL *const *x, const REAL p[2],
                                                 struct footpoint_detail_line *l)
 {

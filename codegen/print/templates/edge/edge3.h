@@ -5,7 +5,7 @@
 struct footpoint_detail_parabola {
     REAL h[2], k[2], s[2], c[4];
     REAL hh, size,
-        far; /* squares of lengths: h; h and k together, which is twice that of A - C and B - C; s */
+        far;      /* squares of lengths: h; h and k together, twice that for A - C and B - C; s */
     REAL wide[2]; /* |A - C| + |B - C|, by coordinates */
 };
 
@@ -33,7 +33,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_parabola(const REAL *const *x,
     e->c[3] = 2.0 * kk;
 }
 
-/* The cubic at xi, its slope, and half of its second derivative. */
+/* Computes the cubic at xi, its slope, and half its second derivative. */
 FOOTPOINT_PART void footpoint_detail_edge3_values(const REAL c[4], REAL xi, REAL f[3])
 {
     const REAL bent = 3.0 * c[3] * xi;
@@ -42,10 +42,11 @@ FOOTPOINT_PART void footpoint_detail_edge3_values(const REAL c[4], REAL xi, REAL
     f[2] = c[2] + bent;
 }
 
-/* Bounds rounding errors, at x = |xi|: this much of the cubic, and of what a step below 1/256 leaves of it; 4 times this much of
- * its slope and of half of its second derivative.  In units of rounding, h and s are off by one, k by two of `wide`, whose
- * square is `size` at most; so c[3] is off by 12 size, c[2] by 18, c[1] by 5 and by 24 |wide| |s|, c[0] by 8 of these.  The
- * polynomial adds 6, 5, 3 and 1 roundings of its terms; 2 |wide| |s| <= size + far. */
+/* Bounds rounding errors at x = |xi|: the result bounds those of the cubic, and what a step below 1/256 leaves of it; 4
+ * times the result those of its slope and of half its second derivative.  In units of rounding, h and s are off by one,
+ * k by two of `wide`, whose square is at most `size`.  So c[3] is off by 12 size, c[2] by 18, c[1] by 5 and by 24
+ * |wide| |s|, c[0] by 8 of these.  The polynomial adds 6, 5, 3 and 1 roundings of its terms; 2 |wide| |s| <= size +
+ * far. */
 FOOTPOINT_PART REAL footpoint_detail_edge3_rounding(const struct footpoint_detail_parabola *e,
                                                     REAL x)
 {
@@ -53,16 +54,16 @@ FOOTPOINT_PART REAL footpoint_detail_edge3_rounding(const struct footpoint_detai
            (e->size * (14.0 + x * (36.0 + x * (42.0 + x * 26.0))) + e->far * (8.0 + x * 20.0));
 }
 
-/* A step of third order, back from xi. */
+/* Returns a step of third order, back from xi. */
 FOOTPOINT_PART REAL footpoint_detail_edge3_step(const REAL f[3])
 {
     return f[0] * f[1] / (f[1] * f[1] - f[0] * f[2]);
 }
 
-/* The highest bit of what it returns is not set if a minimum is proved to lie within the promise of xi - step: the slope
- * of the cubic there is `slope` or more, c[3] being >= 0, and on the promise's way almost so; what the step leaves of the cubic,
- * and rounding, are below that times the promise, so that the cubic changes sign within.  What is no number makes the
- * tangent at xi - step none, which the gap needs, or is left below 0. */
+/* The highest bit of the result is not set if a minimum is proved to lie within the promise of xi - step.  The slope of
+ * the cubic there is at least `slope`, as c[3] >= 0, and nearly so within the promise.  Rounding, and what the step
+ * leaves of the cubic, are below that times the promise, so that the cubic changes sign within it.  If a number is not
+ * finite, the tangent at xi - step, which the gap needs, is not, or the inequality fails. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_prove(const struct footpoint_detail_parabola *e,
                                                       const REAL f[3], REAL xi, REAL step,
                                                       REAL promise)
@@ -74,7 +75,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_prove(const struct footpoint_det
            footpoint_detail_fast();
 }
 
-/* The tangent, twice r', and S - r; the unit of both is that of the nodes. */
+/* Computes the tangent, twice r', and S - r, both in the unit of the nodes. */
 FOOTPOINT_PART void footpoint_detail_edge3_frame(const struct footpoint_detail_parabola *e, REAL xi,
                                                  REAL t[2], REAL d[2])
 {
@@ -87,7 +88,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_frame(const struct footpoint_detail_p
     }
 }
 
-/* The gap; the highest bit of what it returns is set where the edge turns back, so that there is no normal. */
+/* Computes the gap; the highest bit of the result is set if the edge turns back, so that there is no normal. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_gap(const struct footpoint_detail_parabola *e,
                                                     REAL xi, REAL *gap)
 {
@@ -99,13 +100,13 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_gap(const struct footpoint_detai
     return footpoint_detail_bits(tt - REAL_FLAT * e->size) | footpoint_detail_outside(tt);
 }
 
-/* xi of the slave node's projection on AB, where steps begin. */
+/* Returns xi of the slave node's projection on AB, from which steps start. */
 FOOTPOINT_PART REAL footpoint_detail_edge3_begin(const struct footpoint_detail_parabola *e)
 {
     return -e->c[0] / e->hh;
 }
 
-/* One step, and another whose end is proved. */
+/* Takes a step, and another whose end is proved. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_proceed(const struct footpoint_detail_parabola *e,
                                                         REAL promise, REAL *xi)
 {
@@ -128,7 +129,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_at(const REAL *const *x, REAL *xi)
     (void)footpoint_detail_edge3_proceed(&e, 1.0, xi);
 }
 
-/* The highest bit of what it returns is set unless xi is proved and there is a gap. */
+/* Finds the foot point.  The highest bit of the result is set unless xi is proved and there is a gap. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_locate(const REAL *const *x, REAL promise, REAL *xi,
                                                        REAL *gap)
 {
@@ -140,7 +141,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_locate(const REAL *const *x, REA
     return flaw | footpoint_detail_edge3_gap(&e, *xi, gap);
 }
 
-/* The same from the last answer. */
+/* Finds it from the last answer. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_follow(const REAL *const *x, REAL promise, REAL *xi,
                                                        REAL *gap)
 {
@@ -153,7 +154,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_follow(const REAL *const *x, REA
            footpoint_detail_above(*xi - from, 1.0);
 }
 
-/* Shape functions, their derivatives and second derivatives. */
+/* Computes shape functions, their derivatives and second derivatives. */
 FOOTPOINT_PART void footpoint_detail_edge3_shape(REAL xi, REAL *phi, REAL *slope, REAL *bend)
 {
     phi[0] = 0.5 * xi * (xi - 1.0);
@@ -166,7 +167,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_shape(REAL xi, REAL *phi, REAL *slope
     bend[2] = -2.0;
 }
 
-/* The line through the slave node in the direction p, and S - r. */
+/* Computes the line through the slave node in the direction p, and S - r. */
 FOOTPOINT_PART void footpoint_detail_edge3_line(const REAL *const *x, const REAL p[2],
                                                 struct footpoint_detail_line *l)
 {

@@ -1,7 +1,7 @@
-/* Edges of three nodes where two steps prove nothing, in a unit of length in which the edge is about 1 long. */
+/* Edges of three nodes for which two steps prove nothing, in a unit of length in which the edge is about 1 long. */
 
-/* A root of the cubic between low, where it is < 0, and high, where it is > 0: steps of Newton's, or halves where these
- * lead out. */
+/* Returns a root of the cubic between low, where it is < 0, and high, where it is > 0, by Newton's steps, or by halving
+ * if these lead outside. */
 FOOTPOINT_FN REAL footpoint_detail_edge3_between(const REAL c[4], REAL low, REAL high)
 {
     REAL xi = 0.5 * (low + high), f[3];
@@ -22,7 +22,7 @@ FOOTPOINT_FN REAL footpoint_detail_edge3_between(const REAL c[4], REAL low, REAL
     return xi;
 }
 
-/* A minimum of the distance to the whole curve, downhill from xi. */
+/* Returns a minimum of the distance to the whole curve, downhill from xi. */
 FOOTPOINT_FN REAL footpoint_detail_edge3_downhill(const REAL c[4], REAL xi)
 {
     REAL f[3], other = xi, step = 0.25;
@@ -38,7 +38,7 @@ FOOTPOINT_FN REAL footpoint_detail_edge3_downhill(const REAL c[4], REAL xi)
                  : footpoint_detail_edge3_between(c, other, xi);
 }
 
-/* The square of the distance. */
+/* Returns the squared distance. */
 FOOTPOINT_FN REAL footpoint_detail_edge3_square(const struct footpoint_detail_parabola *e, REAL xi)
 {
     REAL t[2], d[2];
@@ -46,8 +46,8 @@ FOOTPOINT_FN REAL footpoint_detail_edge3_square(const struct footpoint_detail_pa
     return footpoint_detail_plane_dot(d, d);
 }
 
-/* The cubic, from tangent and distance, and how far rounding leads that astray.  Tangents are off by 2 + 8 x units of `wide`,
- * with x = |xi|, distances by 2 of s and by 2 x + 3 x^2 of `wide`. */
+/* Returns the cubic from tangent and distance, and bounds its rounding error.  Tangents are off by 2 + 8 x units of
+ * `wide`, with x = |xi|, distances by 2 of s and by 2 x + 3 x^2 of `wide`. */
 FOOTPOINT_FN REAL footpoint_detail_edge3_sharp(const struct footpoint_detail_parabola *e, REAL xi,
                                                REAL *error)
 {
@@ -62,8 +62,8 @@ FOOTPOINT_FN REAL footpoint_detail_edge3_sharp(const struct footpoint_detail_par
     return -2.0 * footpoint_detail_plane_dot(t, d);
 }
 
-/* One more step, from there, to xi; the highest bit of what it returns is set unless a minimum is proved to lie within the
- * promise of that. */
+/* Takes one more step from there to xi.  The highest bit of the result is set unless a minimum is proved to lie within
+ * the promise of xi. */
 FOOTPOINT_FN REAL_BITS footpoint_detail_edge3_check(const struct footpoint_detail_parabola *e,
                                                     REAL promise, REAL *xi)
 {
@@ -82,7 +82,7 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_edge3_check(const struct footpoint_detai
            footpoint_detail_infinite(left) | footpoint_detail_fast();
 }
 
-/* The minimum downhill from the nearest of nine points of the edge. */
+/* Finds the minimum downhill from the nearest of nine points of the edge. */
 FOOTPOINT_COLD int footpoint_detail_edge3_repair(const REAL *const *x, REAL promise, REAL *xi,
                                                  REAL *gap)
 {

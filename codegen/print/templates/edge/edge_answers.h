@@ -1,7 +1,7 @@
-/* Answers where the quick way proves nothing, and the search over arrays, for edges of any kind. */
+/* Answers if the quick way proves nothing, and the search over arrays, for edges of any kind. */
 
-/* Nodes and slave node in a unit of length in which the edge is about 1 long; FOOTPOINT_ERR_DOMAIN if xS is farther away than
- * is good for products. */
+/* Copies nodes and slave node in a unit of length in which the edge is about 1 long.  Returns FOOTPOINT_ERR_DOMAIN if
+ * xS is too far away for products. */
 FOOTPOINT_FN int footpoint_detail_KIND_unit(const REAL *const *x, REAL (*y)[2], const REAL **z,
                                             int *exponent)
 {
@@ -18,7 +18,7 @@ FOOTPOINT_FN int footpoint_detail_KIND_unit(const REAL *const *x, REAL (*y)[2], 
                : FOOTPOINT_OK;
 }
 
-/* From `at`, where the quick way ended, once more; then in full. */
+/* Searches again from `at`, where the quick way ended, then in full. */
 FOOTPOINT_COLD int footpoint_detail_KIND_answer(const REAL *const *x, REAL promise, REAL at,
                                                 REAL *xi, REAL *gap)
 {
@@ -57,7 +57,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_nearest(const REAL *const *x, REAL prom
     return status;
 }
 
-/* The closest point of one edge. */
+/* Finds the closest point of one edge. */
 FOOTPOINT_PART int footpoint_detail_KIND_closest(const REAL *const *x, REAL promise, REAL *xi,
                                                  REAL *dist, int *region)
 {
@@ -94,7 +94,7 @@ FOOTPOINT_FN void footpoint_detail_KIND_add_tangents(const REAL *const *segment,
     }
 }
 
-/* Whether xS lies behind the edges that meet at the end r of one of n: behind the sum of their unit normals. */
+/* Returns 1 if xS lies behind the edges, of n, that meet at the end r: behind the sum of their unit normals. */
 FOOTPOINT_FN int footpoint_detail_KIND_corner(size_t n, const REAL *const *x, const REAL *xS,
                                               const REAL *r)
 {
@@ -107,7 +107,7 @@ FOOTPOINT_FN int footpoint_detail_KIND_corner(size_t n, const REAL *const *x, co
     return footpoint_detail_plane_behind(d, sum, 4.0);
 }
 
-/* Whether no point of the edge is nearer than that by more than 1e-10 of the largest difference of coordinates. */
+/* Returns 1 if no point of the edge is nearer than that by more than 1e-10 of the largest difference of coordinates. */
 FOOTPOINT_COLD int footpoint_detail_KIND_is_nearest(const REAL *const *x, REAL dist)
 {
     REAL y[VECTORS][2];
@@ -118,7 +118,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_is_nearest(const REAL *const *x, REAL d
     return footpoint_detail_KIND_at_least(z, ldexp(dist, -exponent));
 }
 
-/* The nearest of n edges. */
+/* Finds the nearest of n edges. */
 FOOTPOINT_FN int footpoint_detail_KIND_closest_of(size_t n, const REAL *const *x, const REAL *xS,
                                                   REAL promise, REAL *xi, REAL *dist, int *region,
                                                   size_t *which)

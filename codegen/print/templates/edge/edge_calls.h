@@ -1,4 +1,4 @@
-/* What callers have. */
+/* The functions for callers. */
 
 FOOTPOINT_FN void NAME_at(NODE_PARAMETERS, REAL *xi)
 {

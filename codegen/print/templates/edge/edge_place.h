@@ -1,14 +1,14 @@
-/* What there is at a place of an edge: shape functions, tangent, normal, gap, and their derivatives at a foot point. */
+/* Values at a place of an edge: shape functions, tangent, normal, gap, and their derivatives at a foot point. */
 
-/* Sides of the edge of one place, with what derivatives are made of. */
+/* The edge at one place, and the parts of derivatives. */
 struct footpoint_detail_KIND_rates {
     REAL phi[VECTORS],
-        slope[VECTORS]; /* factors of the vectors in r - xS, and their derivatives by xi */
+        slope[VECTORS]; /* coefficients of the vectors in r - xS, and their derivatives by xi */
     REAL t[2], bend[2], n[2], gap, tt,
         stiff; /* r', r'', normal; half of (|xS - r|^2)'' at a foot point */
 };
 
-/* The highest bit of what it returns is set if there is no normal, or something is not finite. */
+/* Computes the values at xi.  The highest bit of the result is set if there is no normal, or a value is not finite. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_rates_at(const REAL *const *x, REAL xi,
                                                         struct footpoint_detail_KIND_rates *e)
 {
@@ -39,7 +39,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_rates_at(const REAL *const *x, RE
            footpoint_detail_infinite(e->gap + xi);
 }
 
-/* The status of a place that has no rates, or of derivatives where the foot point is not unique. */
+/* Returns the status of a place without values, or of derivatives if the foot point is not unique. */
 FOOTPOINT_PART int footpoint_detail_KIND_placed(const REAL *const *x, REAL xi,
                                                 const struct footpoint_detail_KIND_rates *e,
                                                 REAL_BITS flaw, int derivatives)
@@ -76,7 +76,7 @@ FOOTPOINT_FN int PREFIX_place(NODE_PARAMETERS, REAL xi, REAL *phi, REAL *r_xi, R
     return FOOTPOINT_OK;
 }
 
-/* The derivative of xi by coordinate j of vector k. */
+/* Returns the derivative of xi by coordinate j of vector k. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_d_xi(const struct footpoint_detail_KIND_rates *e, int k,
                                                int j)
 {
@@ -109,8 +109,7 @@ FOOTPOINT_FN int PREFIX_hessian(NODE_PARAMETERS, REAL xi, REAL *d_normal, REAL *
     int i, j;
     if (status != FOOTPOINT_OK)
         return status;
-    for (i = 0; i < COORDINATES;
-         i++) { /* of xi, and of the normal: that of coordinate a is turn t_a */
+    for (i = 0; i < COORDINATES; i++) { /* of xi, and of the normal: by coordinate a, turn t_a */
         along[i] = footpoint_detail_KIND_d_xi(&e, i / 2, i % 2);
         turn[i] =
             -(e.slope[i / 2] * e.n[i % 2] + footpoint_detail_plane_dot(e.bend, e.n) * along[i]) /

@@ -1,4 +1,4 @@
-/* The search in float by that in double. */
+/* The search in float, by the search in double. */
 
 FOOTPOINT_FN int ROUNDED(FLOAT_PARAMETERS, float loc[2], float *gap)
 {

@@ -1,7 +1,7 @@
 /* A step of Newton's method and the gap, in plain arithmetic. */
 
-/* A step to where xS - r is normal to the face.  Tangents are at most quadratic in xi and in eta, so that differences
- * over two units are their derivatives. */
+/* Takes a step to the point at which xS - r is normal to the face.  Tangents are at most quadratic in xi and in eta, so
+ * differences over two units are their derivatives. */
 FOOTPOINT_FN void footpoint_detail_KIND_plain_step(const REAL *const *x, REAL *xi, REAL *eta)
 {
     REAL u[5][3], v[5][3], d[3], other[3], f, g, ff, fg, gg, det;
@@ -23,7 +23,7 @@ FOOTPOINT_FN void footpoint_detail_KIND_plain_step(const REAL *const *x, REAL *x
     *eta = *eta + (ff * g - fg * f) / det;
 }
 
-/* The distance of xS along the normal at (xi,eta), if xS - r is parallel to that. */
+/* Returns the distance of xS along the normal at (xi,eta), to which xS - r must be parallel. */
 FOOTPOINT_FN REAL footpoint_detail_KIND_plain_gap(const REAL *const *x, REAL xi, REAL eta)
 {
     REAL u[3], v[3], d[3], n[3];

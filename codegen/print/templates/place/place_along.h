@@ -1,6 +1,6 @@
-/* What callers have of derivatives along a direction. */
+/* The functions for callers that differentiate along a direction. */
 
-/* The sum of the squares of edges that tangents at loc are sums of, or more. */
+/* Returns at least the sum of the squares of the edges that add up to the tangents at loc. */
 FOOTPOINT_PART REAL SLOPES_detail_size(const REAL *const *x, const REAL loc[2])
 {
     const REAL reach = 1.0 + loc[0] * loc[0] + loc[1] * loc[1], growth = REACH_TO_GROWTH;
@@ -13,7 +13,7 @@ FOOTPOINT_PART REAL SLOPES_detail_size(const REAL *const *x, const REAL loc[2])
     return growth * size;
 }
 
-/* The same in a unit of length in which the face is about 1 long. */
+/* Repeats it in a unit of length in which the face is about 1 long. */
 FOOTPOINT_COLD int SLOPES_detail_again(const REAL *const *x, const REAL along[3], const REAL loc[2],
                                        REAL *const *row)
 {
@@ -35,15 +35,15 @@ FOOTPOINT_COLD int SLOPES_detail_again(const REAL *const *x, const REAL along[3]
                                    SLOPES_detail_size(y, loc), q, over, row);
 }
 
-/* footpoint_KIND_gradients_along: dist, with xS = r + dist along / |along|, and the derivatives of xi, eta and dist where the
- *         line through xS in the direction `along` meets the face, at loc = {xi, eta} as a projection found it: element
- *         3 k + i by coordinate i of node k, the slave node behind the nodes, `along` last.  A row that is NULL is not
- *         wanted.  Returns FOOTPOINT_OK; FOOTPOINT_ERR_DEGENERATE: no direction, no area, or the line is so nearly parallel
- *         to the face that rounding may cost derivatives more than about 1e-9; or FOOTPOINT_ERR_NOT_FINITE: an input, or a result.  Rows
- *         are untouched on error.
- * UPPER_GRADIENTS_ALONG_OF(footpoint_KIND_along), at file scope, defines footpoint_KIND_along_gradients(..., along, loc,
- *         dist, d_xi, d_eta, d_dist), the projection and its derivatives.  The status is the projection's, or, where
- *         derivatives cannot be had, theirs; with FOOTPOINT_UNPROVED they are written. */
+/* footpoint_KIND_gradients_along:  computes dist, with xS = r + dist along / |along|, and the derivatives of xi, eta
+ *         and dist at the intersection of the face with the line through xS in the direction `along`, at loc = {xi,
+ *         eta} as a projection found it: element 3 k + i by coordinate i of node k; the slave node follows the nodes,
+ *         `along` comes last. A row may be NULL. Returns FOOTPOINT_OK; FOOTPOINT_ERR_DEGENERATE if there is no
+ *         direction or no area, or if the line is so nearly parallel to the face that rounding may cost derivatives
+ *         more than about 1e-9; or FOOTPOINT_ERR_NOT_FINITE for an input or a result. Rows are untouched on error.
+ * UPPER_GRADIENTS_ALONG_OF(footpoint_KIND_along), at file scope, defines footpoint_KIND_along_gradients(..., along,
+ *         loc, dist, d_xi, d_eta, d_dist), the projection and its derivatives. The status is the projection's, or, if
+ *         derivatives cannot be computed, theirs; with FOOTPOINT_UNPROVED they are written. */
 FOOTPOINT_FN int SLOPES(NODE_PARAMETERS, const REAL along[3], const REAL loc[2], REAL dist[1],
                         REAL d_xi[SLOPE_COUNT], REAL d_eta[SLOPE_COUNT], REAL d_dist[SLOPE_COUNT])
 {

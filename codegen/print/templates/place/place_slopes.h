@@ -1,9 +1,10 @@
-/* Derivatives of projection along a direction, out of shape functions and tangents. */
+/* Derivatives of projection along a direction, from shape functions and tangents. */
 
-/* Rows v, with v . (d xS - sum phi_k d xk - t dq) = d xi, d eta and dt where r(xi,eta) + t q = xS: by Cramer's rule with the
- * tangents a and b.  a and b are sums of edges, whose squares add up to `size` at most.  By estimate, not proved, they are
- * right to 40 rounding errors (of 2^-53) of its root, and their products to that times the root of size (a . a + b . b).  The
- * highest bit of what it returns is set if (a x b) . q is not 1.2e-5 times as large, with which v is right to 1e-9. */
+/* Computes rows v with v . (d xS - sum phi_k d xk - t dq) = d xi, d eta and dt for r(xi,eta) + t q = xS, by Cramer's
+ * rule with the tangents a and b.  a and b are sums of edges, whose squares add up to at most `size`.  By estimate, not
+ * proved, they are right to 40 rounding errors (of 2^-53) of its root, and their products to that times the root of
+ * size (a . a + b . b).  The highest bit of the result is set if (a x b) . q is less than 1.2e-5 times that; above, v
+ * is right to 1e-9. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_solve_along(const REAL a[3], const REAL b[3],
                                                       const REAL q[3], REAL size, REAL v[3][3])
 {
@@ -21,10 +22,10 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_solve_along(const REAL a[3], const REA
     return footpoint_detail_not_above(det * det - 1.6e-10 * most);
 }
 
-/* The distance and, by nodes, slave node and direction, the derivatives of xi, eta and distance: row[0] to row[3], those that
- * are not NULL; a status.  y: nodes and slave node, in units of `unit`; q: unit vector, over: 1 over the length of
- * the direction; phi: shape functions.  As q . v is 0, 0 and 1, derivatives by the direction are - t over times v, of the
- * distance times v - q. */
+/* Computes the distance and its derivatives, and those of xi and eta, by nodes, slave node and direction: row[0] to
+ * row[3], unless NULL.  Returns a status.  y: nodes and slave node, in units of `unit`; q: unit vector; over: 1 over
+ * the length of the direction; phi: shape functions.  As q . v is 0, 0 and 1, derivatives by the direction are - t over
+ * times v; of the distance, times v - q. */
 FOOTPOINT_PART int footpoint_detail_slopes(const REAL *const *y, int nodes, REAL unit,
                                            const REAL *phi, const REAL a[3], const REAL b[3],
                                            REAL size, const REAL q[3], REAL over, REAL *const *row)
@@ -63,7 +64,7 @@ FOOTPOINT_PART int footpoint_detail_slopes(const REAL *const *y, int nodes, REAL
     return FOOTPOINT_OK;
 }
 
-/* The unit vector q along a direction and 1 over the length of that; a status. */
+/* Computes the unit vector q along a direction and 1 over the direction's length.  Returns a status. */
 FOOTPOINT_COLD int footpoint_detail_direction(const REAL along[3], REAL q[3], REAL *over)
 {
     REAL most = 0.0, length;

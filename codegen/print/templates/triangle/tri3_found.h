@@ -1,6 +1,6 @@
-/* The closest point of the closed triangle where nothing is proved. */
+/* The closest point of the closed triangle without a proof. */
 
-/* As footpoint_detail_KIND_nearest of other kinds, which take the search's answer. */
+/* Has the signature of footpoint_detail_KIND_nearest for other kinds, which use the search's answer. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                  REAL xi, REAL eta, REAL at[3], int *region)
 {

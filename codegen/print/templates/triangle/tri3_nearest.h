@@ -1,9 +1,10 @@
 /* The closest point of the closed triangle. */
 
-/* Finds the foot point, if it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point is
- * computed from areas, because the rounding errors of a search's Gram determinant grow with the square of the aspect ratio.  The
- * distance of a point inside is measured to the plane, for any errors of xi and eta.  how: 1 if the nearest edge is BC, 1 if it is
- * CA, else 0; the place of its nearest point, from 0 to 1; 1 if the foot point is inside. */
+/* Finds the foot point, if it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The
+ * foot point is computed from areas, because the rounding errors of a search's Gram determinant grow with the square of
+ * the aspect ratio.  The distance of a point inside is measured to the plane, for any errors of xi and eta.  how: 1 if
+ * the nearest edge is BC, 1 if it is CA, otherwise 0; the place of its nearest point, from 0 to 1; 1 if the foot point
+ * is inside. */
 FOOTPOINT_PART int footpoint_detail_tri3_find(const REAL *const *x, REAL least, REAL at[3],
                                               REAL how[4], int *region)
 {
