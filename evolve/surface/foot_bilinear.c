@@ -29,6 +29,7 @@
 
 #define BOUND 1e-12 /* rounding of a coordinate at the bound of a box */
 #define WIDER 1e-6  /* how far a search extends beyond its box */
+#define FAINT 1e-6  /* of a leading coefficient over the largest */
 
 /* The scalar products on which (7) and (8) depend. */
 struct products {
@@ -140,14 +141,12 @@ static void multiply_quadratics(long double product[5], const long double a[3], 
             product[i + j] += a[i] * b[j];
 }
 
-/* Computes the roots of the quintic in eta, real and imaginary parts alternating; returns their number. */
-static int quintic_roots(const struct products *p, double root[10])
+/* Computes the coefficients of the quintic in eta, divided by the largest; returns false if all are 0 or not finite. */
+static bool quintic(const struct products *p, double a[6])
 {
     const long double e[3] = {p->c11, 2 * p->c13, p->c33};
     const long double n[3] = {p->d1, p->d3 - p->c12, -p->c23};
     long double ee[5] = {0}, en[5] = {0}, nn[5] = {0}, coefficient[6] = {0}, largest = 0;
-    double a[6];
-    int degree = 5;
     multiply_quadratics(ee, e, e);
     multiply_quadratics(en, e, n);
     multiply_quadratics(nn, n, n);
@@ -158,14 +157,14 @@ static int quintic_roots(const struct products *p, double root[10])
             coefficient[k] -= p->c22 * ee[k - 1] + 2 * p->c23 * en[k - 1] + p->c33 * nn[k - 1];
         largest = fmaxl(largest, fabsl(coefficient[k]));
     }
-    if (!isfinite(largest) || !(largest > 0))
-        return 0;
     for (int k = 0; k <= 5; k++)
         a[k] = (double)(coefficient[k] / largest);
-    while (degree > 0 && !(fabs(a[degree]) > 1e-60))
-        degree--;
-    if (degree == 0)
-        return 0;
+    return isfinite(largest) && largest > 0;
+}
+
+/* Computes the roots of a polynomial, real and imaginary parts alternating; returns their number. */
+static int polynomial_roots(const double a[6], int degree, double root[10])
+{
     gsl_poly_complex_workspace *workspace = gsl_poly_complex_workspace_alloc((size_t)degree + 1);
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     const int status = gsl_poly_complex_solve(a, (size_t)degree + 1, workspace, root);
@@ -205,33 +204,44 @@ static bool is_degenerate(const struct local *l)
     return fmaxl(square_of_cross(l->c1, l->c2), fmaxl(k1, k2)) < 1e-28L;
 }
 
+/* Adds the stationary point to which polishing leads from a root (re, im); returns the number found. */
+static int add_stationary(const struct local *l, const struct products *q, bool swap, double re, double im,
+                          struct stationary found[5], int n)
+{
+    struct stationary s;
+    /* Rounding may turn two close real roots into a conjugate pair: start on both sides of it. */
+    long double v = (long double)re + im, u = 0;
+    const long double e = q->c11 + v * (2 * q->c13 + v * q->c33);
+    long double *xi = swap ? &v : &u, *eta = swap ? &u : &v;
+    if (fabs(im) > 1e-2 * (1 + fabs(re)) || !(e > 0))
+        return n;
+    u = (q->d1 + v * (q->d3 - q->c12 - q->c23 * v)) / e;
+    if (!polish(l, xi, eta, &s.minimum))
+        return n;
+    s.xi = (double)*xi;
+    s.eta = (double)*eta;
+    s.distance = (double)(l->size * distance_at(l, *xi, *eta));
+    return insert(found, n, &s);
+}
+
+/* A leading coefficient that is faint, or only rounding, has a far root, which costs the others their digits: those are
+ * found once more without it. */
 static int all_stationary(const struct local *l, struct stationary found[5])
 {
     const bool swap = square_of_cross(l->c2, l->c3) > square_of_cross(l->c1, l->c3);
     const struct products q = multiply(l, swap);
-    double root[10];
+    double a[6], root[10];
     int n = 0;
     if (is_degenerate(l))
         return -1;
-    const int roots = quintic_roots(&q, root);
-    for (int i = 0; i < roots; i++) {
-        const double re = root[2 * i], im = root[2 * i + 1];
-        struct stationary s;
-        if (fabs(im) > 1e-2 * (1 + fabs(re)))
-            continue;
-        /* Rounding may turn two close real roots into a conjugate pair: start on both sides of it. */
-        long double v = (long double)re + im, u = 0;
-        const long double e = q.c11 + v * (2 * q.c13 + v * q.c33);
-        long double *xi = swap ? &v : &u, *eta = swap ? &u : &v;
-        if (!(e > 0))
-            continue;
-        u = (q.d1 + v * (q.d3 - q.c12 - q.c23 * v)) / e;
-        if (!polish(l, xi, eta, &s.minimum))
-            continue;
-        s.xi = (double)*xi;
-        s.eta = (double)*eta;
-        s.distance = (double)(l->size * distance_at(l, *xi, *eta));
-        n = insert(found, n, &s);
+    if (!quintic(&q, a))
+        return 0;
+    for (int degree = 5; degree > 0; degree--) {
+        const int roots = fabs(a[degree]) > 1e-60 ? polynomial_roots(a, degree, root) : 0;
+        for (int i = 0; i < roots; i++)
+            n = add_stationary(l, &q, swap, root[2 * i], root[2 * i + 1], found, n);
+        if (fabs(a[degree]) > FAINT)
+            break;
     }
     return n;
 }

@@ -392,6 +392,17 @@ static void trapezium_has_one_minimum(void **state)
     assert_true(n == 1 || !s[1].minimum);
 }
 
+/* The quintic of this node has a leading coefficient that is only rounding, with a root of 1e19. */
+static void far_roots_hide_no_minimum(void **state)
+{
+    const double lo[2] = {-1, -1}, hi[2] = {0, 0};
+    struct sample s = {.xs = {0.2, 0.2, -0.3}};
+    (void)state;
+    set(s.x, (double[]){0, 0, 0}, (double[]){1, 0, 0}, (double[]){0.6, 0.6, 0}, (double[]){0.4, 0.6, 0});
+    assert_true(foot_bilinear(&s, lo, hi));
+    assert_true(fabs(s.xi + 9. / 11) < 1e-15 && fabs(s.eta + 1. / 3) < 1e-15 && fabs(s.gap + 0.3) < 1e-15);
+}
+
 static void degenerate_segments_are_refused(void **state)
 {
     static const double point[3] = {1, 2, 3};
@@ -457,11 +468,9 @@ static void scaling_and_moving_keep_the_bits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(finds_all_that_many_starts_find),
-        cmocka_unit_test(saddle_splits_above_its_focus),
-        cmocka_unit_test(trapezium_has_one_minimum),
-        cmocka_unit_test(degenerate_segments_are_refused),
-        cmocka_unit_test(foot_lies_in_the_box),
+        cmocka_unit_test(finds_all_that_many_starts_find),  cmocka_unit_test(saddle_splits_above_its_focus),
+        cmocka_unit_test(trapezium_has_one_minimum),        cmocka_unit_test(far_roots_hide_no_minimum),
+        cmocka_unit_test(degenerate_segments_are_refused),  cmocka_unit_test(foot_lies_in_the_box),
         cmocka_unit_test(scaling_and_moving_keep_the_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
