@@ -393,7 +393,7 @@ void archive_offer(const struct archive *a, const struct plan *plan, struct ques
         m->origin = (int)origin;
 }
 
-static void replace_champion(const struct archive *a, struct objective *o, struct quest *q, const struct member *m)
+void archive_replace_champion(const struct archive *a, struct objective *o, struct quest *q, const struct member *m)
 {
     struct champion *c = &q->champion;
     free(c->genes.gene);
@@ -405,7 +405,7 @@ static void replace_champion(const struct archive *a, struct objective *o, struc
     c->error = archive_bare_error(a, o, q, &m->genes);
     c->cost = m->cost;
     c->bred = true;
-    c->seed = m->origin == ORIGIN_SEED;
+    c->seed = m->origin == ORIGIN_SEED || m->origin == ORIGIN_START;
 }
 
 /* Returns the figure that the choice among a tier's expressions minimises, or INFINITY for an expression out of the
@@ -470,7 +470,7 @@ static void choose_champion(const struct archive *a, const struct plan *plan, st
     if (!best && c->genes.length == 0 && front_count(f) > 0)
         best = front_member(f, 0); /* the cheapest member if the budget excludes all */
     if (best)
-        replace_champion(a, o, q, best);
+        archive_replace_champion(a, o, q, best);
 }
 
 bool archive_has(const struct archive *a, size_t tier)

@@ -58,6 +58,8 @@ struct archive {
     struct genome_file *program; /* owned: defines the genes; genomes are added on writing */
     char *bare;                  /* owned: text of the program without genomes */
     struct genome_file *start;   /* owned; may be NULL */
+    bool knees;                  /* the scene leaves its tiers to the run: only those that knees of the fronts are named
+                                  * after have champions */
     bool shipped;                /* the start file belongs to another scene of the same kind: genomes that do not fit
                                   * are skipped */
     struct quest *quest;         /* owned: ordered by tier */
@@ -140,6 +142,17 @@ void archive_offer(const struct archive *a, const struct plan *plan, struct ques
  *  rejected;
  *                     NULL: compares programs on the training samples, like trees */
 void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge);
+
+/** Replaces the champion of a quest by a member of a front. */
+void archive_replace_champion(const struct archive *a, struct objective *o, struct quest *q, const struct member *m);
+
+/** Replaces champions by at most six members at the knees of all fronts, where the error drops most for its cost, both
+ *  in logarithms. No member has a figure on the judge's samples that is worse than that of the most accurate shipped
+ *  function of its price. A member is named after a shipped function that has no less error; the other tiers lose their
+ *  champions. All tiers must compose alike.
+ *  @param[in] shipped  the functions of the kind of face, measured */
+void archive_choose_knees(struct archive *a, const struct archive *shipped, struct objective *o,
+                          struct objective *judge);
 
 /** Returns false if no expression of the tier has a finite error on every sample. Such a tier is not written. */
 bool archive_has(const struct archive *a, size_t tier);

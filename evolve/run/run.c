@@ -90,6 +90,15 @@ static bool complete_scene(const char *root, struct scene *scene, struct run_sam
     return true;
 }
 
+/* Returns true if all tiers are programs of one language, so that each may have any member of the fronts. */
+static bool tiers_are_alike(const struct scene *s)
+{
+    for (size_t i = 0; i < s->tiers; i++)
+        if (!compose_alike(&s->tier[0], &s->tier[i]))
+            return false;
+    return true;
+}
+
 /* Reads all files: the cheap part, which shows most mistakes. */
 static bool load(struct run *r, struct diag *d)
 {
@@ -121,6 +130,7 @@ static bool load(struct run *r, struct diag *d)
         unlink(r->files.start);
     if (!good)
         return false;
+    r->problem.archive->knees = r->samples.follows && tiers_are_alike(scene);
     digest_frames(&r->problem, r->files.frames_sha256);
     return !resume || resume_suits_frames(resume, r->files.frames_sha256, d);
 }
@@ -321,10 +331,11 @@ static void prepare(const struct call *call, struct problem *p, const struct run
     archive_measure(p->archive, &p->plan, p->objective);
 }
 
-/* Returns false for outputs that are exact or chosen; in a run of 0 generations, true only for those without a champion. */
-static bool needs_ring(const struct quest *q, size_t generations)
+/* Returns false for outputs that are exact or chosen; in a run of 0 generations, true only for those that lack a champion. */
+static bool needs_ring(const struct archive *a, const struct quest *q, size_t generations)
 {
-    return q->champion.exact == 0 && !tier_is_chosen(q->own) && (generations > 0 || q->champion.genes.length == 0);
+    const bool lacking = q->champion.genes.length == 0 && !(a->knees && a->start);
+    return q->champion.exact == 0 && !tier_is_chosen(q->own) && (generations > 0 || lacking);
 }
 
 /* Returns the ring of a quest.  Most programs are near their tier's budget. */
@@ -340,7 +351,7 @@ static void make_rings(const struct evolve_options *o, const struct problem *p, 
     s->ring = new_array(a->quests, sizeof *s->ring);
     s->places = o->islands;
     for (struct quest *q = a->quest; q < a->quest + a->quests; q++)
-        if (needs_ring(q, o->generations))
+        if (needs_ring(a, q, o->generations))
             s->ring[s->rings++] = ring_of(q);
     s->owner = new_array(islands_count(s), sizeof *s->owner);
     s->island = new_array(islands_count(s), sizeof(struct island *));
@@ -430,10 +441,9 @@ static struct objective *judge_new(const struct problem *p, const struct columns
     return judge;
 }
 
-/* Merges the fronts of all islands, in their order, and chooses the champions, on rank 0.
+/* Merges the fronts of all islands, in their order.
  * Collective. */
-static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s,
-                           struct objective *judge)
+static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s)
 {
     struct reports f = islands_reports(s, call->team);
     size_t members = 0;
@@ -455,9 +465,16 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         members = 0;
         lowest = INFINITY;
     }
-    if (call->team->rank == 0)
-        archive_choose_champions(p->archive, &p->plan, p->objective, judge);
     reports_free(&f);
+}
+
+static void choose(const struct call *call, const struct problem *p, const struct archive *shipped,
+                   struct objective *judge)
+{
+    if (p->archive->knees && shipped && judge && call->options->generations > 0)
+        archive_choose_knees(p->archive, shipped, p->objective, judge);
+    else
+        archive_choose_champions(p->archive, &p->plan, p->objective, judge);
 }
 
 /* Returns false with *d filled if a tier has no expression, with `all`, or if no tier has any. */
@@ -469,7 +486,7 @@ static bool found(const struct archive *a, bool all, struct diag *d)
             lacking++;
             first = i;
         }
-    return lacking == 0 || (!all && lacking < a->scene->tiers) ||
+    return lacking == 0 || (!(all && !a->knees) && lacking < a->scene->tiers) ||
            diag_at(d, a->scene->path, 0, 0, "tier '%s': no expression has a finite error on every sample",
                    a->scene->tier[first].name);
 }
@@ -479,8 +496,8 @@ enum { HURRIED = 10000 };
 
 /* Writes the results, on rank 0, to the files and in a table. */
 static bool write_found(const struct call *call, const struct problem *p, const char *output,
-                        const struct heldout *heldout, struct objective *judge, const struct outcome *out,
-                        struct diag *d)
+                        const struct archive *shipped, const struct heldout *heldout, struct objective *judge,
+                        const struct outcome *out, struct diag *d)
 {
     struct archive *a = p->archive;
     const struct evolve_options *o = call->options;
@@ -505,12 +522,25 @@ static bool write_found(const struct call *call, const struct problem *p, const 
     archive_table(a, stdout);
     if (o->front && o->generations > 0)
         archive_front_table(a, stdout);
-    if (!run_verdict(call, p, heldout, d))
+    if (!run_verdict(call, p, shipped, heldout, d))
         return false;
     if (fflush(stdout) != 0)
         return diag_system(d, "standard output", "cannot write");
     *d = (struct diag){.code = out->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* reported when it happened */
     return !out->unsaved && found(a, true, d);
+}
+
+/* Chooses the champions and writes them, on rank 0. */
+static bool conclude(const struct run *r, struct diag *d)
+{
+    const struct problem *p = &r->problem;
+    struct objective *judge = judge_new(p, &r->samples.validation);
+    struct archive *shipped = run_shipped(&r->call, p);
+    choose(&r->call, p, shipped, judge);
+    const bool written = write_found(&r->call, p, r->files.output, shipped, &r->samples.heldout, judge, &r->outcome, d);
+    archive_free(shipped);
+    objective_free(judge);
+    return written;
 }
 
 static void problem_free(struct problem *p)
@@ -554,12 +584,8 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
             start_islands(&r.call, p, &r.islands, d) && evolve_islands(&r.call, p, &r.islands, &r.files, &r.outcome, d);
     }
     if (good) {
-        struct objective *judge = judge_new(p, &r.samples.validation);
-        collect_fronts(&r.call, p, &r.islands, judge);
-        const bool written =
-            team->rank > 0 || write_found(&r.call, p, r.files.output, &r.samples.heldout, judge, &r.outcome, d);
-        good = team_agree(team, written, d);
-        objective_free(judge);
+        collect_fronts(&r.call, p, &r.islands);
+        good = team_agree(team, team->rank > 0 || conclude(&r, d), d);
     }
     *status = stop_status(r.outcome.reason);
     run_free(&r);

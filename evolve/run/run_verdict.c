@@ -12,10 +12,10 @@
 
 /* The functions of the kind, as an archive of the same scene, and some of the held-out samples. */
 struct beside {
-    struct archive *shipped; /* owned */
-    struct sample *sample;   /* owned */
-    struct columns table;    /* the samples, as columns of the bare program */
-    struct objective *judge; /* owned */
+    const struct archive *shipped; /* not owned */
+    struct sample *sample;         /* owned */
+    struct columns table;          /* the samples, as columns of the bare program */
+    struct objective *judge;       /* owned */
 };
 
 static bool choose_samples(struct beside *b, struct sampler *p, struct diag *d)
@@ -30,23 +30,27 @@ static bool choose_samples(struct beside *b, struct sampler *p, struct diag *d)
     return good;
 }
 
-/* Returns false without a comparison: no genomes of the kind, or they are the scene's own. */
-static bool find_beside(const struct call *call, const struct problem *p, const struct heldout *heldout,
-                        struct beside *b)
+struct archive *run_shipped(const struct call *call, const struct problem *p)
 {
     char path[1024];
     struct diag d = {.code = EXIT_DONE};
-    if (!run_files_of_kind(call, p->scene, path))
-        return false;
+    const bool needed = call->options->generations > 0 || call->options->page;
+    if (!needed || !run_files_of_kind(call, p->scene, path))
+        return NULL;
     struct genome_file *program = frame_program(call->options->root, p->scene, path, &d);
-    b->shipped = program ? archive_new(p->scene, program, path, true, &d) : NULL;
-    if (!b->shipped)
-        return false;
-    struct objective *training = objective_new(b->shipped->program, &p->table, p->scene->norm);
+    struct archive *shipped = program ? archive_new(p->scene, program, path, true, &d) : NULL;
+    if (!shipped)
+        return NULL;
+    struct objective *training = objective_new(shipped->program, &p->table, p->scene->norm);
     training->decimal = true;
-    archive_measure(b->shipped, &p->plan, training);
+    archive_measure(shipped, &p->plan, training);
     objective_free(training);
-    const bool good = choose_samples(b, heldout->part[0], &d);
+    return shipped;
+}
+
+static bool measure_beside(const struct problem *p, const struct heldout *heldout, struct beside *b, struct diag *d)
+{
+    const bool good = choose_samples(b, heldout->part[0], d);
     b->judge = objective_new(b->shipped->program, &b->table, p->scene->norm);
     b->judge->decimal = true;
     return good;
@@ -57,7 +61,6 @@ static void free_beside(struct beside *b)
     objective_free(b->judge);
     columns_free(&b->table);
     free(b->sample);
-    archive_free(b->shipped);
 }
 
 /* ---- the page ---- */
@@ -156,18 +159,21 @@ static bool write_page(const struct call *call, const struct problem *p, const s
     return written;
 }
 
-bool run_verdict(const struct call *call, const struct problem *p, const struct heldout *heldout, struct diag *d)
+bool run_verdict(const struct call *call, const struct problem *p, const struct archive *shipped,
+                 const struct heldout *heldout, struct diag *d)
 {
-    struct beside b = {.shipped = NULL};
-    bool any = false, written = true;
-    if ((call->options->generations == 0 && !call->options->page) || !find_beside(call, p, heldout, &b))
+    struct beside b = {.shipped = shipped};
+    bool any = false, good;
+    if (!shipped)
         return true;
-    for (size_t i = 0; i < b.shipped->quests; i++)
-        any = any || (quest_of_programs(&b.shipped->quest[i]) && b.shipped->quest[i].champion.genes.length > 0);
-    if (any && call->options->generations > 0)
-        archive_verdict(p->archive, b.shipped, b.judge, stdout);
-    if (call->options->page && b.table.n > 0)
-        written = write_page(call, p, &b, d);
+    good = measure_beside(p, heldout, &b, d);
+    if (good) {
+        for (size_t i = 0; i < shipped->quests; i++)
+            any = any || (quest_of_programs(&shipped->quest[i]) && shipped->quest[i].champion.genes.length > 0);
+        if (any && call->options->generations > 0)
+            archive_verdict(p->archive, shipped, b.judge, stdout);
+        good = !call->options->page || b.table.n == 0 || write_page(call, p, &b, d);
+    }
     free_beside(&b);
-    return written;
+    return good;
 }

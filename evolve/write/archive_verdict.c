@@ -6,30 +6,55 @@
 
 static const double worth = 0.9; /* an error above this part of the old error is no gain */
 
-/* A tier's function of this run and the shipped function, on the same samples. */
-struct row {
+/* A function on the samples. */
+struct measured {
     const char *tier; /* not owned */
-    double error, cost, shipped_error, shipped_cost;
+    double error, cost;
+};
+
+/* A function of this run, and the shipped function that takes its place. */
+struct row {
+    struct measured own, rival;
     double gain; /* ratio of errors, or of costs if right to rounding; at most 1: no gain */
 };
 
-static double gain_of(const struct row *r, double rounding)
+/* Returns the most accurate shipped function that is as cheap, or the cheapest of all; beside a function right to rounding, the
+ * cheapest that is so, too. */
+static const struct measured *rival_of(const struct measured *own, const struct measured *shipped, size_t n,
+                                       double rounding)
 {
-    if (r->cost > r->shipped_cost / worth)
-        return 1;
-    return r->shipped_error > rounding ? r->shipped_error / r->error : r->shipped_cost / r->cost;
+    const struct measured *cheapest = NULL, *accurate = NULL, *exact = NULL;
+    for (const struct measured *s = shipped; s < shipped + n; s++) {
+        if (!cheapest || s->cost < cheapest->cost)
+            cheapest = s;
+        if (s->cost <= own->cost && (!accurate || s->error < accurate->error))
+            accurate = s;
+        if (s->error <= rounding && own->error <= rounding && (!exact || s->cost < exact->cost))
+            exact = s;
+    }
+    return exact ? exact : accurate ? accurate : cheapest;
 }
 
-static struct row row_of(const struct archive *a, const struct archive *shipped, struct objective *judge, size_t quest)
+static struct measured measure(const struct archive *shipped, struct objective *judge, const struct quest *q)
 {
-    const struct quest *own = &a->quest[quest], *old = &shipped->quest[quest];
-    struct row r = {.tier = own->own->name, .cost = own->champion.cost, .shipped_cost = old->champion.cost};
-    if (!quest_of_programs(own) || own->champion.genes.length == 0 || old->champion.genes.length == 0)
-        return r;
-    r.error = archive_bare_error(shipped, judge, old, &own->champion.genes);
-    r.shipped_error = archive_bare_error(shipped, judge, old, &old->champion.genes);
-    r.gain = gain_of(&r, objective_rounding(a->scene->norm));
-    return r;
+    return (struct measured){q->own->name, archive_bare_error(shipped, judge, q, &q->champion.genes), q->champion.cost};
+}
+
+/* Measures the programs of an archive; returns their number. */
+static size_t measure_all(const struct archive *of, const struct archive *shipped, struct objective *judge,
+                          struct measured *found)
+{
+    size_t n = 0;
+    for (const struct quest *q = of->quest; q < of->quest + of->quests; q++)
+        if (quest_of_programs(q) && q->champion.genes.length > 0)
+            found[n++] = measure(shipped, judge, q);
+    return n;
+}
+
+static double gain_of(const struct measured *own, const struct measured *rival, double rounding)
+{
+    const bool exact = own->error <= rounding && rival->error <= rounding;
+    return exact ? rival->cost / own->cost : rival->error / own->error;
 }
 
 static void print_name(const char *scene, const char *tier, FILE *stream)
@@ -38,6 +63,15 @@ static void print_name(const char *scene, const char *tier, FILE *stream)
     for (const char *c = scene; *c; c++)
         fputc(*c == '-' ? '_' : *c, stream);
     fprintf(stream, "_%s", tier);
+}
+
+static void print_row(const struct archive *a, const struct row *r, FILE *stream)
+{
+    fputs("use ", stream);
+    print_name(a->scene->name, r->own.tier, stream);
+    fprintf(stream, ": error %.1e at cost %.0f; ", r->own.error, r->own.cost);
+    print_name(a->scene->segment->name, r->rival.tier, stream);
+    fprintf(stream, " has %.1e at %.0f\n", r->rival.error, r->rival.cost);
 }
 
 /* Returns the gain that at most five rows exceed. */
@@ -57,23 +91,25 @@ static double least_told(const struct row *row, size_t n)
 
 void archive_verdict(const struct archive *a, const struct archive *shipped, struct objective *judge, FILE *stream)
 {
-    const char *kind = a->scene->segment->name;
+    const double rounding = objective_rounding(a->scene->norm);
+    struct measured *own = new_array(a->quests, sizeof *own), *old = new_array(shipped->quests, sizeof *old);
     struct row *row = new_array(a->quests, sizeof *row);
-    size_t told = 0;
-    for (size_t i = 0; i < a->quests; i++)
-        row[i] = row_of(a, shipped, judge, i);
-    const double least = least_told(row, a->quests);
-    for (size_t i = 0; i < a->quests; i++) {
-        if (!(row[i].gain > least))
-            continue;
-        fputs("use ", stream);
-        print_name(a->scene->name, row[i].tier, stream);
-        fprintf(stream, ": error %.1e at cost %.0f; ", row[i].error, row[i].cost);
-        print_name(kind, row[i].tier, stream);
-        fprintf(stream, " has %.1e at %.0f\n", row[i].shipped_error, row[i].shipped_cost);
-        told++;
+    const size_t n = measure_all(a, shipped, judge, own), rivals = measure_all(shipped, shipped, judge, old);
+    for (size_t i = 0; i < n && rivals > 0; i++) {
+        const struct measured *rival = rival_of(&own[i], old, rivals, rounding);
+        row[i] = (struct row){own[i], *rival, gain_of(&own[i], rival, rounding)};
     }
+    const double least = least_told(row, n);
+    size_t told = 0;
+    for (size_t i = 0; i < n; i++)
+        if (row[i].gain > least) {
+            print_row(a, &row[i], stream);
+            told++;
+        }
     if (told == 0)
-        fprintf(stream, "nothing found that is better than the functions of footpoint_%s.h: use these\n", kind);
+        fprintf(stream, "nothing found that is better than the functions of footpoint_%s.h: use these\n",
+                a->scene->segment->name);
+    free(own);
+    free(old);
     free(row);
 }
