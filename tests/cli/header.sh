@@ -63,15 +63,20 @@ for header in generated/*.h; do
         esac
         case $compiler in *++*) source=use.cpp ;; *) source=use.c ;; esac
         # Another language or a later standard may refuse something; what the compiler makes of it is the same.
+        # Derivatives are not called here.
+        case $compiler$name in *_derivatives.h | *++*) run="-fsyntax-only $source" ;; *) run="$source -o use -lm" ;; esac
         case $compiler in *=c99) level= ;; *) level=-O0 ;; esac
-        (cd "$work/alone" && $compiler $strict $level $source -o use -lm && ./use) > "$work/log" 2>&1
+        [ "$type" != float ] || level="$level -Wdouble-promotion"
+        [ -z "$FOOTPOINT_LONG" ] || run="$source -o use -lm"
+        # shellcheck disable=SC2086
+        (cd "$work/alone" && rm -f use && $compiler $strict $level $run && { [ ! -e use ] || ./use; }) > "$work/log" 2>&1
         good=$?
         [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
         report $((!good)) "$name alone, $compiler"
+        [ "$compiler" != "$CC -std=c99" ] || cp "$work/alone/use" "$work/alone/narrow" 2> /dev/null
     done
     if [ "$type" = float ]; then
-        (cd "$work/alone" && $CC -std=c99 $strict -Wdouble-promotion -c use.c -o use.o && ! objdump -d use.o | grep -E '[a-z](ss2sd|ps2pd|sd2ss|pd2ps|(add|sub|mul|div|sqrt)[sp]d)') \
-            > "$work/log" 2>&1
+        ! objdump -d "$work/alone/narrow" | grep -E '[a-z](ss2sd|ps2pd|sd2ss|pd2ps|(add|sub|mul|div|sqrt)[sp]d)' > "$work/log" 2>&1
         good=$?
         [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
         report $((!good)) "$name computes nothing in double"
@@ -215,13 +220,16 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
             *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
             esac
             case $compiler in *++*) source=use.cpp ;; *) source=use.c ;; esac
-            (cd "$work/fresh" && $compiler $strict $source -o use -lm && ./use) > "$work/log" 2>&1
+            case $compiler in *++*) run="-fsyntax-only $source" ;; *) run="$source -o use -lm" ;; esac
+            [ -z "$FOOTPOINT_LONG" ] || run="$source -o use -lm"
+            # shellcheck disable=SC2086
+            (cd "$work/fresh" && rm -f use && $compiler $strict $run && { [ ! -e use ] || ./use; }) > "$work/log" 2>&1
             good=$?
             [ $good -eq 0 ] || head -20 "$work/log" | sed 's/^/# /'
             report $((!good)) "$name in $type, fresh, $compiler"
         done
-        case $name$type in *quad* | *tri*) continue ;; scalarsdouble) few=1 ;; *) few=$FOOTPOINT_LONG ;; esac
-        if [ -n "$few" ] && command -v nvcc > /dev/null; then
+        case $name in *quad* | *tri*) continue ;; esac
+        if [ -n "$FOOTPOINT_LONG" ] && command -v nvcc > /dev/null; then
             (cd "$work/fresh" && cp use.c use.cu && nvcc -c use.cu -o use.o) > "$work/log" 2>&1
             good=$?
             [ $good -eq 0 ] || head -20 "$work/log" | sed 's/^/# /'
