@@ -11,13 +11,13 @@ for compiler in gcc clang; do
         for contract in '-ffp-contract=off' "$fused"; do
             [ -n "$contract" ] || continue
             hard_build "$work/hard" $compiler $level $contract
-            hard_check "families, $compiler $level $contract" "$work/hard" 500
-            hard_check "certain functions, $compiler $level $contract" "$work/hard" --certain 20000
+            hard_check "families, $compiler $level $contract" "$work/hard" 200
+            hard_check "certain functions, $compiler $level $contract" "$work/hard" --certain 10000
         done
     done
 done
 hard_build "$work/hard" gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
-hard_check 'families, sanitizers' "$work/hard" 300
+hard_check 'families, sanitizers' "$work/hard" 100
 hard_build "$work/hard" gcc -O3 -ffp-contract=off
 calls=${HARD_CALLS:-550000}
 for seed in 1 2; do
@@ -29,11 +29,11 @@ for seed in 1 2; do
     awk -F, '$1 == "all" { wrong += $10 + $11; n++ } END { exit !(n == 9 && wrong == 0) }' "$work/certain$seed"
     report $((! $?)) "$calls cases for the certain functions, seed $seed: 0 wrong"
 done
-for seed in 11 12 13 14; do
+for seed in 11 12; do
     hard_check "families, 5000 of each, seed $seed" "$work/hard" 5000 $seed
 done
-gcc -std=c11 -D_DEFAULT_SOURCE -O3 -DNDEBUG -ffp-contract=off tests/hard/time_main.c tests/hard/hard.c tests/hard/draw.c tests/hard/wild.c $(ls runtime/*/*.c | grep -v /replace/) -lm -o "$work/time" &&
-    "$work/time" > "$work/table"
-good=$?
+gcc -std=c11 -D_DEFAULT_SOURCE -O3 -DNDEBUG -ffp-contract=off tests/hard/time_main.c tests/hard/hard.c tests/hard/draw.c tests/hard/wild.c $(ls runtime/*/*.c | grep -v /replace/) -lm -o "$work/time"
+report $((! $?)) 'the searches are timed'
+twice() { "$work/time" > "$work/table"; }
+steady 'footpoint_robust takes at most twice the time of the expression on ordinary segments' twice
 sed 's/^/# /' "$work/table"
-report $((! good)) 'footpoint_robust takes at most twice the time of the expression on ordinary segments'
