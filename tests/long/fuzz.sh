@@ -8,7 +8,7 @@ if ! { echo 'int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long);'
     exit 0
 fi
 sources=$(ls codegen/*/*.c)
-awk -f codegen/print/templates.awk codegen/print/templates/*.h > "$work/templates.inc"
+awk -f codegen/print/templates.awk codegen/print/templates/*.h codegen/print/templates/*/*.h > "$work/templates.inc"
 clang -std=c11 -D_DEFAULT_SOURCE -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all \
     -I"$work" tests/fuzz/fuzz_genome.c $sources $(pkg-config --libs libmd) -lflint-arb -lflint -lmpfr -lgmp -lm -o "$fuzzer"
 report $((! $?)) 'the fuzzer builds'

@@ -13,7 +13,7 @@ if ! clang -std=c11 -D_DEFAULT_SOURCE -O1 -g -ffp-contract=off -fsanitize=fuzzer
 fi
 mkdir "$work/corpus"
 cp tests/fuzz/closest/* "$work/corpus"
-"$fuzzer" -max_len=120 -timeout=20 -max_total_time=30 -seed=1 -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus" \
+"$fuzzer" -max_len=120 -timeout=20 -max_total_time=${FUZZ_SECONDS:-30} -seed=1 -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus" \
     > "$work/log" 2>&1
 status=$?
 [ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40 | sed 's/^/# /'; base64 "$work"/crash-* "$work"/timeout-* 2> /dev/null | sed 's/^/# /'; }

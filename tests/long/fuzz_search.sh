@@ -6,7 +6,7 @@ mkdir "$work/corpus"
 cp tests/fuzz/search/*.bin "$work/corpus"
 # shellcheck disable=SC2086
 if clang $flags -fsanitize=fuzzer $sources -lm -o "$work/fuzzer" 2> /dev/null; then
-    "$work/fuzzer" -max_len=800 -timeout=20 -rss_limit_mb=2048 -max_total_time=60 -seed=1 -print_final_stats=1 \
+    "$work/fuzzer" -max_len=800 -timeout=20 -rss_limit_mb=2048 -max_total_time=${FUZZ_SECONDS:-60} -seed=1 -print_final_stats=1 \
         -artifact_prefix="$work/" "$work/corpus" > "$work/log" 2>&1
     status=$?
     [ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40 | sed 's/^/# /'; base64 "$work"/crash-* "$work"/timeout-* 2> /dev/null | sed 's/^/# /'; }
