@@ -76,6 +76,8 @@ WARN := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 OPT_release := -O3 -DNDEBUG
 TOOL_OPT_release := -O2
 TEST_OPT_release := -O1
+TOOL_OPT_fma := -O2
+TEST_OPT_fma := -O1
 OPT_debug   := -O0 -g
 OPT_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT_fma     := -O3 -mfma -ffp-contract=fast

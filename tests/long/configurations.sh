@@ -5,7 +5,7 @@ unset FOOTPOINT_LONG
 export ISAS=quick # of the bench: how fast it is is no matter here
 for config in asan fma debug; do
     make -s CONFIG=$config all bench-program paper-programs > "$work/log" 2>&1 && if [ $config != debug ]; then
-        make -s CONFIG=$config $(ls tests/*/test_*.c | sed "s|.*/\(.*\)\.c|build/$config/bin/tests/\1|") >> "$work/log" 2>&1
+        make -s CONFIG=$config $(ls tests/*/test_*.c tests/*/*/test_*.c | sed "s|.*/\(.*\)\.c|build/$config/bin/tests/\1|") >> "$work/log" 2>&1
     fi
     report $((! $?)) "$config builds"
     [ $config != debug ] || continue
