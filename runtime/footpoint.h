@@ -98,6 +98,10 @@ int footpoint_locate(const double xA[3], const double xB[3], const double xC[3],
 size_t footpoint_locate_pairs(size_t n, const double *xyz, size_t nodes, const int *seg, const int *slave, double *loc,
                               double *gap, int *status);
 
+/** Projects a slave node along a direction: footpoint_face_along of a four-node segment. */
+int footpoint_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                    const double along[3], double loc[2], double *dist);
+
 /** Finds a foot point by iteration, for comparison and for cases outside the iteration-free search: from the centre, up to
  *  three Gauss-Newton steps, then Newton's method on (7), (8) with the full Hessian.  It finds a stationary point of the
  *  distance, usually the nearest; far from the segment or near its centre of curvature it may be another.

@@ -75,6 +75,25 @@ int footpoint_track(enum footpoint_face face, const double *x, double loc[2], do
 size_t footpoint_track_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
                              const int *slave, double *loc, double *gap, int *status);
 
+/** Projects a slave node along a direction: where the line through xS meets the face, as footpoint_KIND_along of generated/.
+ *  FOOTPOINT_OK: the line is proved to meet the surface within 1e-9 of xi and eta, and the face nowhere else.
+ *  @param[in]  along  the direction, of any length but 0, such as an averaged normal
+ *  @param[out] loc    {xi, eta}
+ *  @param[out] dist   xS = r(xi, eta) + dist along / |along|, mesh length
+ *  @return FOOTPOINT_OK, FOOTPOINT_OUTSIDE (the line meets the surface beyond the face), FOOTPOINT_NOT_UNIQUE (it meets the
+ *          face again; the answer is nearest to xS), FOOTPOINT_UNPROVED, FOOTPOINT_ERR_DOMAIN (no point is found),
+ *          FOOTPOINT_ERR_DEGENERATE (no area or direction, or a line in the face), FOOTPOINT_ERR_NOT_FINITE,
+ *          FOOTPOINT_ERR_ARGUMENT */
+int footpoint_face_along(enum footpoint_face face, const double *x, const double along[3], double loc[2], double *dist);
+
+/** Calls footpoint_face_along for n pairs, with the same bits, using AVX-512 or AVX2 if available.
+ *  @param[in]  along  n x 3: a direction for each pair
+ *  @param[in]  xyz, seg, slave    as in footpoint_face_locate_pairs
+ *  @param[out] loc, dist, status  likewise
+ *  @return the number of pairs whose status is not FOOTPOINT_OK */
+size_t footpoint_face_along_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
+                                  const int *slave, const double *along, double *loc, double *dist, int *status);
+
 /** Finds the closest point of the face, its edges and corners included, as NAME_closest of generated/.  It is proved.
  *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face, see "Signs" in footpoint.h
  *  @param[out] region    the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; on a

@@ -52,6 +52,17 @@ static void spread_packed(const double *from, int vectors, double *to)
             eta[i] = 0.0;                                                                                              \
     }
 
+#define FLAT_ALONG(loop, vectors)                                                                                      \
+    static void along_flat(size_t n, const double *const *columns, double *xi, double *eta, double *dist, int *status) \
+    {                                                                                                                  \
+        const double *flat[2 * (vectors)], *const along[2] = {columns[3 * (vectors)], columns[3 * (vectors) + 1]};     \
+        for (int k = 0; k < 2 * (vectors); k++)                                                                        \
+            flat[k] = columns[3 * (k / 2) + k % 2];                                                                    \
+        loop(n, flat, along, xi, dist, status);                                                                        \
+        for (size_t i = 0; i < n; i++)                                                                                 \
+            eta[i] = 0.0;                                                                                              \
+    }
+
 /* The closest point with certainty, as footpoint_face_robust: of an edge all of whose nodes are one point that point; where
  * the header proves no place, the distance if IS_NEAREST proves that. */
 #define EDGE_KIND(kind, tier, count)                                                                                   \
@@ -155,9 +166,18 @@ static void spread_packed(const double *from, int vectors, double *to)
             d_normal[6 * (count + 1) + i] = 0.0;                                                                       \
         return differentiate(x, s, loc, NULL, NULL, NULL, NULL, gap, d_xi, d_eta, d_gap);                              \
     }                                                                                                                  \
-    const struct face footpoint_face_##kind = {{count, 0, locate, locate_block, 0},                                    \
-                                               {count, 0, locate, locate_block, 0},                                    \
-                                               {count, 0, track, track_block, 1},                                      \
+    FLAT_ALONG(footpoint_##kind##_along_n, count + 1)                                                                  \
+    BLOCKS_OF(along, along_flat)                                                                                       \
+    static int along(const double *const *x, const double *s, double *loc, double *dist)                               \
+    {                                                                                                                  \
+        double xi = 0.0;                                                                                               \
+        const int status = footpoint_##kind##_along(X##count, s, x[count + 1], &xi, dist);                             \
+        return placed(status, xi, loc);                                                                                \
+    }                                                                                                                  \
+    const struct face footpoint_face_##kind = {{count, 0, locate, locate_block, 0, 0},                                 \
+                                               {count, 0, locate, locate_block, 0, 0},                                 \
+                                               {count, 0, track, track_block, 1, 0},                                   \
+                                               {count, 0, along, along_block, 0, 1},                                   \
                                                0.0,                                                                    \
                                                NULL,                                                                   \
                                                closest,                                                                \

@@ -84,9 +84,15 @@
     {                                                                                                                  \
         return footpoint_##kind##_hessian(X##count, s, loc, gap, d_xi, d_eta, d_gap, d_normal, second);                \
     }                                                                                                                  \
-    const struct face footpoint_face_##kind = {{count, 0, locate, locate_block, 0},                                    \
-                                               {count, 0, start, start##_block, 0},                                    \
-                                               {count, 0, track, track_block, 1},                                      \
+    ALONG_BLOCKS(footpoint_##kind##_along_n, count)                                                                    \
+    static int along(const double *const *x, const double *s, double *loc, double *dist)                               \
+    {                                                                                                                  \
+        return footpoint_##kind##_along(X##count, s, x[count + 1], loc, dist);                                         \
+    }                                                                                                                  \
+    const struct face footpoint_face_##kind = {{count, 0, locate, locate_block, 0, 0},                                 \
+                                               {count, 0, start, start##_block, 0, 0},                                 \
+                                               {count, 0, track, track_block, 1, 0},                                   \
+                                               {count, 0, along, along_block, 0, 1},                                   \
                                                PROMISE,                                                                \
                                                IS_CLOSEST,                                                             \
                                                closest,                                                                \

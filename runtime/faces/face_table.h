@@ -10,6 +10,7 @@ struct face {
     struct pairs_kind pairs;
     struct pairs_kind start; /* with which footpoint_face_robust begins */
     struct pairs_kind track; /* from last answers */
+    struct pairs_kind along; /* projection along a direction, which follows the slave node in x */
     double promise;          /* on a plane face: NAME_PROMISE of that search, or 0 if it proves nothing */
     int (*is_closest)(const double *const *x, const double *s,
                       const double *loc); /* see curved.h; NULL on plane faces */

@@ -60,6 +60,24 @@ int footpoint_track(enum footpoint_face face, const double *x, double loc[2], do
     return f->track.locate(r.x, r.s, loc, gap);
 }
 
+int footpoint_face_along(enum footpoint_face face, const double *x, const double along[3], double loc[2], double *dist)
+{
+    const struct face *const f = footpoint_face_of(face);
+    if (!f)
+        return FOOTPOINT_ERR_ARGUMENT;
+    struct rows r = rows_of(f, x);
+    r.x[f->pairs.nodes] = r.s;
+    r.x[f->pairs.nodes + 1] = along;
+    return f->along.locate(r.x, r.s, loc, dist);
+}
+
+int footpoint_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                    const double along[3], double loc[2], double *dist)
+{
+    const double *const x[] = {xA, xB, xC, xD, xS, along};
+    return footpoint_face_quad4.along.locate(x, xS, loc, dist);
+}
+
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region)
 {
     const struct face *const f = footpoint_face_of(face);
@@ -223,7 +241,7 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
                                    const int *slave, double *loc, double *gap, int *status)
 {
     const struct face *const f = footpoint_face_of(face);
-    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
+    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave, NULL};
     return footpoint_pairs_locate(f ? &f->pairs : NULL, &pairs, loc, gap, status);
 }
 
@@ -231,8 +249,16 @@ size_t footpoint_track_pairs(enum footpoint_face face, size_t n, const double *x
                              const int *slave, double *loc, double *gap, int *status)
 {
     const struct face *const f = footpoint_face_of(face);
-    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
+    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave, NULL};
     return footpoint_pairs_locate(f ? &f->track : NULL, &pairs, loc, gap, status);
+}
+
+size_t footpoint_face_along_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
+                                  const int *slave, const double *along, double *loc, double *dist, int *status)
+{
+    const struct face *const f = footpoint_face_of(face);
+    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave, along};
+    return footpoint_pairs_locate(f ? &f->along : NULL, &pairs, loc, dist, status);
 }
 
 struct robust_answers {
@@ -257,7 +283,7 @@ size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const dou
                                    const int *slave, double *loc, double *distance, int *region, int *status)
 {
     const struct face *const f = footpoint_face_of(face);
-    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave};
+    const struct pairs pairs = {n, xyz, NULL, nodes, seg, slave, NULL};
     const struct robust_answers to = {f, loc, distance, region};
     return footpoint_pairs_finish(f ? &f->start : NULL, &pairs, finish_robust, &to, status);
 }

@@ -42,6 +42,15 @@
     {                                                                                                                  \
         name##_block_plain(columns, xi, eta, gap, status);                                                             \
     }
+/* A block of projections along directions, whose columns follow those of `nodes` nodes and the slave node. */
+#define ALONG_BLOCKS(loop, nodes)                                                                                      \
+    static inline void along_n(size_t n, const double *const *columns, double *xi, double *eta, double *dist,          \
+                               int *status)                                                                            \
+    {                                                                                                                  \
+        loop(n, columns, columns + 3 * (nodes) + 3, xi, eta, dist, status);                                            \
+    }                                                                                                                  \
+    BLOCKS_OF(along, along_n)
+
 #endif
 
 #define SEARCH(name, kind, tier, vectors)                                                                              \
@@ -57,5 +66,14 @@
         return footpoint_##kind##_##tier##_from(X##vectors, s, loc, gap);                                              \
     }                                                                                                                  \
     BLOCKS_OF(track, footpoint_##kind##_##tier##_from_n)
+
+/* A block of projections along directions, whose columns follow those of `nodes` nodes and the slave node. */
+#define ALONG_BLOCKS(loop, nodes)                                                                                      \
+    static inline void along_n(size_t n, const double *const *columns, double *xi, double *eta, double *dist,          \
+                               int *status)                                                                            \
+    {                                                                                                                  \
+        loop(n, columns, columns + 3 * (nodes) + 3, xi, eta, dist, status);                                            \
+    }                                                                                                                  \
+    BLOCKS_OF(along, along_n)
 
 #endif

@@ -6,9 +6,17 @@ struct columns {
     int status[PAIRS_BLOCK], valid[PAIRS_BLOCK]; /* valid: all indices are in range */
 };
 
+/* Returns the number of a pair's vectors. */
+static int vectors_with(const struct pairs_kind *kind)
+{
+    return kind->nodes + kind->normals + 1 + kind->directions;
+}
+
 /* Returns vector k of a pair, or NULL if an index is out of range. */
 static const double *vector_of(const struct pairs_kind *kind, const struct pairs *p, size_t pair, int k)
 {
+    if (k > kind->nodes + kind->normals)
+        return p->along + 3 * pair;
     const int is_normal = k >= kind->nodes && k < kind->nodes + kind->normals, corner = is_normal ? k - kind->nodes : k;
     const int index = corner < kind->nodes ? p->seg[pair * (size_t)kind->nodes + (size_t)corner] : p->slave[pair];
     return index < 0 || (size_t)index >= p->nodes ? NULL : (is_normal ? p->normals : p->xyz) + 3 * (size_t)index;
@@ -18,21 +26,21 @@ static const double *vector_of(const struct pairs_kind *kind, const struct pairs
 static void locate_block(const struct pairs_kind *kind, const struct pairs *p, size_t first, size_t count,
                          const double *last, struct columns *c)
 {
-    const int vectors = kind->nodes + kind->normals;
+    const int vectors = vectors_with(kind);
     const double *column[3 * PAIRS_MOST_VECTORS];
     for (size_t i = 0; i < PAIRS_BLOCK; i++) {
         const size_t pair = first + (i < count ? i : count - 1);
         c->valid[i] = 1;
         c->xi[i] = last ? last[2 * pair] : 0.0;
         c->eta[i] = last ? last[2 * pair + 1] : 0.0;
-        for (int k = 0; k <= vectors; k++) {
+        for (int k = 0; k < vectors; k++) {
             const double *const x = vector_of(kind, p, pair, k);
             c->valid[i] = c->valid[i] && x;
             for (int j = 0; j < 3; j++)
                 c->x[3 * k + j][i] = x ? x[j] : 0.0;
         }
     }
-    for (int k = 0; k < 3 * (vectors + 1); k++)
+    for (int k = 0; k < 3 * vectors; k++)
         column[k] = c->x[k];
     kind->block(column, c->xi, c->eta, c->gap, c->status);
 }
@@ -40,7 +48,7 @@ static void locate_block(const struct pairs_kind *kind, const struct pairs *p, s
 /* Copies the vectors of a pair from its columns. */
 static void vectors_of(const struct pairs_kind *kind, const struct columns *c, size_t i, double y[][3])
 {
-    for (int k = 0; k <= kind->nodes + kind->normals; k++)
+    for (int k = 0; k < vectors_with(kind); k++)
         for (int j = 0; j < 3; j++)
             y[k][j] = c->x[3 * k + j][i];
 }
@@ -49,10 +57,9 @@ static void vectors_of(const struct pairs_kind *kind, const struct columns *c, s
 static int locate_one(const struct pairs_kind *kind, const double y[][3], double *loc, double *gap)
 {
     const double *x[PAIRS_MOST_VECTORS];
-    const int vectors = kind->nodes + kind->normals;
-    for (int k = 0; k <= vectors; k++)
+    for (int k = 0; k < vectors_with(kind); k++)
         x[k] = y[k];
-    return kind->locate(x, x[vectors], loc, gap);
+    return kind->locate(x, x[kind->nodes + kind->normals], loc, gap);
 }
 
 static size_t refuse_all(const struct pairs *p, int *status)

@@ -4,15 +4,16 @@
 
 #include "../footpoint.h"
 
-enum { PAIRS_BLOCK = 32, PAIRS_MOST_VECTORS = 10 }; /* including the slave node */
+enum { PAIRS_BLOCK = 32, PAIRS_MOST_VECTORS = 11 }; /* including the slave node and a direction */
 
 /* A kind of face or patch: its number of nodes, for patches also of unit normals, and its searches. */
 struct pairs_kind {
     int nodes, normals;
     int (*locate)(const double *const *x, const double *s, double *loc, double *gap);
-    /* Searches PAIRS_BLOCK pairs; coordinate i of vector k, the slave node being the last, is in column 3 k + i. */
+    /* Searches PAIRS_BLOCK pairs; coordinate i of vector k, the slave node behind the others, is in column 3 k + i. */
     void (*block)(const double *const *columns, double *xi, double *eta, double *gap, int *status);
-    int tracks; /* loc, xi and eta hold last answers on entry */
+    int tracks;     /* loc, xi and eta hold last answers on entry */
+    int directions; /* 1 if a direction follows the slave node, otherwise 0 */
 };
 
 struct pairs {
@@ -20,6 +21,7 @@ struct pairs {
     const double *xyz, *normals; /* by node index */
     size_t nodes;
     const int *seg, *slave;
+    const double *along; /* n x 3 directions, or NULL */
 };
 
 /* Only for files of the library. */

@@ -22,6 +22,6 @@
         return footpoint_##kind##_gradients(X8, s, loc, r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n,       \
                                             d_eta_n, d_gap_n);                                                         \
     }                                                                                                                  \
-    const struct patch footpoint_patch_##kind = {{4, 4, locate, locate_block, 0}, place, differentiate};
+    const struct patch footpoint_patch_##kind = {{4, 4, locate, locate_block, 0, 0}, place, differentiate};
 
 #endif

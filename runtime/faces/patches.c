@@ -42,7 +42,7 @@ size_t footpoint_patch_locate_pairs(enum footpoint_patch patch, size_t n, const 
                                     int *status)
 {
     const struct patch *const p = patch_of(patch);
-    const struct pairs pairs = {n, xyz, normals, nodes, seg, slave};
+    const struct pairs pairs = {n, xyz, normals, nodes, seg, slave, NULL};
     return footpoint_pairs_locate(p ? &p->pairs : NULL, &pairs, loc, gap, status);
 }
 

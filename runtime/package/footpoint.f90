@@ -70,6 +70,13 @@ module footpoint
       integer(c_size_t) :: failed
     end function
 
+    function footpoint_along(xA, xB, xC, xD, xS, along, loc, dist) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3), along(3)
+      real(c_double), intent(inout) :: loc(2), dist
+      integer(c_int) :: status
+    end function
+
     function footpoint_newton(xA, xB, xC, xD, xS, max_iterations, tolerance, loc, gap, iterations) bind(C) &
         result(status)
       import :: c_int, c_double
@@ -219,6 +226,26 @@ module footpoint
       real(c_double), intent(in) :: xyz(3, *)
       integer(c_int), intent(in) :: seg(*), slave(*)
       real(c_double), intent(inout) :: loc(2, *), gap(*)
+      integer(c_int), intent(inout) :: status(*)
+      integer(c_size_t) :: failed
+    end function
+
+    function footpoint_face_along(face, x, along, loc, dist) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *), along(3)
+      real(c_double), intent(inout) :: loc(2), dist
+      integer(c_int) :: status
+    end function
+
+    function footpoint_face_along_pairs(face, n, xyz, nodes, seg, slave, along, loc, dist, status) bind(C) &
+        result(failed)
+      import :: c_int, c_size_t, c_double
+      integer(c_int), value :: face
+      integer(c_size_t), value :: n, nodes
+      real(c_double), intent(in) :: xyz(3, *), along(3, *)
+      integer(c_int), intent(in) :: seg(*), slave(*)
+      real(c_double), intent(inout) :: loc(2, *), dist(*)
       integer(c_int), intent(inout) :: status(*)
       integer(c_size_t) :: failed
     end function

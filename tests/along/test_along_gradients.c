@@ -1,6 +1,7 @@
 /* Derivatives of projection along a direction, FOOTPOINT_KIND_GRADIENTS_ALONG_OF(footpoint_KIND_along): with ordinary faces and
  * lines, and with slim faces and lines that are nearly parallel to them, against differences of two solutions by Newton's
- * method in quadruple precision.  What has status FOOTPOINT_OK is right to 1e-9 of the row's sum.  Some hundred lines a kind;
+ * method in quadruple precision.  What has status FOOTPOINT_OK is right to 1e-9 of the row's sum.  The library's projections are
+ * those of the headers.  Some hundred lines a kind;
  * FOOTPOINT_LONG=1: 1e5. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad4_derivatives.h"
@@ -12,6 +13,7 @@
 #include "../../generated/footpoint_tri3_derivatives.h"
 #include "../../generated/footpoint_tri6.h"
 #include "../../generated/footpoint_tri6_derivatives.h"
+#include "../../runtime/footpoint_face.h"
 #include "../support/kind_arguments.h"
 #include "../support/quad_precision.h"
 
@@ -21,10 +23,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
-enum { SHORT = 120, LONG = 100000, ALL = MOST_COORDINATES + 3 };
+enum { SHORT = 120, LONG = 100000, LINES = 100, ALL = MOST_COORDINATES + 3 };
 
 /* Nodes, slave node, direction. */
 typedef double vectors[MOST_NODES + 2][3];
@@ -56,12 +59,13 @@ KIND(quad9, QUAD9)
 static const struct kind {
     const char *name;
     int nodes;
+    enum footpoint_face face;
     call *joined, *place;
-} kind[] = {{"tri3", 3, call_tri3, place_tri3},
-            {"tri6", 6, call_tri6, place_tri6},
-            {"quad4", 4, call_quad4, place_quad4},
-            {"quad8", 8, call_quad8, place_quad8},
-            {"quad9", 9, call_quad9, place_quad9}};
+} kind[] = {{"tri3", 3, FOOTPOINT_TRI3, call_tri3, place_tri3},
+            {"tri6", 6, FOOTPOINT_TRI6, call_tri6, place_tri6},
+            {"quad4", 4, FOOTPOINT_QUAD4, call_quad4, place_quad4},
+            {"quad8", 8, FOOTPOINT_QUAD8, call_quad8, place_quad8},
+            {"quad9", 9, FOOTPOINT_QUAD9, call_quad9, place_quad9}};
 
 enum { KINDS = sizeof kind / sizeof *kind };
 
@@ -252,9 +256,70 @@ static void statuses(void **state)
     }
 }
 
+/* Lines of a kind, some of which have no answer, as arrays of a mesh. */
+struct lines {
+    double xyz[LINES * (MOST_NODES + 1) * 3], along[LINES * 3];
+    int seg[LINES * MOST_NODES], slave[LINES];
+};
+
+static void draw_lines(const struct kind *k, struct lines *l)
+{
+    uint64_t stream = 11;
+    const int all = k->nodes + 1;
+    for (int n = 0; n < LINES; n++) {
+        vectors x;
+        draw(&stream, k, n % 2 ? 1.0 : 1e3, exp(-0.2 * (n % 50)), x);
+        x[k->nodes][0] += n % 5 ? 0.0 : 1.0;
+        x[k->nodes][1] = n % 17 ? x[k->nodes][1] : (double)NAN;
+        memcpy(l->xyz + 3 * all * n, x[0], (size_t)(3 * all) * sizeof **x);
+        memcpy(l->along + 3 * n, x[all], sizeof *x);
+        for (int i = 0; i < k->nodes; i++)
+            l->seg[k->nodes * n + i] = all * n + i;
+        l->slave[n] = n == 7 ? -1 : all * n + k->nodes;
+    }
+}
+
+static void library_matches_headers(void **state)
+{
+    static struct lines l;
+    (void)state;
+    for (int j = 0; j < KINDS; j++) {
+        const struct kind *const k = &kind[j];
+        const int all = k->nodes + 1;
+        double loc[2 * LINES], dist[LINES];
+        int status[LINES];
+        size_t failed = 0;
+        draw_lines(k, &l);
+        const size_t said = footpoint_face_along_pairs(k->face, LINES, l.xyz, (size_t)(all * LINES), l.seg, l.slave,
+                                                       l.along, loc, dist, status);
+        for (int n = 0; n < LINES; n++) {
+            const double *const x = l.xyz + 3 * all * n;
+            double at[2] = {7.0, 7.0}, away = 7.0;
+            struct answer a = {{7.0, 7.0}, 7.0, {{0.0}}};
+            vectors y;
+            memcpy(y[0], x, (size_t)(3 * all) * sizeof *x);
+            memcpy(y[all], l.along + 3 * n, sizeof *y);
+            const int one = footpoint_face_along(k->face, x, l.along + 3 * n, at, &away);
+            failed += status[n] != FOOTPOINT_OK;
+            assert_int_equal(status[n], n == 7 ? FOOTPOINT_ERR_ARGUMENT : one);
+            if (n != 7 && one >= FOOTPOINT_OK)
+                assert_true(at[0] == loc[2 * n] && at[1] == loc[2 * n + 1] && away == dist[n]);
+            if (k->joined(y, &a) >= FOOTPOINT_OK)
+                assert_true(at[0] == a.loc[0] && at[1] == a.loc[1] && fabs(away - a.dist) <= 1e-13 * (1 + fabs(away)));
+            if (k->nodes == 4) {
+                assert_int_equal(footpoint_along(y[0], y[1], y[2], y[3], y[4], y[5], a.loc, &a.dist), one);
+                assert_true(one < FOOTPOINT_OK || (at[0] == a.loc[0] && away == a.dist));
+            }
+        }
+        assert_true(failed == said && failed > 0 && failed < LINES);
+    }
+    assert_int_equal(footpoint_face_along(FOOTPOINT_FACES, l.xyz, l.along, l.xyz, l.xyz), FOOTPOINT_ERR_ARGUMENT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(ordinary_lines_are_right),
+                                       cmocka_unit_test(library_matches_headers),
                                        cmocka_unit_test(hard_lines_are_right_or_refused),
                                        cmocka_unit_test(units_do_not_matter), cmocka_unit_test(statuses)};
     return cmocka_run_group_tests(tests, NULL, NULL);

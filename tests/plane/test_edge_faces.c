@@ -56,6 +56,11 @@ static void calls_match_headers(void **state)
             region = where;
             assert_int_equal(footpoint_face_closest(face, xyz, loc, &gap, &region), status);
             assert_true(loc[0] == xi && gap == g && region == where);
+            const double along[3] = {0.2, 1.0, xyz[2]};
+            status = nodes == 2 ? footpoint_edge2_along(x[0], x[1], x[2], along, &xi, &g)
+                                : footpoint_edge3_along(x[0], x[1], x[2], x[3], along, &xi, &g);
+            assert_int_equal(footpoint_face_along(face, xyz, along, loc, &gap), status);
+            assert_true(loc[0] == xi && gap == g);
         }
 }
 

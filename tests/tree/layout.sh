@@ -63,7 +63,7 @@ tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/plane:        tests/hard generated runtime
-tests/along:        tests/support generated
+tests/along:        tests/support generated runtime
 tests/generic:      generated
 tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated
