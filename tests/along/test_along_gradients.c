@@ -15,7 +15,7 @@
 #include "../../generated/footpoint_tri6_derivatives.h"
 #include "../../runtime/footpoint_face.h"
 #include "../support/kind_arguments.h"
-#include "../support/quad_precision.h"
+#include "along_judge.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -27,25 +27,22 @@
 
 #include <cmocka.h>
 
-enum { SHORT = 120, LONG = 100000, LINES = 100, ALL = MOST_COORDINATES + 3 };
-
-/* Nodes, slave node, direction. */
-typedef double vectors[MOST_NODES + 2][3];
+enum { SHORT = 120, LONG = 100000, LINES = 100 };
 
 struct answer {
-    double loc[2], dist, d[3][ALL];
+    double loc[2], dist, d[3][MOST_ALONG];
 };
 
-typedef int call(vectors x, struct answer *a);
+typedef int call(along_vectors x, struct answer *a);
 
 #define KIND(kind, KIND)                                                                                               \
-    FOOTPOINT_##KIND##_GRADIENTS_ALONG_OF(footpoint_##kind##_along) static int call_##kind(vectors x,                  \
+    FOOTPOINT_##KIND##_GRADIENTS_ALONG_OF(footpoint_##kind##_along) static int call_##kind(along_vectors x,            \
                                                                                            struct answer *a)           \
     {                                                                                                                  \
         return footpoint_##kind##_along_gradients(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), x[VECTORS_OF_##kind],  \
                                                   a->loc, &a->dist, a->d[0], a->d[1], a->d[2]);                        \
     }                                                                                                                  \
-    static int place_##kind(vectors x, struct answer *a)                                                               \
+    static int place_##kind(along_vectors x, struct answer *a)                                                         \
     {                                                                                                                  \
         return footpoint_##kind##_gradients_along(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), x[VECTORS_OF_##kind],  \
                                                   a->loc, &a->dist, a->d[0], NULL, a->d[2]);                           \
@@ -69,91 +66,22 @@ static const struct kind {
 
 enum { KINDS = sizeof kind / sizeof *kind };
 
-static double uniform(uint64_t *stream)
-{
-    *stream = *stream * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*stream >> 11) * 0x1p-53;
-}
-
-/* A moved face, `slim` times longer than wide, and a line through a point of it at an angle of about `angle`. */
-static void draw(uint64_t *stream, const struct kind *k, double slim, double angle, vectors x)
-{
-    const struct exact_face f = exact_face_of(k->nodes);
-    const int triangle = k->nodes == 3 || k->nodes == 6;
-    const double u = uniform(stream), v = uniform(stream), t = uniform(stream) - 0.5, turn = 6.28 * uniform(stream);
-    const double xi = triangle ? u : 2.0 * u - 1.0, eta = triangle ? v * (1.0 - u) : 2.0 * v - 1.0;
-    const double q[3] = {cos(angle) * cos(turn), cos(angle) * sin(turn), sin(angle)};
-    quadruple y[ALL], r[3], normal[3];
-    for (int j = 0; j < k->nodes; j++)
-        for (int i = 0; i < 3; i++) {
-            x[j][i] = (i < 2 ? f.place[j][i] : 0.0) + 0.1 * (uniform(stream) - 0.5);
-            x[j][i] *= i == 0 ? slim : 1.0;
-            y[3 * j + i] = x[j][i];
-        }
-    exact_point(&f, y, xi, eta, r, normal);
-    for (int i = 0; i < 3; i++) {
-        x[k->nodes][i] = (double)r[i] + t * q[i];
-        x[k->nodes + 1][i] = q[i] * exp(turn - 3.0);
-    }
-}
-
-/* ---- the reference ---- */
-
-static quadruple determinant(const quadruple a[3], const quadruple b[3], const quadruple c[3])
-{
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-/* One Newton step for {xi, eta, distance}: tangents are differences, exact for at most quadratic functions. */
-static void newton(const struct exact_face *f, const quadruple *y, const quadruple q[3], quadruple at[3])
-{
-    quadruple r[3], end[4][3], a[3], b[3], c[3], normal[3];
-    exact_point(f, y, at[0], at[1], r, normal);
-    exact_point(f, y, at[0] + 1, at[1], end[0], normal);
-    exact_point(f, y, at[0] - 1, at[1], end[1], normal);
-    exact_point(f, y, at[0], at[1] + 1, end[2], normal);
-    exact_point(f, y, at[0], at[1] - 1, end[3], normal);
-    for (int i = 0; i < 3; i++) {
-        a[i] = (end[0][i] - end[1][i]) / 2;
-        b[i] = (end[2][i] - end[3][i]) / 2;
-        c[i] = y[3 * f->nodes + i] - r[i] - at[2] * q[i];
-    }
-    const quadruple det = determinant(a, b, q);
-    at[0] += determinant(c, b, q) / det;
-    at[1] += determinant(a, c, q) / det;
-    at[2] += determinant(a, b, c) / det;
-}
-
-static void solve(const struct exact_face *f, const quadruple *y, const struct answer *a, quadruple at[3])
-{
-    quadruple q[3];
-    for (int i = 0; i < 3; i++)
-        q[i] = y[3 * f->nodes + 3 + i];
-    exact_unit(q);
-    at[0] = a->loc[0];
-    at[1] = a->loc[1];
-    at[2] = a->dist;
-    for (int step = 0; step < 5; step++)
-        newton(f, y, q, at);
-}
-
 /* The derivatives along a random change of all coordinates are the differences of two solutions. */
-static void judge(uint64_t *stream, const struct kind *k, vectors x, const struct answer *a)
+static void judge(uint64_t *stream, const struct kind *k, along_vectors x, const struct answer *a)
 {
     const struct exact_face f = exact_face_of(k->nodes);
     const int all = 3 * k->nodes + 6;
     const double step = 1e-12;
-    quadruple y[2][ALL], at[2][3];
-    double by[ALL], shorter = 1.0;
-    for (int i = 0; i < 3; i++) /* changes of the direction in its own unit */
-        shorter = fmin(shorter, hypot(hypot(x[k->nodes + 1][0], x[k->nodes + 1][1]), x[k->nodes + 1][2]));
+    const double shorter = along_length(x[k->nodes + 1]), from[3] = {a->loc[0], a->loc[1], a->dist};
+    quadruple y[2][MOST_ALONG], at[2][3];
+    double by[MOST_ALONG];
     for (int i = 0; i < all; i++) {
-        by[i] = (2.0 * uniform(stream) - 1.0) * (i < all - 3 ? 1.0 : shorter);
+        by[i] = (2.0 * along_uniform(stream) - 1.0) * (i < all - 3 ? 1.0 : shorter);
         for (int s = 0; s < 2; s++)
             y[s][i] = (quadruple)x[i / 3][i % 3] + (s ? -1 : 1) * (quadruple)step * by[i];
     }
     for (int s = 0; s < 2; s++)
-        solve(&f, y[s], a, at[s]);
+        along_solve(&f, y[s], from, at[s]);
     for (int j = 0; j < 3; j++) {
         double sum = 0.0, size = 0.0;
         for (int i = 0; i < all; i++) {
@@ -180,8 +108,8 @@ static void ordinary_lines_are_right(void **state)
     for (int n = 0; n < KINDS * count(); n++) {
         const struct kind *const k = &kind[n % KINDS];
         struct answer a;
-        vectors x;
-        draw(&stream, k, 1.0, 0.5 + uniform(&stream), x);
+        along_vectors x;
+        along_draw(&stream, k->nodes, 1.0, 0.5 + along_uniform(&stream), x);
         const int status = k->joined(x, &a);
         assert_true(status == FOOTPOINT_OK || status == 1); /* a point beyond an edge by rounding */
         judge(&stream, k, x, &a);
@@ -196,8 +124,8 @@ static void hard_lines_are_right_or_refused(void **state)
     for (int n = 0; n < KINDS * count(); n++) {
         const struct kind *const k = &kind[n % KINDS];
         struct answer a;
-        vectors x;
-        draw(&stream, k, exp(9.0 * uniform(&stream)), exp(-7.0 * uniform(&stream)), x);
+        along_vectors x;
+        along_draw(&stream, k->nodes, exp(9.0 * along_uniform(&stream)), exp(-7.0 * along_uniform(&stream)), x);
         if (k->joined(x, &a) == FOOTPOINT_OK)
             judge(&stream, k, x, &a);
         else
@@ -215,8 +143,8 @@ static void units_do_not_matter(void **state)
         const struct kind *const k = &kind[n % KINDS];
         const int length = n % 3 * 400 - 400, turn = n % 7 * 100 - 300;
         struct answer a, b;
-        vectors x;
-        draw(&stream, k, 1.0, 1.0, x);
+        along_vectors x;
+        along_draw(&stream, k->nodes, 1.0, 1.0, x);
         if (k->joined(x, &a) < FOOTPOINT_OK)
             continue;
         for (int j = 0; j < k->nodes + 2; j++)
@@ -240,8 +168,8 @@ static void statuses(void **state)
         const struct kind *const k = &kind[n];
         uint64_t stream = 9;
         struct answer a;
-        vectors x;
-        draw(&stream, k, 1.0, 1.0, x);
+        along_vectors x;
+        along_draw(&stream, k->nodes, 1.0, 1.0, x);
         assert_true(k->joined(x, &a) >= FOOTPOINT_OK);
         double *const along = x[k->nodes + 1];
         along[2] = (double)NAN;
@@ -267,8 +195,8 @@ static void draw_lines(const struct kind *k, struct lines *l)
     uint64_t stream = 11;
     const int all = k->nodes + 1;
     for (int n = 0; n < LINES; n++) {
-        vectors x;
-        draw(&stream, k, n % 2 ? 1.0 : 1e3, exp(-0.2 * (n % 50)), x);
+        along_vectors x;
+        along_draw(&stream, k->nodes, n % 2 ? 1.0 : 1e3, exp(-0.2 * (n % 50)), x);
         x[k->nodes][0] += n % 5 ? 0.0 : 1.0;
         x[k->nodes][1] = n % 17 ? x[k->nodes][1] : (double)NAN;
         memcpy(l->xyz + 3 * all * n, x[0], (size_t)(3 * all) * sizeof **x);
@@ -296,7 +224,7 @@ static void library_matches_headers(void **state)
             const double *const x = l.xyz + 3 * all * n;
             double at[2] = {7.0, 7.0}, away = 7.0;
             struct answer a = {{7.0, 7.0}, 7.0, {{0.0}}};
-            vectors y;
+            along_vectors y;
             memcpy(y[0], x, (size_t)(3 * all) * sizeof *x);
             memcpy(y[all], l.along + 3 * n, sizeof *y);
             const int one = footpoint_face_along(k->face, x, l.along + 3 * n, at, &away);

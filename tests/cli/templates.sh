@@ -9,7 +9,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
     for name in macros bits power patch_powers scale products weighted relative height bounds; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for name in again side corner lesser closest edge curve along curved_domain place place_slopes; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in again side corner lesser closest edge curve along curved_domain place place_slopes place_bends; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: bezier_lanes:4:8: gregory_lanes:4:8: face:4:4:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
         columns= rows= names= parameters= segment=
@@ -82,14 +82,14 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         tri3) calls="$calls tri3_nearby:closest_calls proved_closest_calls:contract_closest" ;; # in float those without proof
         esac
         if [ $kind = face ]; then # functions at a place of it
-            files='answer place_detail place_calls place_joined place_along place_along_joined' calls=
+            files='answer place_detail place_calls place_joined place_along place_along_joined place_bends_calls place_bends_joined' calls=
             for word in ROW SET_ROW REQUIRE GAP_LAST GAP_AMONG_ROWS; do echo "#define WITH_$word"; echo "#define END_$word"; done
-            printf '#define %s\n' 'VECTOR_LIST const REAL *const xS = x[4];' 'STATEMENTS' 'ROW gap' 'ROW_NUMBER 0' 'ROW_COUNT 3' \
+            printf '#define %s\n' 'VECTOR_LIST const REAL *const xS = x[4];' 'STATEMENTS' 'ROW gap' 'ROW_NUMBER 0' 'ROW_COUNT 8' \
                 'ROW_NAMES gap' 'ROW_PLACES gap + i' 'ROW_PARAMETERS REAL gap[1]' 'ROW_COLUMNS REAL *FOOTPOINT_RESTRICT gap' 'GAP xi * eta' \
                 'REQUIRED 1' 'TESTS flaw = footpoint_detail_not_above(require[0] = xi);' 'ELEMENTS gap[0 * step] = xi;' 'TANGENTS 0' \
                 'SIZES_AND_DEGREES 1, 1' 'SPACE 1' 'FIRST 0' 'DEGREE 0' 'JOINED face_joined' 'JOINED_n face_joined_n' \
                 'SLOPES face_slopes' 'SLOPES_detail_size face_slopes_size' 'SLOPES_detail_again face_slopes_again' 'SLOPE_COUNT 18' \
-                'JOINED_SLOPES face_along_slopes' 'PROJECTION face_along_to' 'SEARCH face_search' 'SEARCHED_detail_checked face_search_detail_checked'
+                'JOINED_SLOPES face_along_slopes' 'BENDS face_bends' 'BENDS_detail_turns face_bends_turns' 'JOINED_BENDS face_along_bends' 'PROJECTION face_along_to' 'SEARCH face_search' 'SEARCHED_detail_checked face_search_detail_checked'
             echo 'REAL_BITS face_search_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi, REAL *eta, REAL *gap);'
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
             echo "int face_along_to($parameters, const REAL along[3], REAL loc[2], REAL *distance);"
@@ -126,7 +126,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     # Edges have nodes of two coordinates.
     for name in plane plane_along; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
     for row in edge2:2:'edge2' edge3:3:'edge3 edge3_repair edge3_closest'; do
-        kind=${row%%:*} row=${row#*:} nodes=${row%%:*} files="${row#*:} edge_answers edge_calls edge_place edge_along"
+        kind=${row%%:*} row=${row#*:} nodes=${row%%:*} files="${row#*:} edge_answers edge_calls edge_place edge_along edge_turns"
         columns= rows= names= parameters= segment=
         for k in $(seq 0 "$nodes"); do
             columns="$columns${columns:+, }{x[$((2 * k))][i], x[$((2 * k + 1))][i]}"
@@ -143,7 +143,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         for name in $files; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract_edge contract_edge_place contract_edge_along contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in contract_edge contract_edge_place contract_edge_along contract_edge_turns contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

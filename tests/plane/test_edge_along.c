@@ -1,5 +1,5 @@
-/* Projection of a slave node on an edge along a direction: each proved status, point and distance, against the roots of
- * the quadratic equation in quadruple precision. */
+/* Projection of a slave node on an edge along a direction: each proved status, point and distance, against the roots of the
+ * quadratic equation in quadruple precision; first and second derivatives, against differences of these. */
 #include "../../generated/footpoint_edge2.h"
 #include "../../generated/footpoint_edge3.h"
 #include "../hard/draw.h"
@@ -168,11 +168,127 @@ static void arrays_match_calls(void **state)
     }
 }
 
+enum { COORDINATES = 10, PACKED = COORDINATES * (COORDINATES + 1) / 2 };
+
+struct rows {
+    double dist, d[2][COORDINATES], h[2][PACKED];
+};
+
+static int rows_of(int nodes, double x[4][2], const double p[2], double xi, struct rows *r)
+{
+    return nodes == 2
+               ? footpoint_edge2_hessian_along(x[0], x[1], x[2], p, xi, &r->dist, r->d[0], r->d[1], r->h[0], r->h[1])
+               : footpoint_edge3_hessian_along(x[0], x[1], x[2], x[3], p, xi, &r->dist, r->d[0], r->d[1], r->h[0],
+                                               r->h[1]);
+}
+
+/* {xi, distance} near `from`, with all coordinates and the direction moved. */
+static void moved(int nodes, double x[4][2], const double p[2], const double *by, wide step, double from, wide at[2])
+{
+    struct judged j;
+    wide q[2], c[3][2], r[2];
+    judge_edge(&j, nodes, x);
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k <= nodes; k++)
+            j.x[k < nodes ? k : 3][i] = x[k][i] + step * by[2 * k + i];
+        if (nodes == 2)
+            j.x[2][i] = (j.x[0][i] + j.x[1][i]) / 2;
+        q[i] = p[i] + step * by[2 * nodes + 2 + i];
+        c[0][i] = j.x[2][i] - j.x[3][i];
+        c[1][i] = (j.x[1][i] - j.x[0][i]) / 2;
+        c[2][i] = (j.x[0][i] + j.x[1][i]) / 2 - j.x[2][i];
+    }
+    at[0] = from;
+    for (int n = 0; n < 6; n++) {
+        wide g = 0, slope = 0;
+        for (int i = 0; i < 2; i++) {
+            const wide across = i ? -q[0] : q[1];
+            g += across * (c[0][i] + at[0] * (c[1][i] + at[0] * c[2][i]));
+            slope += across * (c[1][i] + 2 * at[0] * c[2][i]);
+        }
+        at[0] -= g / slope;
+    }
+    judge_point(&j, at[0], r);
+    at[1] = ((j.x[3][0] - r[0]) * q[0] + (j.x[3][1] - r[1]) * q[1]) / judge_root(q[0] * q[0] + q[1] * q[1]);
+}
+
+static void near_sum(const char *what, double sum, wide differences, double size)
+{
+    if (!(fabs(sum - (double)differences) <= 1e-9 * size))
+        fail_msg("%s: %.17g, by differences %.17g, of %g", what, sum, (double)differences, size);
+}
+
+static void judge_rows(int nodes, double x[4][2], const double p[2], double xi, const struct rows *r, const double *by)
+{
+    const int n = 2 * nodes + 4;
+    const wide step = 1e-10;
+    wide at[3][2];
+    for (int s = 0; s < 3; s++)
+        moved(nodes, x, p, by, (s - 1) * step, xi, at[s]);
+    assert_true(fabs((double)(at[1][1] - r->dist)) <= 1e-9 * (1 + fabs(r->dist)));
+    for (int j = 0; j < 2; j++) {
+        double first = 0, second = 0, size[2] = {0, 0};
+        for (int i = 0, e = 0; i < n; i++) {
+            first += r->d[j][i] * by[i];
+            size[0] += fabs(r->d[j][i] * by[i]);
+            for (int c = 0; c <= i; c++, e++) {
+                second += (c < i ? 2 : 1) * r->h[j][e] * by[i] * by[c];
+                size[1] += fabs(r->h[j][e] * by[i] * by[c]);
+            }
+        }
+        near_sum("first", first, (at[2][j] - at[0][j]) / (2 * step), size[0]);
+        near_sum("second", second, (at[2][j] - 2 * at[1][j] + at[0][j]) / (step * step), size[1]);
+    }
+}
+
+static void derivatives_match_differences(void **state)
+{
+    const long lines = getenv("FOOTPOINT_LONG") ? LINES_LONG : LINES;
+    uint64_t stream = 13;
+    long refused = 0;
+    (void)state;
+    for (long n = 0; n < 2 * lines; n++) {
+        const int nodes = 2 + (int)(n % 2);
+        const double angle = draw_flat(&stream, 0, 6.3), length = draw_power(&stream, -2, 2);
+        const double p[2] = {length * cos(angle), length * sin(angle)};
+        double x[4][2], xi = 0, by[COORDINATES], dist;
+        struct rows r;
+        draw_edge(n % 6 < 4 ? ORDINARY : CURVED, &stream, nodes, x);
+        const int status = along_of(nodes, x, p, &xi, &dist);
+        if (status < FOOTPOINT_OK || fabs(xi) > 3 || rows_of(nodes, x, p, xi, &r) != FOOTPOINT_OK) {
+            refused++;
+            continue;
+        }
+        for (int i = 0; i < 2 * nodes + 4; i++)
+            by[i] = draw_flat(&stream, -1, 1) * (i < 2 * nodes + 2 ? 1 : length);
+        judge_rows(nodes, x, p, xi, &r, by);
+    }
+    assert_true(refused < lines);
+}
+
+static void derivatives_have_statuses(void **state)
+{
+    double x[4][2] = {{0, 0}, {2, 0}, {0.5, 1}, {0.5, 1}};
+    const double none[2] = {0, 0}, bad[2] = {NAN, 1}, nearly[2] = {3, 1e-5}, good[2] = {0, 2},
+                 short_one[2] = {0, 1e-200};
+    struct rows r = {.dist = 7};
+    (void)state;
+    assert_int_equal(rows_of(2, x, none, -0.5, &r), FOOTPOINT_ERR_DEGENERATE);
+    assert_int_equal(rows_of(2, x, bad, -0.5, &r), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(rows_of(2, x, good, NAN, &r), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(rows_of(2, x, nearly, -0.5, &r), FOOTPOINT_ERR_DEGENERATE);
+    assert_int_equal(rows_of(2, x, short_one, -0.5, &r), FOOTPOINT_ERR_NOT_FINITE);
+    assert_true(r.dist == 7);
+    assert_int_equal(footpoint_edge2_gradients_along(x[0], x[1], x[2], short_one, -0.5, &r.dist, r.d[0], NULL),
+                     FOOTPOINT_OK);
+    assert_true(r.dist == 1 && r.d[0][0] == -0.75 && r.d[0][1] == 0 && r.d[0][4] == 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(statuses_are_proved),
-        cmocka_unit_test(bad_lines_have_statuses),
+        cmocka_unit_test(statuses_are_proved),       cmocka_unit_test(derivatives_match_differences),
+        cmocka_unit_test(derivatives_have_statuses), cmocka_unit_test(bad_lines_have_statuses),
         cmocka_unit_test(arrays_match_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -111,7 +111,7 @@ void edge_print(const struct edge_kind *k, const char *prefix, FILE *out)
     fprintf(out, "\n#define %s_PROMISE %s /* the largest error of xi behind FOOTPOINT_OK */\n", macro, k->promise);
     templates_print(NULL,
                     (const char *const[]){"edge_calls", "contract_edge_place", "edge_place", "contract_edge_along",
-                                          "edge_along", NULL},
+                                          "edge_along", "contract_edge_turns", "edge_turns", NULL},
                     PRECISION_DOUBLE, w.word, out);
     fputs("\n#endif\n", out);
     words_clear(&w);

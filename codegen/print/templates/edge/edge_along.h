@@ -32,17 +32,11 @@ FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[2], REAL *xi, RE
     REAL y[VECTORS][2], p[2], at, away;
     const REAL *z[VECTORS];
     int exponent = 0, turn, status = footpoint_detail_KIND_unit(x, y, z, &exponent);
-    if (status == FOOTPOINT_ERR_NOT_FINITE ||
-        (footpoint_detail_infinite(along[0]) | footpoint_detail_infinite(along[1])) >> REAL_TOP)
+    const int turned = footpoint_detail_plane_direction(along, p, &turn);
+    if (status == FOOTPOINT_ERR_NOT_FINITE || turned == FOOTPOINT_ERR_NOT_FINITE)
         return FOOTPOINT_ERR_NOT_FINITE;
-    if (status != FOOTPOINT_OK)
-        return status;
-    away = footpoint_detail_greater(fabs(along[0]), fabs(along[1]));
-    if (footpoint_detail_below(away, REAL_MIN) >> REAL_TOP)
-        return FOOTPOINT_ERR_DEGENERATE;
-    (void)frexp(away, &turn);
-    p[0] = ldexp(along[0], -turn);
-    p[1] = ldexp(along[1], -turn);
+    if (status != FOOTPOINT_OK || turned != FOOTPOINT_OK)
+        return status != FOOTPOINT_OK ? status : turned;
     status = footpoint_detail_KIND_along(z, p, &at, &away);
     if (status < FOOTPOINT_OK)
         return status;

@@ -11,6 +11,21 @@ struct footpoint_detail_line {
     REAL a[3], far, wide;
 };
 
+/* The direction in a unit, 2^exponent, in which it is about 1 long; a status. */
+FOOTPOINT_FN int footpoint_detail_plane_direction(const REAL along[2], REAL p[2], int *exponent)
+{
+    REAL most;
+    if ((footpoint_detail_infinite(along[0]) | footpoint_detail_infinite(along[1])) >> REAL_TOP)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    most = footpoint_detail_greater(fabs(along[0]), fabs(along[1]));
+    if (footpoint_detail_below(most, REAL_MIN) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    p[0] = ldexp(along[0], -*exponent);
+    p[1] = ldexp(along[1], -*exponent);
+    return FOOTPOINT_OK;
+}
+
 /* The sum of absolute values of the products of a cross product. */
 FOOTPOINT_PART REAL footpoint_detail_plane_across(const REAL p[2], REAL x, REAL y)
 {
