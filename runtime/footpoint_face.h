@@ -173,6 +173,19 @@ int footpoint_face_differentiate(enum footpoint_face face, const double *x, cons
 int footpoint_face_hessian(enum footpoint_face face, const double *x, const double loc[2], double *gap, double *d_xi,
                            double *d_eta, double *d_gap, double *d_normal, double *hessian);
 
+/** Differentiates a projection along a direction by the coordinates of nodes and slave node and, last, of the direction:
+ *  3 (N + 2).  Outputs may be NULL; first derivatives alone take less time.
+ *  @param[in]  loc  {xi, eta} from footpoint_face_along
+ *  @param[out] dist                 as in footpoint_face_along
+ *  @param[out] d_xi, d_eta, d_dist  first derivatives
+ *  @param[out] h_xi, h_eta, h_dist  second derivatives, packed as in footpoint_face_hessian
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_DEGENERATE (no area or direction, or the line is so nearly parallel to the face that
+ *          rounding may cost more than about 1e-9), FOOTPOINT_ERR_DOMAIN (edges: xS is too far away),
+ *          FOOTPOINT_ERR_NOT_FINITE (also for a result), FOOTPOINT_ERR_ARGUMENT */
+int footpoint_face_differentiate_along(enum footpoint_face face, const double *x, const double along[3],
+                                       const double loc[2], double *dist, double *d_xi, double *d_eta, double *d_dist,
+                                       double *h_xi, double *h_eta, double *h_dist);
+
 #ifdef __cplusplus
 }
 #endif

@@ -174,6 +174,24 @@ static void spread_packed(const double *from, int vectors, double *to)
         const int status = footpoint_##kind##_along(X##count, s, x[count + 1], &xi, dist);                             \
         return placed(status, xi, loc);                                                                                \
     }                                                                                                                  \
+    static int differentiate_along(const double *const *x, const double *s, const double *along, const double *loc,    \
+                                   double *dist, double *const *d, double *const *h)                                   \
+    {                                                                                                                  \
+        enum { N = 2 * (count) + 4, ALL = 3 * (count) + 6 };                                                           \
+        double first[2][N], second[2][N * (N + 1) / 2];                                                                \
+        const int wanted = h[0] || h[2],                                                                               \
+                  status = footpoint_##kind##_hessian_along(X##count, s, along, loc[0], dist, first[0], first[1],      \
+                                                            wanted ? second[0] : NULL, wanted ? second[1] : NULL);     \
+        for (int j = 0; j < 2 && status == FOOTPOINT_OK; j++) {                                                        \
+            spread(first[j], count + 2, d[2 * j]);                                                                     \
+            spread_packed(second[j], count + 2, h[2 * j]);                                                             \
+        }                                                                                                              \
+        for (int i = 0; d[1] && status == FOOTPOINT_OK && i < ALL; i++)                                                \
+            d[1][i] = 0.0;                                                                                             \
+        for (int i = 0; h[1] && status == FOOTPOINT_OK && i < ALL * (ALL + 1) / 2; i++)                                \
+            h[1][i] = 0.0;                                                                                             \
+        return status;                                                                                                 \
+    }                                                                                                                  \
     const struct face footpoint_face_##kind = {{count, 0, locate, locate_block, 0, 0},                                 \
                                                {count, 0, locate, locate_block, 0, 0},                                 \
                                                {count, 0, track, track_block, 1, 0},                                   \
@@ -188,6 +206,7 @@ static void spread_packed(const double *from, int vectors, double *to)
                                                place,                                                                  \
                                                differentiate,                                                          \
                                                hessian,                                                                \
+                                               differentiate_along,                                                    \
                                                robust};
 
 /* All nodes are one point. */

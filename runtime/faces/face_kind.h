@@ -89,6 +89,14 @@
     {                                                                                                                  \
         return footpoint_##kind##_along(X##count, s, x[count + 1], loc, dist);                                         \
     }                                                                                                                  \
+    static int differentiate_along(const double *const *x, const double *s, const double *along, const double *loc,    \
+                                   double *dist, double *const *d, double *const *h)                                   \
+    {                                                                                                                  \
+        return h[0] || h[1] || h[2]                                                                                    \
+                   ? footpoint_##kind##_hessian_along(X##count, s, along, loc, dist, d[0], d[1], d[2], h[0], h[1],     \
+                                                      h[2])                                                            \
+                   : footpoint_##kind##_gradients_along(X##count, s, along, loc, dist, d[0], d[1], d[2]);              \
+    }                                                                                                                  \
     const struct face footpoint_face_##kind = {{count, 0, locate, locate_block, 0, 0},                                 \
                                                {count, 0, start, start##_block, 0, 0},                                 \
                                                {count, 0, track, track_block, 1, 0},                                   \
@@ -103,6 +111,7 @@
                                                place,                                                                  \
                                                differentiate,                                                          \
                                                hessian,                                                                \
+                                               differentiate_along,                                                    \
                                                NULL};
 
 #endif

@@ -28,6 +28,8 @@ struct face {
                          double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta, double *d_gap);
     int (*hessian)(const double *const *x, const double *s, const double *loc, double *gap, double *d_xi, double *d_eta,
                    double *d_gap, double *d_normal, double *hessian);
+    int (*differentiate_along)(const double *const *x, const double *s, const double *along, const double *loc,
+                               double *dist, double *const *d, double *const *h);
     /* footpoint_face_robust of an edge; NULL: it is a face. */
     int (*robust)(const double *const *x, const double *s, double *loc, double *distance, int *region);
 };

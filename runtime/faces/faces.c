@@ -235,6 +235,18 @@ int footpoint_face_hessian(enum footpoint_face face, const double *x, const doub
     return f->hessian(r.x, r.s, loc, gap, d_xi, d_eta, d_gap, d_normal, hessian);
 }
 
+int footpoint_face_differentiate_along(enum footpoint_face face, const double *x, const double along[3],
+                                       const double loc[2], double *dist, double *d_xi, double *d_eta, double *d_dist,
+                                       double *h_xi, double *h_eta, double *h_dist)
+{
+    const struct face *const f = footpoint_face_of(face);
+    double *const d[] = {d_xi, d_eta, d_dist}, *const h[] = {h_xi, h_eta, h_dist};
+    if (!f)
+        return FOOTPOINT_ERR_ARGUMENT;
+    const struct rows r = rows_of(f, x);
+    return f->differentiate_along(r.x, r.s, along, loc, dist, d, h);
+}
+
 /* ---- many pairs ---- */
 
 size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,

@@ -42,7 +42,7 @@
     {                                                                                                                  \
         name##_block_plain(columns, xi, eta, gap, status);                                                             \
     }
-/* A block of projections along directions, whose columns follow those of `nodes` nodes and the slave node. */
+/* A block of projections along directions, whose columns come after the nodes' and the slave node's. */
 #define ALONG_BLOCKS(loop, nodes)                                                                                      \
     static inline void along_n(size_t n, const double *const *columns, double *xi, double *eta, double *dist,          \
                                int *status)                                                                            \
@@ -67,7 +67,7 @@
     }                                                                                                                  \
     BLOCKS_OF(track, footpoint_##kind##_##tier##_from_n)
 
-/* A block of projections along directions, whose columns follow those of `nodes` nodes and the slave node. */
+/* A block of projections along directions, whose columns come after the nodes' and the slave node's. */
 #define ALONG_BLOCKS(loop, nodes)                                                                                      \
     static inline void along_n(size_t n, const double *const *columns, double *xi, double *eta, double *dist,          \
                                int *status)                                                                            \

@@ -317,6 +317,15 @@ module footpoint
       integer(c_int) :: status
     end function
 
+    function footpoint_face_differentiate_along(face, x, along, loc, dist, d_xi, d_eta, d_dist, h_xi, h_eta, h_dist) &
+        bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *), along(3), loc(2)
+      real(c_double), intent(inout) :: dist, d_xi(*), d_eta(*), d_dist(*), h_xi(*), h_eta(*), h_dist(*)
+      integer(c_int) :: status
+    end function
+
     ! x: corners, unit normals there, slave node.
     function footpoint_patch_locate(patch, x, loc, gap) bind(C) result(status)
       import :: c_int, c_double

@@ -234,6 +234,16 @@ static void library_matches_headers(void **state)
                 assert_true(at[0] == loc[2 * n] && at[1] == loc[2 * n + 1] && away == dist[n]);
             if (k->joined(y, &a) >= FOOTPOINT_OK)
                 assert_true(at[0] == a.loc[0] && at[1] == a.loc[1] && fabs(away - a.dist) <= 1e-13 * (1 + fabs(away)));
+            if (one >= FOOTPOINT_OK) {
+                struct answer b = {{at[0], at[1]}, 7.0, {{0.0}}};
+                const int placed = k->place(y, &b);
+                assert_int_equal(footpoint_face_differentiate_along(k->face, x, l.along + 3 * n, at, &away, a.d[0],
+                                                                    NULL, a.d[2], NULL, NULL, NULL),
+                                 placed);
+                if (placed == FOOTPOINT_OK)
+                    assert_true(away == b.dist && memcmp(a.d[0], b.d[0], sizeof *a.d) == 0 &&
+                                memcmp(a.d[2], b.d[2], sizeof *a.d) == 0);
+            }
             if (k->nodes == 4) {
                 assert_int_equal(footpoint_along(y[0], y[1], y[2], y[3], y[4], y[5], a.loc, &a.dist), one);
                 assert_true(one < FOOTPOINT_OK || (at[0] == a.loc[0] && away == a.dist));

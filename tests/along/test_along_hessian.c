@@ -11,6 +11,7 @@
 #include "../../generated/footpoint_tri3_derivatives.h"
 #include "../../generated/footpoint_tri6.h"
 #include "../../generated/footpoint_tri6_derivatives.h"
+#include "../../runtime/footpoint_face.h"
 #include "../support/kind_arguments.h"
 #include "along_judge.h"
 
@@ -110,6 +111,20 @@ static void first_derivatives_agree(const struct kind *k, along_vectors x, const
     }
 }
 
+static void library_agrees(const struct kind *k, along_vectors x, const struct answer *a)
+{
+    static const enum footpoint_face face[] = {FOOTPOINT_TRI3, FOOTPOINT_TRI6, FOOTPOINT_QUAD4, FOOTPOINT_QUAD8,
+                                               FOOTPOINT_QUAD9};
+    static struct answer b;
+    const int all = 3 * k->nodes + 6, packed = all * (all + 1) / 2;
+    assert_int_equal(footpoint_face_differentiate_along(face[k - kind], x[0], x[k->nodes + 1], a->loc, NULL, b.d[0],
+                                                        NULL, NULL, b.h[0], b.h[1], b.h[2]),
+                     FOOTPOINT_OK);
+    assert_memory_equal(a->d[0], b.d[0], (size_t)all * sizeof(double));
+    for (int j = 0; j < 3; j++)
+        assert_memory_equal(a->h[j], b.h[j], (size_t)packed * sizeof(double));
+}
+
 static int count(void)
 {
     return getenv("FOOTPOINT_LONG") ? LONG : SHORT;
@@ -134,6 +149,7 @@ static int judge(uint64_t stream, double slim, double flat, double allowed)
         const double error = error_of(&stream, k, x, &a);
         worst[n % KINDS] = fmax(worst[n % KINDS], error);
         first_derivatives_agree(k, x, &a);
+        library_agrees(k, x, &a);
         if (!(error <= allowed))
             fail_msg("%s: %g", k->name, error);
     }

@@ -26,7 +26,7 @@ for header in generated/*.h; do
     esac
     mkdir -p "$work/alone"
     cp "$header" "$work/alone/"
-    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e '^footpoint_detail_' -e '_closest$' -e '_closest_from$' -e '_along$' -e '_place$' -e '_gradients$' -e '_hessian$')
+    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e '^footpoint_detail_' -e '_closest$' -e '_closest_from$' -e '_along$' -e '_place$' -e '_shapes$' -e '_gradients$' -e '_hessian$')
     kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH\(_F\)*$/\1/p' "$header" | tr A-Z a-z)
     arguments=$(nodes "$kind" | sed 's/[0-9]*/n[&]/g; s/ /, /g')
     type=$(sed -n 's/^ \* precision: //p' "$header")

@@ -191,6 +191,37 @@ static void derivatives_match_headers(void **state)
 }
 
 /* Normal force and friction stay in the plane, and so do their tangents. */
+static void derivatives_along_match_headers(void **state)
+{
+    enum { FLAT = 10, ALL = 15 };
+    static const double along[3] = {0.2, 1.0, 5.0}, loc[2] = {0.3, 0.0};
+    uint64_t stream = 8;
+    (void)state;
+    for (int i = 0; i < EDGES / 10; i++)
+        for (int nodes = 2; nodes <= 3; nodes++) {
+            double x[4][2], xyz[12], dist, d, first[2][FLAT], second[2][FLAT * (FLAT + 1) / 2];
+            double d_xi[ALL], d_eta[ALL], d_dist[ALL], h[3][ALL * (ALL + 1) / 2];
+            draw_both(i, nodes, &stream, x, xyz);
+            const int status = nodes == 2 ? footpoint_edge2_hessian_along(x[0], x[1], x[2], along, loc[0], &d, first[0],
+                                                                          first[1], second[0], second[1])
+                                          : footpoint_edge3_hessian_along(x[0], x[1], x[2], x[3], along, loc[0], &d,
+                                                                          first[0], first[1], second[0], second[1]);
+            assert_int_equal(footpoint_face_differentiate_along(face_of(nodes), xyz, along, loc, &dist, d_xi, d_eta,
+                                                                d_dist, h[0], h[1], h[2]),
+                             status);
+            for (int r = 0, e = 0; status == FOOTPOINT_OK && r < 3 * nodes + 6; r++) {
+                const int row = 2 * (r / 3) + r % 3;
+                assert_true(dist == d && d_eta[r] == 0 && d_xi[r] == (r % 3 < 2 ? first[0][row] : 0) &&
+                            d_dist[r] == (r % 3 < 2 ? first[1][row] : 0));
+                for (int c = 0; c <= r; c++, e++) {
+                    const int at = row * (row + 1) / 2 + 2 * (c / 3) + c % 3, flat = r % 3 < 2 && c % 3 < 2;
+                    assert_true(h[1][e] == 0 && h[0][e] == (flat ? second[0][at] : 0) &&
+                                h[2][e] == (flat ? second[1][at] : 0));
+                }
+            }
+        }
+}
+
 static void contact_elements_stay_in_the_plane(void **state)
 {
     const double xyz[12] = {0, 0, 0, 2, 0.1, 0, 0.9, -0.3, 0, 1.2, -0.15, 0}, start[2] = {0.1, 0};
@@ -221,9 +252,13 @@ static void contact_elements_stay_in_the_plane(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(calls_match_headers),       cmocka_unit_test(robust_distances_are_right),
-        cmocka_unit_test(pairs_match_calls),         cmocka_unit_test(the_nearest_edge_has_a_side),
-        cmocka_unit_test(derivatives_match_headers), cmocka_unit_test(contact_elements_stay_in_the_plane),
+        cmocka_unit_test(calls_match_headers),
+        cmocka_unit_test(robust_distances_are_right),
+        cmocka_unit_test(pairs_match_calls),
+        cmocka_unit_test(the_nearest_edge_has_a_side),
+        cmocka_unit_test(derivatives_match_headers),
+        cmocka_unit_test(derivatives_along_match_headers),
+        cmocka_unit_test(contact_elements_stay_in_the_plane),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
