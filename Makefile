@@ -314,7 +314,7 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 # fused multiply-add, which takes one.
 of_headers := test_headers test_digits test_promise test_promise_curved test_promise_patches header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
-$(foreach file,header_functions headers_long test_closest test_closest_curved test_closest_promise test_curved test_exceptions test_from test_joined test_patch_place test_place test_sides,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
+$(foreach file,header_functions headers_long test_closest test_closest_curved test_closest_promise test_curved test_exceptions test_from test_from_patches test_joined test_patch_place test_place test_sides,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
@@ -391,6 +391,7 @@ $(BIN)/tests/test_headers: $(OBJ)/tests/generated/header_functions.o
 $(BIN)/tests/test_promise: $(OBJ)/tests/generated/header_functions.o
 $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)))
 $(foreach test,curved patches,$(eval $(BIN)/tests/test_promise_$(test): $(OBJ)/tests/generated/header_functions.o $(OBJ)/tests/hard/draw.o))
+$(foreach test,promise_patches from_patches,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,patches/patch_judge patches/drawn_patches hard/draw)))
 $(foreach test,promise_curved closest_curved from,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,generated/curved_cases hard/draw)))
 $(BIN)/tests/test_promise_curved $(BIN)/tests/test_from: $(OBJ)/tests/generated/judged_faces.o
 $(foreach test,edge edge_place edge_faces edge_along,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)))

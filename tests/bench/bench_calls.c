@@ -207,11 +207,18 @@ DEFINE_FAIR(newton_fair_over, BENCH_OVER)
 #define FROM_CURVED(R, kind)                                                                                           \
     R(kind, kind##_newton_from, rival_##kind##_from(x, RIVAL_NEWTON_TOLERANCE, loc, &gap), 0)                          \
     R(kind, kind##_newton_fair_from, rival_##kind##_from(x, RIVAL_FAIR_TOLERANCE, loc, &gap), 1)
+#define FROM_PATCH(R, kind, name, bezier)                                                                              \
+    R(kind, name##_newton_from, rival_patch_from(x, bezier, RIVAL_NEWTON_TOLERANCE, loc, &gap), 0)                     \
+    R(kind, name##_newton_fair_from, rival_patch_from(x, bezier, RIVAL_FAIR_TOLERANCE, loc, &gap), 1)
 #define FROM_LOOPS(R)                                                                                                  \
     R(quad4, newton_1_from, rival_quad4_from_fixed(x, RIVAL_FROM_NEWTON, loc, &gap), 0)                                \
     R(quad4, newton_2_from, rival_quad4_from_fixed(x, RIVAL_FROM_NEWTON_TWICE, loc, &gap), 0)                          \
     R(quad4, chebyshev_from, rival_quad4_from_fixed(x, RIVAL_FROM_CHEBYSHEV, loc, &gap), 0)                            \
-    FROM_CURVED(R, tri6) FROM_CURVED(R, quad8) FROM_CURVED(R, quad9)
+    FROM_CURVED(R, tri6)                                                                                               \
+    FROM_CURVED(R, quad8)                                                                                              \
+    FROM_CURVED(R, quad9)                                                                                              \
+    FROM_PATCH(R, gregory, patch, 0)                                                                                   \
+    FROM_PATCH(R, bezier, bezier_patch, 1)
 #define DEFINE(kind, name, found, fair) DEFINE_FROM_LOOP(name, found)
 FROM_LANES(DEFINE_FROM_LANES)
 FROM_LOOPS(DEFINE)

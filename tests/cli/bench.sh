@@ -147,8 +147,8 @@ tri3 exact 16 12
 tri6 accurate 87 26
 quad8 full 98 26
 quad9 full 96 24
-gregory full 21 3
-bezier full 18 3
+gregory full 39 15
+bezier full 36 15
 END
 
 cat > "$work/hard.csv" << END

@@ -44,8 +44,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
-        bezier) files="$files patch_net patch_bezier patch_newton patch_proof patch_repair" ;;
-        gregory) files="$files patch_gregory patch_newton patch_proof patch_repair" ;;
+        bezier) files="$files patch_net patch_bezier patch_newton patch_proof patch_repair patch_from" ;;
+        gregory) files="$files patch_gregory patch_newton patch_proof patch_repair patch_from" ;;
         esac
         files="$files arrays arrays_checked over"
         case $nearest in
@@ -70,7 +70,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         files="straight $files" calls='at checked arrays_calls over_calls'
         case $kind in
         *_lanes) files="patch_block:double lanes_${kind%_lanes} patch_newton patch_lane patch_lanes:double straight patch_begin:double" calls= ;;
-        bezier | gregory) calls='at checked patch_calls' ;;
+        bezier | gregory) calls='at checked patch_calls patch_from_calls' ;;
         esac
         case $nearest in
         '') ;;
@@ -104,10 +104,10 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_PATCH END_PATCH WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
             case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, int near, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
-            echo "void ${kind}_run(int begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
-            case $kind in *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" ;; esac
-            printf '#define %s\n' "RUN ${kind}_run" 'START_BEGIN 0'
-            words="$words LANE LANE_BITS BLOCK NARROW ALONE_SEARCH ALONE_ANSWER RUN START_BEGIN"
+            echo "void ${kind}_run(const void *begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
+            case $kind in *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" "ALONE_FURTHER footpoint_detail_${kind%_lanes}_further" ;; esac
+            printf '#define %s\n' "RUN ${kind}_run" 'START_BEGIN NULL'
+            words="$words LANE LANE_BITS BLOCK NARROW ALONE_SEARCH ALONE_ANSWER ALONE_FURTHER RUN START_BEGIN"
             case $kind in tri6 | quad8 | quad9) ;; *) echo "REAL_BITS footpoint_detail_${kind}_curved(const REAL *const *x, REAL promise, int bare, int fixed, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
             echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"

@@ -192,16 +192,17 @@ RIVAL_FACES(RIVAL_DEFINE)
 
 /* ---- patches ---- */
 
-RIVAL_FN int rival_patch_checked(const double (*x)[3], int bezier, double loc[2], double *gap)
+/* Newton's iteration from p until it stands; the gap. */
+RIVAL_FN int rival_patch_stands(const double (*x)[3], int bezier, double tolerance, struct rival_point p, double loc[2],
+                                double *gap)
 {
     struct rival_patch patch;
     struct rival_jet jet;
-    struct rival_point p = rival_facet_foot(x, x + 4, x[8], RIVAL_CENTRE);
     if (bezier)
         rival_bezier_of(x, x + 4, &patch);
     else
         rival_patch_of(x, x + 4, &patch);
-    const int found = rival_patch_converge(&patch, x[8], 0, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, &p);
+    const int found = rival_patch_converge(&patch, x[8], 0, RIVAL_STEPS_MAX, tolerance, &p);
     rival_patch_jet(&patch, p.u, p.v, 0, &jet);
     const rival_lanes d = rival_vector(x[8]) - rival_vector(patch.origin) - jet.r, n = rival_cross(jet.u, jet.v);
     const double square = rival_scalar(n, n);
@@ -209,6 +210,12 @@ RIVAL_FN int rival_patch_checked(const double (*x)[3], int bezier, double loc[2]
     loc[1] = 2 * p.v - 1;
     *gap = rival_scalar(d, n) / sqrt(square);
     return square > 0 && found;
+}
+
+RIVAL_FN int rival_patch_checked(const double (*x)[3], int bezier, double loc[2], double *gap)
+{
+    const struct rival_point p = rival_facet_foot(x, x + 4, x[8], RIVAL_CENTRE);
+    return rival_patch_stands(x, bezier, RIVAL_NEWTON_TOLERANCE, p, loc, gap);
 }
 
 #endif

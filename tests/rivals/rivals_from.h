@@ -127,4 +127,11 @@ RIVAL_FN void newton_lanes_from(const double *const x[15], double tolerance, con
 RIVAL_FACES(RIVAL_DEFINE)
 #undef RIVAL_DEFINE
 
+/* Patches. */
+RIVAL_FN int rival_patch_from(const double (*x)[3], int bezier, double tolerance, double loc[2], double *gap)
+{
+    const struct rival_point p = {0.5 + 0.5 * loc[0], 0.5 + 0.5 * loc[1]};
+    return rival_patch_stands(x, bezier, tolerance, p, loc, gap);
+}
+
 #endif

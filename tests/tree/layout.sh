@@ -55,13 +55,14 @@ evolve:             evolve/* codegen/genome codegen/base
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
 tests/hard:         tests/rivals tests/support runtime runtime/* generated
+tests/patches:      tests/hard tests/support generated runtime
 tests/bench:        tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/libraries:    tests/hard tests/rivals tests/support generated runtime runtime/*
 tests/queries:      tests/libraries tests/rivals tests/support generated runtime runtime/*
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
-tests/generated:    tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/generated:    tests/hard tests/patches tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/plane:        tests/hard generated runtime
 tests/along:        tests/support generated runtime
 tests/generic:      generated

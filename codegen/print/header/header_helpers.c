@@ -59,7 +59,9 @@ static void print_answers(const struct unit *u, FILE *out)
         lines_print_kind(u, promise_answers(u), "ANSWER", (const char *const[]){"quad4_box", "answer_proved", NULL},
                          out);
     if (promise_follows(u))
-        lines_print_templates(u, "FROM", (const char *const[]){curved ? "curved_from" : "quad4_from", "from", NULL},
+        lines_print_templates(u, "FROM",
+                              patch ? (const char *const[]){"patch_from", NULL}
+                                    : (const char *const[]){curved ? "curved_from" : "quad4_from", "from", NULL},
                               out);
     free(terms);
 }

@@ -24,6 +24,7 @@ static struct words lanes_words(const struct unit *u, bool single)
     words_add(&w, "KIND", new_format("%s_lanes", kind));
     words_add(&w, "ALONE_SEARCH", new_format("footpoint_detail_search"));
     words_add(&w, "ALONE_ANSWER", new_format("footpoint_detail_%s_answer", kind));
+    words_add(&w, "ALONE_FURTHER", new_format("footpoint_detail_%s_further", kind));
     words_add(&w, "LANE", new_format(single ? "float" : "double"));
     words_add(&w, "LANE_BITS", new_format(single ? "unsigned int" : "unsigned long long"));
     words_add(&w, "BLOCK", new_format("footpoint_detail_%sblock", f));
@@ -87,6 +88,7 @@ void lanes_print_calls(const struct unit *u, const struct function *f, FILE *out
     struct words w = promise_words(u, f);
     words_add(&w, "RUN", new_format("footpoint_detail_%s%s_lanes_run", single ? "f_" : "", u->file->segment->name));
     words_add(&w, "BEGIN", new_format(single ? "single_begin" : "begin"));
-    templates_print(NULL, (const char *const[]){"patch_calls", NULL}, u->options.precision, w.word, out);
+    templates_print(NULL, (const char *const[]){"patch_calls", "patch_from_calls", NULL}, u->options.precision, w.word,
+                    out);
     words_clear(&w);
 }

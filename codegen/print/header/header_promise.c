@@ -52,7 +52,8 @@ const char *promise_answers(const struct unit *u)
 
 bool promise_follows(const struct unit *u)
 {
-    return !single(u) && (promise_kind_of(u) == PROMISE_BILINEAR || promise_kind_of(u) == PROMISE_CURVED);
+    const enum promise_kind kind = promise_kind_of(u);
+    return !single(u) && (kind == PROMISE_BILINEAR || kind == PROMISE_CURVED || kind == PROMISE_PATCH);
 }
 
 /* Returns the promise of f's name. */

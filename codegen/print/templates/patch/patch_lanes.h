@@ -131,8 +131,59 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_store(const BLOCK *b, int count,
     return doubt;
 }
 
-/* The answers of pairs that are not proved, by a search of each. */
-FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK *b, int count,
+/* Last answers, which results overwrite. */
+typedef struct {
+    double loc[2][FOOTPOINT_LANES];
+} footpoint_detail_KIND_last;
+
+/* Begins with the last answers; with the middle where one is no number. */
+FOOTPOINT_PART void footpoint_detail_KIND_resume(BLOCK *b, footpoint_detail_KIND_last *last,
+                                                 int count, const double *xi, const double *eta)
+{
+    int l;
+    for (l = 0; l < FOOTPOINT_LANES; l++) {
+        const int from = l < count ? l : count - 1;
+        const REAL x = (REAL)(last->loc[0][l] = xi[from]), y = (REAL)(last->loc[1][l] = eta[from]);
+        const int good =
+            !((footpoint_detail_above(x, 2.0) | footpoint_detail_above(y, 2.0)) >> REAL_TOP);
+        b->p[l] = good ? footpoint_detail_KIND_kept(x) : (REAL)0.0;
+        b->q[l] = good ? footpoint_detail_KIND_kept(y) : (REAL)0.0;
+    }
+}
+
+/* Steps until the longest of them is so short that one that is proved mostly succeeds, see step_leaves() of the generator, but `most` at
+ * most. */
+FOOTPOINT_PART void footpoint_detail_KIND_settle(BLOCK *b, const footpoint_detail_KIND_lanes *t,
+                                                 int most, double promise)
+{
+    REAL p[FOOTPOINT_LANES], q[FOOTPOINT_LANES], left = 1.0;
+    int l;
+    for (; most > 0 && 10.0 * left * left > promise; most--) {
+        REAL longest = 0.0;
+        for (l = 0; l < FOOTPOINT_LANES; l++) {
+            p[l] = b->p[l];
+            q[l] = b->q[l];
+        }
+        footpoint_detail_KIND_bares(b, t);
+        for (l = 0; l < FOOTPOINT_LANES; l++)
+            longest = footpoint_detail_greater(
+                longest, footpoint_detail_greater(fabs(b->p[l] - p[l]), fabs(b->q[l] - q[l])));
+        left = longest * longest * (0.3 * longest + 0.003);
+    }
+}
+
+/* Doubts answers that are more than half of the patch away from the last, and those from no number. */
+FOOTPOINT_PART void footpoint_detail_KIND_astray(BLOCK *b, const footpoint_detail_KIND_last *last)
+{
+    int l;
+    for (l = 0; l < FOOTPOINT_LANES; l++)
+        b->doubt[l] |= footpoint_detail_above(b->p[l] - (REAL)last->loc[0][l], 1.0) |
+                       footpoint_detail_above(b->q[l] - (REAL)last->loc[1][l], 1.0);
+}
+
+/* The answers of pairs that are not proved, by a search of each; last: NULL, or from where. */
+FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK *b,
+                                               const footpoint_detail_KIND_last *last, int count,
                                                double promise, double *xi, double *eta, double *gap,
                                                int *status)
 {
@@ -143,13 +194,17 @@ FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK
             const double *const row[9] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]};
             for (k = 0; k < 27; k++)
                 x[k / 3][k % 3] = b->x[k / 3][k % 3][l];
-            status[l] = ALONE_ANSWER(search, row, 4, promise, loc, &gap[l]);
+            for (k = 0; last && k < 2; k++)
+                loc[k] = last->loc[k][l];
+            status[l] = last ? ALONE_FURTHER(search, row, promise, loc, &gap[l])
+                             : ALONE_ANSWER(search, row, 4, promise, loc, &gap[l]);
             xi[l] = loc[0];
             eta[l] = loc[1];
         }
 }
 
-/* n pairs, or n slave nodes over one segment unless that is NULL; column: of their coordinates. */
+/* n pairs, or n slave nodes over one segment unless that is NULL; column: of their coordinates.  begin: NULL from the last answers
+ * in xi and eta, with `bare` steps at most. */
 FOOTPOINT_APART void footpoint_detail_KIND_run(footpoint_detail_KIND_begin *begin, int bare,
                                                ALONE_SEARCH *search, const double *const *segment,
                                                size_t n, const double *const *column,
@@ -158,6 +213,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_run(footpoint_detail_KIND_begin *begi
 {
     BLOCK b;
     footpoint_detail_KIND_lanes t;
+    footpoint_detail_KIND_last last;
     size_t i;
     int l, k;
     for (k = 0; segment && k < 24; k++)
@@ -169,13 +225,20 @@ FOOTPOINT_APART void footpoint_detail_KIND_run(footpoint_detail_KIND_begin *begi
         NARROW(&b);
         if (i == 0 || !segment)
             footpoint_detail_KIND_shapes(&b, &t);
-        begin(&b);
-        for (k = 0; k < bare; k++)
-            footpoint_detail_KIND_bares(&b, &t);
+        if (begin) {
+            begin(&b);
+            for (k = 0; k < bare; k++)
+                footpoint_detail_KIND_bares(&b, &t);
+        } else {
+            footpoint_detail_KIND_resume(&b, &last, count, xi + i, eta + i);
+            footpoint_detail_KIND_settle(&b, &t, bare, (REAL)promise);
+        }
         footpoint_detail_KIND_proofs(&b, &t, (REAL)promise);
+        if (!begin)
+            footpoint_detail_KIND_astray(&b, &last);
         if (footpoint_detail_KIND_store(&b, count, xi + i, eta + i, gap + i, status + i) >>
             REAL_TOP)
-            footpoint_detail_KIND_mend(search, &b, count, promise, xi + i, eta + i, gap + i,
-                                       status + i);
+            footpoint_detail_KIND_mend(search, &b, begin ? NULL : &last, count, promise, xi + i,
+                                       eta + i, gap + i, status + i);
     }
 }
