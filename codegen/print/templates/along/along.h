@@ -13,32 +13,32 @@
 /* The largest error of xi and eta behind FOOTPOINT_OK. */
 #define ALONG_PROMISE REAL_ALONG
 
-/* The larger one without a branch, which would keep loops from being vectorised. */
+/* Returns the larger number without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART REAL footpoint_detail_larger(REAL a, REAL b)
 {
     return 0.5 * (a + b + fabs(a - b));
 }
 
-/* How far |x| is above 1, and 0 below. */
+/* Returns the excess of |x| over 1, and 0 below. */
 FOOTPOINT_PART REAL footpoint_detail_excess(REAL x)
 {
     const REAL more = fabs(x) - 1.0;
     return 0.5 * (more + fabs(more));
 }
 
-/* Half of the last digit of 1. */
+/* Returns half of the last digit of 1. */
 FOOTPOINT_PART REAL footpoint_detail_unit(void)
 {
     return 1.0 / (REAL)((REAL_BITS)1 << REAL_DIGITS);
 }
 
-/* The sum of the absolute values. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART REAL footpoint_detail_manhattan(const REAL a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -48,7 +48,7 @@ FOOTPOINT_PART int footpoint_detail_met(void)
 #endif
 }
 
-/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+/* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
 FOOTPOINT_FN int footpoint_detail_along_scale(const REAL along[3], REAL p[3])
 {
     REAL most = 0.0;

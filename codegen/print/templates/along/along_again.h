@@ -1,7 +1,7 @@
-/* Projection along a direction where the quick way does not tell. */
+/* Projection along a direction if the quick way fails. */
 
-/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
- * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
+/* Searches in full, in units of length in which the segment and the direction are about 1 long. Returns
+ * FOOTPOINT_ERR_DOMAIN if a slave node or a distance overflows there. */
 FOOTPOINT_COLD int footpoint_detail_KIND_along_again(const REAL *const *x, const REAL along[3],
                                                      REAL loc[2], REAL *dist)
 {

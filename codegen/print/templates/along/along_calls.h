@@ -1,18 +1,18 @@
-/* What callers have of projection along a direction. */
+/* The functions for callers that project along a direction. */
 
-/* PREFIX_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  A point where the line meets the surface is proved to lie within ALONG_PROMISE of
- *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
- *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
- *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
- *           meets the surface there beyond the edges, which count for as thick as ALONG_PROMISE.
- *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
- *           edges is proved;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
- *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
- * PREFIX_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+/* PREFIX_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           segment: loc = {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along
+ *           the segment's normal dist is the gap. A point at which the line meets the surface is proved to lie within
+ *           ALONG_PROMISE of loc, times |xi| or |eta| if these are above 1, rounding errors included; dist belongs to
+ *           r(loc). FOOTPOINT_OK: the line meets the segment nowhere else. FOOTPOINT_NOT_UNIQUE: it meets the segment
+ *           more than once, and the answer is the nearest of these points, to their errors. FOOTPOINT_OUTSIDE: it does
+ *           not meet the segment, but the surface beyond the edges, which count as ALONG_PROMISE thick.
+ *           FOOTPOINT_UNPROVED: any of these or no point, for example if the line nearly touches the segment.
+ *           On error loc and dist are untouched: FOOTPOINT_ERR_DOMAIN if xS is too far away for a distance, or the line
+ *           does not meet the segment, and no point beyond the edges is proved; FOOTPOINT_ERR_DEGENERATE if there is no
+ *           area or no direction, or, within rounding errors, if the line is parallel to the segment's plane; and
+ *           FOOTPOINT_ERR_NOT_FINITE.
+ * PREFIX_along_n:  does the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2], REAL *dist)
 {
     const REAL *const x[VECTORS] = {NODE_NAMES};
@@ -42,7 +42,7 @@ FOOTPOINT_LOOP void PREFIX_along_n(size_t n, const REAL *const x[COORDINATES],
         REAL at[3];
         int outside;
         const REAL_BITS flaw = footpoint_detail_KIND_along(row, q, at, &outside);
-        status[i] = outside - (int)(2 * (flaw >> REAL_TOP)); /* < 0 where it is asked in full */
+        status[i] = outside - (int)(2 * (flaw >> REAL_TOP)); /* < 0: a full search follows */
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];

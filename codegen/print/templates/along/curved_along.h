@@ -1,6 +1,7 @@
-/* Where a line meets a curved face, by Newton's steps. */
+/* The intersection of a line with a curved face, by Newton's steps. */
 
-/* What u^2, u v, v^2 and higher powers add, of coefficients k as footpoint_detail_KIND_powers() has them, and its slopes. */
+/* Returns the part of u^2, u v, v^2 and higher powers, for coefficients k of footpoint_detail_KIND_powers(), and its
+ * slopes. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_bend(const REAL k[9], REAL u, REAL v, REAL slope[2])
 {
     REAL square = k[3], mixed = k[4], more = 0.0, bend;
@@ -16,8 +17,8 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_bend(const REAL k[9], REAL u, REAL v, 
     return u * bend + v * (v * k[5]);
 }
 
-/* Bounds of the slopes of footpoint_detail_KIND_bend where |u|, |v| <= wide, no less than reach; |k[3] + k[8] v^2| is
- * largest where v is 0 or wide.  Returns a bound of |u + bend| where |u|, |v| <= reach. */
+/* Bounds the slopes of footpoint_detail_KIND_bend for |u|, |v| <= wide, which is at least reach; |k[3] + k[8] v^2| is
+ * largest at v = 0 or wide. Returns a bound of |u + bend| for |u|, |v| <= reach. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_bounds(const REAL k[9], REAL reach, REAL wide,
                                                  REAL slope[2])
 {
@@ -39,10 +40,10 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_bounds(const REAL k[9], REAL reach, RE
     return 1.001 * (reach + reach * reach * all);
 }
 
-/* A bound of all rounding errors of a scalar product of the surface with a vector m = b x p where |u|, |v| <= 1, over |b| |p|, sums
- * of absolute values: differences of nodes are off by a unit, coefficients by 110 of all sizes at most, together by 300; m, its
- * products and the power series, moved to a part of the face, and the step that begins at rounded u and v count 170 more.  Of c[0],
- * which holds xS, it is 20. */
+/* Returns a bound of all rounding errors of a scalar product of the surface with a vector m = b x p for |u|, |v| <= 1,
+ * over |b| |p|, for sums of absolute values. Differences of nodes are off by a unit, coefficients by at most 110 of all
+ * sizes, together by 300. m, its products and the power series, moved to a part of the face, and the step that begins
+ * at rounded u and v count 170 more. For c[0], which contains xS, it is 20. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_rounding(REAL c[3][9])
 {
     REAL away = 0.0, size = 0.0;
@@ -57,12 +58,14 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_rounding(REAL c[3][9])
     return footpoint_detail_unit() * (20.0 * away + 500.0 * size);
 }
 
-/* A bound of how far a point lies from where a step of Newton ends, in maximum norms; above `most` if none is proved.  inverse: the norm
- * of the inverse of the slopes where it begins; off, bends: bounds of rounding errors of the equations and of bends' slopes.
+/* Returns a bound of the distance of a point from the end of a Newton step, in maximum norms; above `most` if no point
+ * is proved. inverse: the norm of the inverse of the slopes at its start; off, bends: bounds of rounding errors of the
+ * equations and of the bends' slopes.
  *
- * Second derivatives are 5 bends in all, see below, and errors of slopes are part of bends.  By Kantorovich, if h = 5 bends inverse
- * (step + 2 error) <= 1/4, with error = inverse off, then a point lies within 0.7 h step + 1.2 error: bounds hold that far if the step
- * is 5e-4 at most.  It is solved to 16 units of itself times inverse and the slopes, 2 + bends. */
+ * Second derivatives are at most 5 bends in all, see below, and errors of slopes are part of bends. By Kantorovich, if
+ * h = 5 bends inverse (step + 2 error) <= 1/4, with error = inverse off, then a point lies within 0.7 h step + 1.2
+ * error: the bounds hold that far if the step is at most 5e-4. The linear equations are solved to 16 units of the step
+ * times inverse and the slopes, 2 + bends. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_near(REAL step, REAL inverse, REAL off, REAL bends,
                                                REAL most)
 {
@@ -72,20 +75,22 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_near(REAL step, REAL inverse, REAL off
     return footpoint_detail_larger(near, (4.2 * h + 2000.0 * step) * most);
 }
 
-/* The point at = {u, v} where u + bend = k[0] and v + bend = l[0].  Bends as they are without bends, then a few of Newton's
- * steps.  off: bounds of the rounding errors of both equations where |u|, |v| <= 1.  The highest bit of what it returns is set unless
- * a point is proved to lie within `most` of `at`, and no other one where |u|, |v| <= reach; that of *hit unless it is proved that no
- * point lies there at all.  at[2] <= most: it is proved that a point lies within at[2] of `at`, and nothing of others.
+/* Finds the point at = {u, v} with u + bend = k[0] and v + bend = l[0]: the solution without bends, then a few Newton
+ * steps. off: bounds of the rounding errors of both equations for |u|, |v| <= 1. The highest bit of the result is set
+ * unless a point is proved to lie within `most` of `at`, and no other point with |u|, |v| <= reach. The highest bit of
+ * *hit is set unless it is proved that no point at all lies there. If at[2] <= most, a point is proved to lie within
+ * at[2] of `at`; other points may exist.
  *
- * Let bounds of the slopes of u's bend be A, B, of v's C, D where |u|, |v| <= wide.  Then u, v -> k[0] - bend, l[0] - bend is a
- * contraction there if A, D < 1 and (1 - A) (1 - D) > B C, in a norm of its own: there is one point at most, and one lies within
- * ((1 - D) r + B s, (1 - A) s + C r) / ((1 - A) (1 - D) - B C) of any place where the equations are off by r and s.  A step of
- * Newton leaves half of its square times second derivatives, which are 5 (A + B) / wide at most.  It is solved to 1e5 units of
- * itself, as the determinant is above 0.01; less than a unit and 4e8 units of its square.  Errors of coefficients change
- * slopes by twice what they change values by, and either grows by the fourth power of wide.
+ * Let bounds of the slopes of u's bend be A, B, of v's C, D for |u|, |v| <= wide. Then u, v -> k[0] - bend, l[0] - bend
+ * is a contraction there if A, D < 1 and (1 - A) (1 - D) > B C, in its own norm. So there is at most one point, and a
+ * point lies within ((1 - D) r + B s, (1 - A) s + C r) / ((1 - A) (1 - D) - B C) of any place at which the equations
+ * are off by r and s. A Newton step leaves half of its square times second derivatives, which are at most 5 (A + B) /
+ * wide. The linear equations are solved to 1e5 units of the step, as the determinant is above 0.01; less than a unit
+ * and 4e8 units of its square. Errors of coefficients change slopes by twice as much as values, and both grow by the
+ * fourth power of wide.
  *
- * By Kantorovich, a point lies within 0.7 h `step` of where the last step ends if h <= 1/4, h being the step, times the norm of the
- * inverse of the slopes where it begins, `most` at first, times the second derivatives. */
+ * By Kantorovich, a point lies within 0.7 h `step` of the end of the last step if h <= 1/4, where h is the step, `most`
+ * at first, times the norm of the inverse of the slopes at its start, times the second derivatives. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL l[9],
                                                     const REAL off[2], REAL reach, REAL most,
                                                     REAL at[3], REAL_BITS *hit)
@@ -138,10 +143,10 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_meet(const REAL k[9], const REAL 
            footpoint_detail_above(moved, 4e-6);
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
- * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  The highest bit of
- * what it returns is set where that is not proved; and where the point is so far away that bends, fourth powers, make any step
- * short.  The distance may be infinite. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. c2 x p and p x c1 are at
+ * right angles to p; along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend =
+ * l[0]. The highest bit of the result is set if that is not proved, or if the point is so far away that bends, fourth
+ * powers, make any step short. The distance may be infinite. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
 {

@@ -1,7 +1,8 @@
-/* Where a line meets a curved face, in full. */
+/* The intersection of a line with a curved face, in full. */
 
-/* One step of (xi,eta) = at to where xS - r is a multiple of p; at[2] becomes their distance, to second order in the step,
- * whose square is *moved.  The highest bit of what it returns is set if p is in the plane of the tangents. */
+/* Takes one step of (xi,eta) = at to the point at which xS - r is a multiple of p; at[2] becomes their distance, to
+ * second order in the step, whose square is *moved. The highest bit of the result is set if p lies in the plane of the
+ * tangents. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along_step(const REAL *const *x, const REAL p[3],
                                                           REAL most, REAL at[3], REAL *moved)
 {
@@ -23,9 +24,9 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along_step(const REAL *const *x, 
            footpoint_detail_bits(across * across - 100.0 * REAL_FLAT * size);
 }
 
-/* 1 if rounding errors may hide that p is in the plane of the tangents at 16 places: then it is everywhere, as the volume that the
- * three span is of degree 3 in xi and in eta.  Tangents are sums of differences of nodes, times 8 at most, to 16 units, and products
- * to 7 more. */
+/* Returns 1 if rounding errors may hide that p lies in the plane of the tangents at 16 places. Then it does everywhere,
+ * as the volume that the three span has degree 3 in xi and in eta. Tangents are sums of differences of nodes, times at
+ * most 8, to 16 units, and products to 7 more. */
 FOOTPOINT_FN int footpoint_detail_KIND_edge_on(const REAL *const *x, const REAL p[3])
 {
     const REAL low = NODES > 6 ? -1.0 : 0.0, third = (1.0 - low) / 3.0;
@@ -46,8 +47,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_edge_on(const REAL *const *x, const REAL 
     return 1;
 }
 
-/* The face as two polynomials, along two directions at right angles to p and each other, a product of p's length or its square.  1 if
- * one of them is not 0 anywhere on the face. */
+/* Computes the face as two polynomials, along two directions at right angles to p and to each other, with lengths of p
+ * or its square. Returns 1 if one of them is nowhere 0 on the face. */
 FOOTPOINT_FN int footpoint_detail_KIND_seen(const REAL *const *x, const REAL p[3],
                                             footpoint_detail_KIND_view *s)
 {
@@ -76,8 +77,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_seen(const REAL *const *x, const REAL p[3
     return beside;
 }
 
-/* Up to 50 short steps from `at` to where the line meets the surface.  The highest bit of what it returns is set if they come to no
- * end. */
+/* Takes up to 50 short steps from `at` to the point at which the line meets the surface. The highest bit of the result
+ * is set if they do not converge. */
 FOOTPOINT_FN REAL_BITS footpoint_detail_KIND_walk(const REAL *const *x, const REAL p[3], REAL at[3])
 {
     REAL moved = 1.0;
@@ -89,7 +90,7 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_KIND_walk(const REAL *const *x, const RE
            footpoint_detail_infinite(at[0] + at[1] + at[2]);
 }
 
-/* at[2] becomes the distance at (xi,eta) = at. */
+/* Sets at[2] to the distance at (xi,eta) = at. */
 FOOTPOINT_FN void footpoint_detail_KIND_ahead(const REAL *const *x, const REAL p[3], REAL at[3])
 {
     REAL u[3], v[3], d[3];
@@ -97,9 +98,9 @@ FOOTPOINT_FN void footpoint_detail_KIND_ahead(const REAL *const *x, const REAL p
     at[2] = footpoint_detail_dot(p, d) / sqrt(footpoint_detail_dot(p, p));
 }
 
-/* 1 if a point of the surface is proved to lie within the promise, times |at| where that is above 1, of `at`, which moves to where the
- * proof has it: as in parts of the face, smaller ones if a larger one does not tell.  Rounding errors grow as the highest powers of
- * u and v. */
+/* Returns 1 if a point of the surface is proved to lie within the promise, times |at| if that is above 1, of `at`,
+ * which moves to the proved place: as in parts of the face, in smaller parts if a larger part fails. Rounding errors
+ * grow as the highest powers of u and v. */
 FOOTPOINT_COLD int footpoint_detail_KIND_beyond(const footpoint_detail_KIND_view *s, REAL at[3])
 {
     footpoint_detail_KIND_view far = *s;
@@ -121,7 +122,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_beyond(const footpoint_detail_KIND_view
     return 0;
 }
 
-/* Where the line meets the surface beyond the edges: of steps from five places, the first that lead to a point that is proved. */
+/* Finds a point at which the line meets the surface beyond the edges: the first of the steps from five places that lead
+ * to a proved point. */
 FOOTPOINT_FN int footpoint_detail_KIND_beside(const REAL *const *x, const REAL p[3],
                                               const footpoint_detail_KIND_view *s, REAL at[3])
 {
@@ -138,7 +140,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_beside(const REAL *const *x, const REAL p
     return FOOTPOINT_ERR_DOMAIN;
 }
 
-/* (xi,eta) and the distance of a point that is found; beyond the edges or without a proof, where steps lead from there if they do. */
+/* Computes (xi,eta) and the distance of a found point. Beyond the edges, or without a proof, it takes steps from there
+ * and uses their end if they converge. */
 FOOTPOINT_FN void footpoint_detail_KIND_place(const REAL *const *x, const REAL p[3],
                                               const REAL found[3], REAL at[3])
 {
@@ -159,8 +162,8 @@ FOOTPOINT_FN void footpoint_detail_KIND_place(const REAL *const *x, const REAL p
     footpoint_detail_KIND_ahead(x, p, at);
 }
 
-/* Of the points in the face the nearest one; of none the one less far outside.  Points near an edge may be on either side: one of
- * several is no answer then. */
+/* Returns the nearest point in the face, or otherwise the point least far outside. Points near an edge may be on either
+ * side; if there are several, they are no answer. */
 FOOTPOINT_COLD int footpoint_detail_KIND_along_full(const REAL *const *x, const REAL p[3],
                                                     REAL at[3])
 {

@@ -1,6 +1,6 @@
 /* The two domains of curved faces, for projection along a direction. */
 
-/* How far (xi,eta) lies beyond the edges: <= 0 inside. */
+/* Returns the distance of (xi,eta) beyond the edges: <= 0 inside. */
 FOOTPOINT_PART REAL footpoint_detail_square_beyond(REAL xi, REAL eta)
 {
     const REAL u = fabs(xi), v = fabs(eta);
@@ -13,7 +13,7 @@ FOOTPOINT_PART REAL footpoint_detail_triangle_beyond(REAL xi, REAL eta)
     return -least > over ? -least : over;
 }
 
-/* Point k to start from: the middle, and towards the corners. */
+/* Computes starting point k: the middle, then points towards the corners. */
 FOOTPOINT_FN void footpoint_detail_square_start(int k, REAL at[3])
 {
     at[0] = k == 0 ? 0.0 : k == 1 || k == 4 ? -0.75 : 0.75;

@@ -1,19 +1,19 @@
-/* All points where a line meets a curved face: its parts are quartered until it is proved of each that it holds none or one.
+/* All points at which a line meets a curved face: parts are quartered until each is proved to contain at most one.
  *
- * Seen along the line the face is two polynomials of u and v, and the line is 0.  Over a part, the square about (u, v) that
- * reaches `half` to each side, their values are means of nine control points, Bernstein coefficients: where these lie on one
- * side of a line through 0 there is no point.  Where the tangents at the middle tell u from v, the proofs of
- * footpoint_detail_KIND_meet hold for a part as for the whole face.  Parts overlap a little, so that rounding loses no
- * point on their edges. */
+ * Seen along the line, the face is two polynomials of u and v, and the line is 0. Over a part, the square about (u, v)
+ * that reaches `half` to each side, their values are means of nine control points, the Bernstein coefficients. If these
+ * lie on one side of a line through 0, there is no point. If the tangents in the middle separate u from v, the proofs
+ * of footpoint_detail_KIND_meet hold for a part as for the whole face. Parts overlap a little, so that rounding loses
+ * no point on their edges. */
 
-/* The polynomials, with a bound of their rounding errors on the face, and n points {u, v, 0} that they lead to, of faces all of whose
- * points are told eight at most; {u, v, 1}: no point is proved to lie within the promise. */
+/* The polynomials, with a bound of their rounding errors on the face, and the n points {u, v, 0} found; at most eight
+ * if all points of the face are proved. {u, v, 1}: no point is proved to lie within the promise. */
 typedef struct {
     REAL q[2][9], off, found[9][3];
     int n;
 } footpoint_detail_KIND_view;
 
-/* c about (u, v) with `half` for a unit. */
+/* Expands c about (u, v), with `half` as the unit. */
 FOOTPOINT_FN void footpoint_detail_KIND_moved(const REAL c[9], REAL u, REAL v, REAL half,
                                               REAL part[9])
 {
@@ -31,8 +31,8 @@ FOOTPOINT_FN void footpoint_detail_KIND_moved(const REAL c[9], REAL u, REAL v, R
     part[8] = half * cube * top;
 }
 
-/* 1 if the control points of both polynomials lie on one side of a line through 0, farther from it than rounding takes them: `right`
- * and `left` enclose them. */
+/* Returns 1 if the control points of both polynomials lie on one side of a line through 0, farther from it than
+ * rounding reaches: `right` and `left` enclose them. */
 FOOTPOINT_FN int footpoint_detail_KIND_misses(REAL q[2][9], REAL off)
 {
     REAL right[2], left[2], z[9][2], most, least;
@@ -70,7 +70,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_misses(REAL q[2][9], REAL off)
     return 1;
 }
 
-/* 0: no point is proved to be in the part, 1: one, within `most` times half of at = {u, v}, 2: that is not known. */
+/* Returns 0 if the part is proved to contain no point, 1 for one point, within `most` times half of at = {u, v}, 2 if
+ * neither is proved. */
 FOOTPOINT_COLD int footpoint_detail_KIND_line_about(footpoint_detail_KIND_view *s, REAL u, REAL v,
                                                     REAL half, REAL most, REAL at[2])
 {
@@ -103,9 +104,9 @@ FOOTPOINT_COLD int footpoint_detail_KIND_line_about(footpoint_detail_KIND_view *
     return fabs(w[0]) < 1.01 && fabs(w[1]) < 1.01;
 }
 
-/* 1 if the part is proved to hold no point, or one, which joins those that are found if it is none of these.  It is found once more
- * in a sixteenth of the part about it.  Where it is known to half of the promise, points within twice that are the same, as parts
- * reach farther into each other. */
+/* Returns 1 if the part is proved to contain no point or one point, which is added to the points found unless it is one
+ * of them. It is found again in a sixteenth of the part about it. If it is known to half of the promise, points within
+ * twice that are the same, because parts overlap by more. */
 FOOTPOINT_FN int footpoint_detail_KIND_part(footpoint_detail_KIND_view *s, REAL u, REAL v,
                                             REAL half)
 {
@@ -129,8 +130,8 @@ FOOTPOINT_FN int footpoint_detail_KIND_part(footpoint_detail_KIND_view *s, REAL 
     return 1;
 }
 
-/* All points in the face or at its edges; the last found is not proved if thousands of parts do not tell, as where the line touches
- * the surface.  Parts are numbered i, j on their level. */
+/* Finds all points in the face or at its edges. The last point is unproved if thousands of parts do not suffice, for
+ * example if the line touches the surface. Parts are numbered i, j on their level. */
 FOOTPOINT_FN void footpoint_detail_KIND_meets(footpoint_detail_KIND_view *s)
 {
     const REAL low = NODES > 6 ? -1.0 : -1.0 / 3.0;

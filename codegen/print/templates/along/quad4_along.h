@@ -1,17 +1,18 @@
-/* Where a line meets the bilinear segment.
+/* The intersection of a line with the bilinear segment.
  *
- * r = c0 + xi c1 + eta c2 + xi eta c3, d = xS - c0, and [a b] = (a x b) . p, which the direction p has no part in: as r
+ * r = c0 + xi c1 + eta c2 + xi eta c3, d = xS - c0, and [a b] = (a x b) . p, which parts along p do not change. As r
  * and xS differ by a multiple of p,
- *     [c1 c3] xi^2 + ([c1 c2] - [d c3]) xi + [c2 d] = 0,   [c3 c2] eta^2 + ([c1 c2] + [d c3]) eta + [d c1] = 0.
- * Both have the discriminant D, and at a solution J = [r_xi r_eta] = [c1 c2] + [c1 c3] xi + [c3 c2] eta is a root of D,
- * the two solutions have the two.  J is linear in xi and eta: where its values at the corners have one sign, so it has in
- * the segment, and of the two solutions that with J of this sign alone can lie there; the other one is what an iteration
- * may end at outside.
+ *   [c1 c3] xi^2 + ([c1 c2] - [d c3]) xi + [c2 d] = 0,   [c3 c2] eta^2 + ([c1 c2] + [d c3]) eta + [d c1] = 0.
  *
- * A solution is proved by what it leaves of j xi + k2 xi eta = ..., j eta + k1 xi eta = ..., the equations [r c2] and [c1 r],
- * j = [c1 c2], k1 = [c1 c3], k2 = [c3 c2]. */
+ * Both have the discriminant D, and at a solution J = [r_xi r_eta] = [c1 c2] + [c1 c3] xi + [c3 c2] eta is a root of D;
+ * the two solutions have the two roots. J is linear in xi and eta. If its values at the corners have one sign, it has
+ * this sign in the segment, and only the solution with this sign of J can lie there. The other solution is the one at
+ * which an iteration may end outside.
+ *
+ * A solution is proved by its residuals in j xi + k2 xi eta = ..., j eta + k1 xi eta = ..., the equations [r c2] and
+ * [c1 r], j = [c1 c2], k1 = [c1 c3], k2 = [c3 c2]. */
 
-/* c1, c2, c3 and d, all times 4. */
+/* Computes c1, c2, c3 and d, all times 4. */
 FOOTPOINT_PART void footpoint_detail_quad4_frame(const REAL *const *x, REAL c1[3], REAL c2[3],
                                                  REAL c3[3], REAL d[3])
 {
@@ -26,7 +27,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_frame(const REAL *const *x, REAL c1[3
     }
 }
 
-/* The coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
+/* Computes the coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
 FOOTPOINT_PART void footpoint_detail_quad4_brackets(const REAL c1[3], const REAL c2[3],
                                                     const REAL c3[3], const REAL d[3],
                                                     const REAL p[3], REAL k[6])
@@ -43,7 +44,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_brackets(const REAL c1[3], const REAL
     k[5] = footpoint_detail_dot(d, m1);
 }
 
-/* 4 (xS - r) . p */
+/* Returns 4 (xS - r) . p. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_ahead(const REAL c1[3], const REAL c2[3],
                                                  const REAL c3[3], const REAL d[3], const REAL p[3],
                                                  REAL xi, REAL eta)
@@ -55,8 +56,9 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_ahead(const REAL c1[3], const REAL c2
     return ahead;
 }
 
-/* Bounds of rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`.  Differences of nodes are off by a
- * unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums count for the rest. */
+/* Bounds rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`. Differences of nodes
+ * are off by a unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums
+ * count for the rest. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_rounding(const REAL c1[3], const REAL c2[3],
                                                     const REAL c3[3], const REAL d[3], REAL units)
 {
@@ -66,9 +68,10 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_rounding(const REAL c1[3], const REAL
                      footpoint_detail_manhattan(c3)));
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of where the equations leave r and
- * s, and no other one where |xi|, |eta| <= wide.  off: rounding errors of the equations there.  As a map that leads to xi, eta, r - k2
- * xi eta and s - k1 xi eta, over j, contract if `room` > 0, in a norm of its own; then solutions lie within what `left` bounds. */
+/* Proves a solution. The highest bit of the result is set unless a solution is proved to lie within the promise of the
+ * place at which the equations leave r and s, and no other solution with |xi|, |eta| <= wide. off: rounding errors of
+ * the equations there. As a map to xi, eta, r - k2 xi eta and s - k1 xi eta, over j, contract if `room` > 0, in their
+ * own norm; then solutions lie within the bound `left`. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_meet(REAL j, REAL k1, REAL k2, REAL r, REAL s,
                                                      const REAL off[2], REAL wide)
 {
@@ -81,8 +84,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_meet(REAL j, REAL k1, REAL k2, R
            footpoint_detail_bits(right) | footpoint_detail_infinite(left + right);
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
- * is proved, as J has one sign in the segment and as far beyond it as (xi, eta) lies. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. The highest bit of the
+ * result is set unless that is proved: J has one sign in the segment and as far beyond it as (xi, eta) lies. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, const REAL p[3],
                                                       REAL at[3], int *status)
 {
@@ -112,7 +115,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, cons
            footpoint_detail_infinite(at[2]);
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
+/* Returns the solution of a x^2 + b x + c = 0 for which 2 a x + b is `slope`; 0 if any x is a solution, as on a
+ * collapsed edge. */
 FOOTPOINT_PART REAL footpoint_detail_root(REAL a, REAL b, REAL c, REAL slope)
 {
     if (a == 0.0 && b == 0.0 && c == 0.0)
@@ -120,8 +124,8 @@ FOOTPOINT_PART REAL footpoint_detail_root(REAL a, REAL b, REAL c, REAL slope)
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of (xi,eta), with J of the sign of
- * `slope`: there tangents take the place of c1 and c2, and xS - r that of d. */
+/* The highest bit of the result is set unless a solution is proved to lie within the promise of (xi,eta), with J of the
+ * sign of `slope`: there, tangents replace c1 and c2, and xS - r replaces d. */
 FOOTPOINT_FN REAL_BITS footpoint_detail_quad4_line_near(const REAL c1[3], const REAL c2[3],
                                                         const REAL c3[3], const REAL d[3],
                                                         const REAL p[3], REAL xi, REAL eta,
@@ -144,9 +148,9 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_quad4_line_near(const REAL c1[3], const 
            footpoint_detail_bits(k[0] * slope);
 }
 
-/* Both solutions: z, xi, eta and the distance, what they reach at most of xi and eta, and whether a solution is proved to be there;
- * FOOTPOINT_ERR_DOMAIN if there is none.  Of the two ways to compute the discriminant the one that loses fewer digits, as near
- * a collapsed edge. */
+/* Computes both solutions: z, xi, eta and the distance, their largest xi and eta, and whether a solution is proved to
+ * be there. Returns FOOTPOINT_ERR_DOMAIN if there is none. The discriminant is computed in the way, of two, that loses
+ * fewer digits, for example near a collapsed edge. */
 FOOTPOINT_FN int footpoint_detail_quad4_solve(const REAL c1[3], const REAL c2[3], const REAL c3[3],
                                               const REAL d[3], const REAL p[3], const REAL k[6],
                                               REAL z[2][3], REAL reach[2], int proved[2])
@@ -183,8 +187,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_solve(const REAL c1[3], const REAL c2[3]
     return found ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN;
 }
 
-/* Whether `other` cannot lie in the segment, as z is proved with J of the sign in the middle: there J is -J of z, and in the segment
- * it is more. */
+/* Returns 1 if `other` cannot lie in the segment, because z is proved with J of the sign in the middle: there J is -J
+ * of z, and in the segment it is more. */
 FOOTPOINT_FN int footpoint_detail_quad4_excludes(const REAL k[6], const REAL z[3], REAL reach,
                                                  REAL off)
 {
@@ -205,8 +209,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_edge_on(const REAL c1[3], const REAL c2[
              fabs(k[2]) > off * (b + c));
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
- * other one. */
+/* Returns the solution in the segment, the nearer of two there, or otherwise the proved solution less far outside. If
+ * both are proved, there is no other. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const REAL p[3],
                                                      REAL at[3])
 {

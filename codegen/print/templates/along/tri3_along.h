@@ -1,6 +1,7 @@
-/* Where a line meets the plane of the flat triangle. */
+/* The intersection of a line with the plane of the flat triangle. */
 
-/* Returns c1 x c2 . p; *size: the sum of the absolute values of its terms, of which rounding errors are 7 units at most. */
+/* Returns c1 x c2 . p; *size: the sum of the absolute values of its terms, of which rounding errors are at most 7
+ * units. */
 FOOTPOINT_FN REAL footpoint_detail_tri3_across(const REAL *const *x, const REAL p[3], REAL *size)
 {
     REAL across = 0.0;
@@ -16,9 +17,9 @@ FOOTPOINT_FN REAL footpoint_detail_tri3_across(const REAL *const *x, const REAL 
     return across;
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
- * is proved to the promise: differences of nodes are off by a unit, scalar products with vectors at right angles to p by 6 more, and
- * xi and eta by 2 of their own. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. The highest bit of the
+ * result is set unless that is proved to the promise: differences of nodes are off by a unit, scalar products with
+ * vectors at right angles to p by 6 more, and xi and eta by 2 of their own. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
 {
@@ -53,7 +54,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_along(const REAL *const *x, const
            footpoint_detail_bits(0.99 * ALONG_PROMISE * fabs(across) - off);
 }
 
-/* In full: FOOTPOINT_ERR_DEGENERATE where rounding errors may hide that the line is parallel to the plane. */
+/* Searches in full. Returns FOOTPOINT_ERR_DEGENERATE if rounding errors may hide that the line is parallel to the
+ * plane. */
 FOOTPOINT_COLD int footpoint_detail_tri3_along_full(const REAL *const *x, const REAL p[3],
                                                     REAL at[3])
 {
