@@ -1,10 +1,11 @@
-/* A curved face as a point of it sees it: changes of the squared distance from there. */
+/* A curved face relative to one of its points: changes of the squared distance from there. */
 
-/* A point (xi,eta) = at of the closed face, and coordinates (s,t) from there: of quadrilaterals xi and eta less the point's.
- * Of a triangle they are the two that vanish at corner number `turn`, so that t >= 0 is the edge between it and the next,
- * if the point is on an edge, and s, t >= 0 if it is a corner.  held: of s and of t, -1 if the face is where it is >= 0, 1 if
- * it is where it is <= 0, else 0.  r: derivatives by s and t, d = xS - r; uuv, uvv, k: r_sst, r_stt, r_sstt.  f, g: slopes
- * r_s . d and r_t . d, off by off_f and off_g; dd = d . d; a, b, c: r_ss . d, r_st . d, r_tt . d.  far bounds all vectors. */
+/* A point (xi,eta) = at of the closed face, and coordinates (s,t) from there. For quadrilaterals they are xi and eta
+ * minus the point's. For a triangle they are the two that vanish at corner number `turn`, so that t >= 0 is the edge
+ * between it and the next if the point is on an edge, and s, t >= 0 if it is a corner. held: for s and for t, -1 if the
+ * face lies at >= 0, 1 if at <= 0, otherwise 0. r: derivatives by s and t, d = xS - r; uuv, uvv, k: r_sst, r_stt,
+ * r_sstt. f, g: slopes r_s . d and r_t . d, off by off_f and off_g; dd = d . d; a, b, c: r_ss . d, r_st . d, r_tt . d.
+ * far bounds all vectors. */
 typedef struct {
     footpoint_detail_local r;
     REAL at[2], uuv[3], uvv[3], k[3], f, g, dd, a, b, c, off_f, off_g, far;
@@ -12,7 +13,7 @@ typedef struct {
     int turn;
 } footpoint_detail_KIND_anchor;
 
-/* 0 inside; 1 to CORNERS: edges; from there on corners. */
+/* Returns the region: 0 inside; 1 to CORNERS: edges; then corners. */
 FOOTPOINT_PART int footpoint_detail_KIND_region(const REAL at[2])
 {
     if (CORNERS == 3) {
@@ -26,7 +27,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_region(const REAL at[2])
     }
 }
 
-/* Derivatives by xi and eta become those by s and t. */
+/* Converts derivatives by xi and eta to those by s and t. */
 FOOTPOINT_PART void footpoint_detail_KIND_turned(int turn, footpoint_detail_local *r)
 {
     int i;
@@ -41,7 +42,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_turned(int turn, footpoint_detail_loca
     }
 }
 
-/* (s,t) from the anchor to (xi,eta) = to. */
+/* Computes (s,t) from the anchor to (xi,eta) = to. */
 FOOTPOINT_PART void footpoint_detail_KIND_way(const footpoint_detail_KIND_anchor *z,
                                               const REAL to[2], REAL h[2])
 {
@@ -50,9 +51,9 @@ FOOTPOINT_PART void footpoint_detail_KIND_way(const footpoint_detail_KIND_anchor
     h[1] = CORNERS == 4 || z->turn == 0 ? y : z->turn == 1 ? -(x + y) : x;
 }
 
-/* Slopes.  Rounding, u = 1.12e-16, as in footpoint_detail_KIND_step: tangents are off by 10 u growth size, d by 20 u spread size + 7 u
- * |d|.  (xi,eta) of a triangle, less the middle's, is off by u itself, which makes 3.6 u growth size of tangents, and turned ones are
- * off by twice as much; and u (|r_xi| + |r_eta|) of d. */
+/* Computes slopes. Rounding, u = 1.12e-16, as in footpoint_detail_KIND_step: tangents are off by 10 u growth size, d by
+ * 20 u spread size + 7 u |d|. (xi,eta) of a triangle, minus the middle's, is off by u itself, which adds 3.6 u growth
+ * size to tangents, and turned tangents are off by twice as much; and u (|r_xi| + |r_eta|) to d. */
 FOOTPOINT_PART void footpoint_detail_KIND_slopes(const footpoint_detail_KIND_terms *of, REAL p,
                                                  REAL q, footpoint_detail_KIND_anchor *z)
 {

@@ -1,18 +1,18 @@
-/* What closest points of all curved faces share. */
+/* Constants and functions for closest points of all curved faces. */
 
-/* What is proved of the whole face where the promise is finer than this. */
+/* The promise proved for the whole face if the caller's is finer. */
 #define FOOTPOINT_DETAIL_CLOSE 1e-9
 
-/* What such a proof comes to: FAR, or another point to go on from. */
+/* Results of such a proof: FAR, or another point from which to continue. */
 enum {
     FOOTPOINT_DETAIL_FAR,
     FOOTPOINT_DETAIL_NEARER,
     FOOTPOINT_DETAIL_DOUBT,
-    FOOTPOINT_DETAIL_PARTS = 400, /* as many parts are looked at */
+    FOOTPOINT_DETAIL_PARTS = 400, /* most parts that are examined */
     FOOTPOINT_DETAIL_DEPTH = 60
 };
 
-/* The quadratic -2 f.k + k.M k, M = [m11 m12; m12 m22], at k, and its slopes. */
+/* Returns the quadratic -2 f.k + k.M k, M = [m11 m12; m12 m22], at k, and computes its slopes. */
 FOOTPOINT_COLD REAL footpoint_detail_bowl(const REAL f[2], const REAL m[3], const REAL k[2],
                                           REAL slope[2])
 {

@@ -1,6 +1,6 @@
-/* The proof that no point of a closed curved face is nearer than a given one, by parts of it. */
+/* The proof that no point of a closed curved face is nearer than a given point, by parts of the face. */
 
-/* About where the quadratic is least in the polygon h: inside, or on an edge. */
+/* Finds roughly the least point of the quadratic in the polygon h: inside, or on an edge. */
 FOOTPOINT_COLD void footpoint_detail_KIND_lowest(const REAL f[2], const REAL m[3],
                                                  REAL h[CORNERS][2], REAL k[2])
 {
@@ -32,9 +32,9 @@ FOOTPOINT_COLD void footpoint_detail_KIND_lowest(const REAL f[2], const REAL m[3
     }
 }
 
-/* A lower bound of the square of the distance over a part with the corners h, (s,t) from its middle z.  What the square gains from z on
- * is a mean of quadratics, of the matrices at corners.  Made convex, each lies above its tangent plane about where it is least, and that is
- * least at a corner.
+/* Returns a lower bound of the squared distance over a part with corners h, (s,t) from its middle z. The change of the
+ * squared distance from z is a mean of quadratics, with the matrices at corners. Each, made convex, lies above its
+ * tangent plane near its least point, and the plane is least at a corner.
  *
  * Rounding: coordinates of d are off by 26 u far, its square by 60 u far^2; M as in footpoint_detail_KIND_form_over. */
 FOOTPOINT_COLD REAL footpoint_detail_KIND_least_of(const footpoint_detail_KIND_anchor *z,
@@ -70,12 +70,12 @@ FOOTPOINT_COLD REAL footpoint_detail_KIND_least_of(const footpoint_detail_KIND_a
            far2 * (200.0 + 8000.0 * (a * a + b * b));
 }
 
-/* Parts of the face by their corners, (xi,eta). */
+/* Parts of the face, by their corners (xi,eta). */
 typedef struct {
     REAL at[CORNERS][2];
 } footpoint_detail_KIND_piece;
 
-/* Halves a part, z being its middle, at the edge that is longest in space; of quadrilaterals at the opposite one, too. */
+/* Halves a part, with middle z, at the edge that is longest in space; quadrilaterals also at the opposite edge. */
 FOOTPOINT_COLD void footpoint_detail_KIND_halve(const footpoint_detail_KIND_anchor *z,
                                                 footpoint_detail_KIND_piece *one,
                                                 footpoint_detail_KIND_piece *other)
@@ -104,7 +104,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_halve(const footpoint_detail_KIND_anch
     }
 }
 
-/* The middle of a part. */
+/* Computes the middle of a part. */
 FOOTPOINT_COLD void footpoint_detail_KIND_middle_of(const footpoint_detail_KIND_piece *part,
                                                     REAL at[2])
 {
@@ -114,8 +114,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_middle_of(const footpoint_detail_KIND_
                              : (part->at[0][i] + part->at[1][i] + part->at[CORNERS - 1][i]) / 3.0;
 }
 
-/* Whether a part has no point that is nearer than `most`, the square of a distance, about one of n anchors where the slope is as good
- * as 0. */
+/* Returns 1 if a part has no point nearer than `most`, a squared distance, near one of n anchors where the slope nearly
+ * vanishes. */
 FOOTPOINT_COLD int footpoint_detail_KIND_about(const footpoint_detail_KIND_anchor *z, int n,
                                                const footpoint_detail_KIND_piece *part, REAL most)
 {
@@ -136,8 +136,9 @@ FOOTPOINT_COLD int footpoint_detail_KIND_about(const footpoint_detail_KIND_ancho
     return 0;
 }
 
-/* Whether no point of the face is nearer than z[0] but within `promise` of it; or, if slack > 0, none is nearer by more than that.
- * z[1], if n > 1, is another point that is as near.  start: a point that is nearer, or may be. */
+/* Returns the result of a proof that no point of the face is nearer than z[0], except within `promise` of it; or, if
+ * slack > 0, that no point is nearer by more than slack. z[1], if n > 1, is another point as near. start: a point that
+ * is, or may be, nearer. */
 FOOTPOINT_COLD int footpoint_detail_KIND_split(const footpoint_detail_KIND_terms *of,
                                                const footpoint_detail_KIND_anchor *z, int n,
                                                REAL promise, REAL slack, REAL start[2])
