@@ -1,6 +1,6 @@
-/* Answers where the quick way does not tell: of searches that prove nothing. */
+/* Answers if the quick way fails, for searches that prove nothing. */
 
-/* The answer where a search is not good beyond doubt; nothing is promised. */
+/* Answers if a search is not good beyond doubt; nothing is promised. */
 FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
                                                 REAL loc[2], REAL *gap)

@@ -1,7 +1,8 @@
-/* Answers that are proved, or repaired: where the quick way does not tell. */
+/* Answers if the quick way fails: proved or repaired. */
 
-/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
+/* Answers if a search is not good beyond doubt; promise <= 0: nothing is promised. It repeats the search, because a
+ * loop takes fewer steps, in a unit of length in which the segment is about 1 long if it is far from that, then
+ * repairs. */
 FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
                                                 REAL loc[2], REAL *gap)
@@ -30,7 +31,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_answer(footpoint_detail_search *search,
         }
         g = ldexp(g, exponent);
         if ((doubt | footpoint_detail_infinite(g)) >> REAL_TOP)
-            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+            return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     }
     loc[0] = xi;
     loc[1] = eta;

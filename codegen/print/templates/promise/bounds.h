@@ -1,6 +1,6 @@
 /* Bounds that all proofs use. */
 
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -10,7 +10,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -20,7 +20,7 @@ FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values; the largest absolute value. */
 FOOTPOINT_PART REAL footpoint_detail_sum(const REAL a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
@@ -31,7 +31,7 @@ FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
     return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
 }
 
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART REAL footpoint_detail_weigh(const REAL a[3], const REAL b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);

@@ -1,11 +1,11 @@
-/* A curved face near a point of it. */
+/* A curved face near one of its points. */
 
 /* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
 typedef struct {
     REAL u[3], v[3], uu[3], uv[3], vv[3], d[3];
 } footpoint_detail_local;
 
-/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the square of the distance and per = 1 / det. */
+/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
 typedef struct {
     REAL r11, r12, r22, det, per, s, t;
 } footpoint_detail_newton;

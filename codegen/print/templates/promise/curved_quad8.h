@@ -1,7 +1,7 @@
 /* The quadrilateral with mid-side nodes as a polynomial of (xi,eta). */
 
-/* r = r0 + xi e + eta f + xi^2 a / 2 + xi eta b + eta^2 c / 2 + xi^2 eta g / 2 + xi eta^2 h / 2, d = xS - r0; `size`, the root of
- * the sum of the squares of the halves of the edges.  Rounding: differences are off by a unit, e to h by 3. */
+/* r = r0 + xi e + eta f + xi^2 a / 2 + xi eta b + eta^2 c / 2 + xi^2 eta g / 2 + xi eta^2 h / 2, d = xS - r0; `size`:
+ * the root of the sum of the squares of half the edges. Rounding: differences are off by a unit, e to h by 3. */
 typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], g[3], h[3], d[3], size;
 } footpoint_detail_quad8_terms;
@@ -30,7 +30,7 @@ FOOTPOINT_PART void footpoint_detail_quad8_expand(const REAL *const *x,
     t->size = sqrt(squares);
 }
 
-/* r - r0 - p e - q f at (p,q), from the middle. */
+/* Computes r - r0 - p e - q f at (p,q), from the middle. */
 FOOTPOINT_PART void footpoint_detail_quad8_arc(const footpoint_detail_quad8_terms *t, REAL p,
                                                REAL q, REAL w[3])
 {
@@ -41,7 +41,7 @@ FOOTPOINT_PART void footpoint_detail_quad8_arc(const footpoint_detail_quad8_term
                0.5 * (q * q) * t->c[i];
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_quad8_local(const footpoint_detail_quad8_terms *t, REAL p,
                                                  REAL q, footpoint_detail_local *l)
 {
@@ -59,20 +59,21 @@ FOOTPOINT_PART void footpoint_detail_quad8_local(const footpoint_detail_quad8_te
     }
 }
 
-/* A bound, over `size`, on |r - (F + H) / 2|, |r_xi| and |r_eta|, and when 1.8 times as large on second derivatives, |xi| and |eta|
- * being x and y, of sums of absolute values, too: a, c, e, f, g, h are at most as long as `size`, b half as long. */
+/* Returns a bound, over `size`, on |r - (F + H) / 2|, |r_xi| and |r_eta|, and, times 1.8, on second derivatives, for
+ * |xi| = x and |eta| = y, and for sums of absolute values: a, c, e, f, g, h are at most as long as `size`, b half as
+ * long. */
 FOOTPOINT_PART REAL footpoint_detail_quad8_growth(REAL x, REAL y)
 {
     return (1.0 + x + 0.5 * (x * x)) * (1.0 + y + 0.5 * (y * y));
 }
 
-/* As tightly, a bound on |r - r0|, and 0.4 for d at the middle. */
+/* Returns an equally tight bound on |r - r0|, and 0.4 for d at the middle. */
 FOOTPOINT_PART REAL footpoint_detail_quad8_spread(REAL x, REAL y)
 {
     return 0.4 + (x + y) * (1.0 + 0.5 * (x * y)) + 0.5 * (x * x + y * y + x * y);
 }
 
-/* Bounds of |r_xi xi eta| twice + |r_xi eta eta|, and with xi and eta exchanged. */
+/* Bounds twice |r_xi xi eta| + |r_xi eta eta|, and with xi and eta exchanged. */
 FOOTPOINT_PART void footpoint_detail_quad8_third(const footpoint_detail_quad8_terms *t, REAL x,
                                                  REAL y, REAL third[2])
 {
@@ -82,7 +83,7 @@ FOOTPOINT_PART void footpoint_detail_quad8_third(const footpoint_detail_quad8_te
     third[1] = g + 2.0 * h;
 }
 
-/* Third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q). */
+/* Computes the third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q). */
 FOOTPOINT_PART void footpoint_detail_quad8_mixed(const footpoint_detail_quad8_terms *t, REAL p,
                                                  REAL q, REAL uuv[3], REAL uvv[3], REAL k[3])
 {

@@ -1,8 +1,8 @@
 /* The quadrilateral with mid-side nodes and a middle as a polynomial of (xi,eta). */
 
-/* r = M + xi e + eta f + xi^2 a / 2 + xi eta b + eta^2 c / 2 + xi^2 eta g / 2 + xi eta^2 h / 2 + xi^2 eta^2 k / 4, M the node in the
- * middle, d = xS - M; `size`, the root of the sum of the squares of the halves of the edges and of the lines from M to the nodes
- * between corners.  Rounding: differences are off by a unit, e to h by 3, k by 4. */
+/* r = M + xi e + eta f + xi^2 a / 2 + xi eta b + eta^2 c / 2 + xi^2 eta g / 2 + xi eta^2 h / 2 + xi^2 eta^2 k / 4, M
+ * the node in the middle, d = xS - M; `size`: the root of the sum of the squares of half the edges and of the lines
+ * from M to the nodes between corners. Rounding: differences are off by a unit, e to h by 3, k by 4. */
 typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], g[3], h[3], k[3], d[3], size;
 } footpoint_detail_quad9_terms;
@@ -34,7 +34,7 @@ FOOTPOINT_PART void footpoint_detail_quad9_expand(const REAL *const *x,
     t->size = sqrt(squares);
 }
 
-/* r - r0 - p e - q f at (p,q), from the middle, but for k. */
+/* Computes r - r0 - p e - q f at (p,q), from the middle, without k. */
 FOOTPOINT_PART void footpoint_detail_quad9_arc(const footpoint_detail_quad9_terms *t, REAL p,
                                                REAL q, REAL w[3])
 {
@@ -45,7 +45,7 @@ FOOTPOINT_PART void footpoint_detail_quad9_arc(const footpoint_detail_quad9_term
                0.5 * (q * q) * t->c[i];
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_quad9_local(const footpoint_detail_quad9_terms *t, REAL p,
                                                  REAL q, footpoint_detail_local *l)
 {
@@ -63,22 +63,23 @@ FOOTPOINT_PART void footpoint_detail_quad9_local(const footpoint_detail_quad9_te
     }
 }
 
-/* A bound, over `size`, on |r - M|, |r_xi| and |r_eta|, and when 1.8 times as large on second derivatives, |xi| and |eta| being x
- * and y, of sums of absolute values, too: e to h are at most as long as `size`, but for a and c, the root of 2 times, k, that of
- * 12 times as long. */
+/* Returns a bound, over `size`, on |r - M|, |r_xi| and |r_eta|, and, times 1.8, on second derivatives, for |xi| = x and
+ * |eta| = y, and for sums of absolute values: e to h are at most as long as `size`, except a and c, which are at most
+ * the root of 2 times, and k, which is at most the root of 12 times as long. */
 FOOTPOINT_PART REAL footpoint_detail_quad9_growth(REAL x, REAL y)
 {
     return 1.2 * (1.0 + x + x * x) * (1.0 + y + y * y);
 }
 
-/* As tightly, a bound on |r - r0|, and 0.4 for d at the middle: e and f are at most as long as `size` over the root of 2. */
+/* Returns an equally tight bound on |r - r0|, and 0.4 for d at the middle: e and f are at most as long as `size` over
+ * the root of 2. */
 FOOTPOINT_PART REAL footpoint_detail_quad9_spread(REAL x, REAL y)
 {
     const REAL xy = x * y;
     return 0.4 + (x + y) * (0.71 + 0.5 * xy) + 0.71 * (x * x + y * y) + xy * (0.5 + 0.87 * xy);
 }
 
-/* Bounds of |r_xi xi eta| twice + |r_xi eta eta|, and with xi and eta exchanged, within 1/8 of (x,y). */
+/* Bounds twice |r_xi xi eta| + |r_xi eta eta|, and with xi and eta exchanged, within 1/8 of (x,y). */
 FOOTPOINT_PART void footpoint_detail_quad9_third(const footpoint_detail_quad9_terms *t, REAL x,
                                                  REAL y, REAL third[2])
 {
@@ -89,7 +90,7 @@ FOOTPOINT_PART void footpoint_detail_quad9_third(const footpoint_detail_quad9_te
     third[1] = g + 2.0 * h;
 }
 
-/* Third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q). */
+/* Computes the third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q). */
 FOOTPOINT_PART void footpoint_detail_quad9_mixed(const footpoint_detail_quad9_terms *t, REAL p,
                                                  REAL q, REAL uuv[3], REAL uvv[3], REAL k[3])
 {

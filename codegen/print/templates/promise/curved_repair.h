@@ -1,6 +1,7 @@
-/* Steps of curved faces where the first proves nothing. */
+/* Steps of curved faces if the first steps prove nothing. */
 
-/* The square of the distance at `at`; and where gauss is not NULL, the step of Gauss and Newton from there, which leads downhill. */
+/* Returns the squared distance at `at` and, if gauss is not NULL, computes the Gauss-Newton step from there, which
+ * leads downhill. */
 FOOTPOINT_COLD REAL footpoint_detail_KIND_apart(const footpoint_detail_KIND_terms *of,
                                                 const REAL at[2], REAL *gauss)
 {
@@ -16,8 +17,8 @@ FOOTPOINT_COLD REAL footpoint_detail_KIND_apart(const footpoint_detail_KIND_term
     return footpoint_detail_dot(r.d, r.d);
 }
 
-/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
- * lead downhill.  0 if nothing is nearer. */
+/* Moves from `at`, where the squared distance is *apart, to `to`, if that is nearer; otherwise by damped Gauss-Newton
+ * steps, which lead downhill. Returns 0 if nothing is nearer. */
 FOOTPOINT_COLD int footpoint_detail_KIND_nearer(const footpoint_detail_KIND_terms *of, REAL to[2],
                                                 REAL at[2], REAL *apart)
 {
@@ -39,7 +40,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_nearer(const footpoint_detail_KIND_term
     return 1;
 }
 
-/* From `at` by up to 30 steps until one is proved.  0: it is; 1: steps have ended, rounding forbids the proof; 2: they have not. */
+/* Takes up to 30 steps from `at` until one is proved. Returns 0 if one is; 1 if steps have ended, because rounding
+ * prevents the proof; 2 if they have not. */
 FOOTPOINT_COLD int footpoint_detail_KIND_steps(const footpoint_detail_KIND_terms *of, REAL promise,
                                                REAL at[2])
 {
@@ -65,7 +67,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_steps(const footpoint_detail_KIND_terms
     return 2;
 }
 
-/* From (*xi,*eta), where a search ended, and if that leads nowhere from where NAME begins; FOOTPOINT_UNPROVED if nothing is proved. */
+/* Repairs an answer from (*xi,*eta), where a search ended, or else from the start of NAME; FOOTPOINT_UNPROVED if
+ * nothing is proved. */
 FOOTPOINT_COLD int footpoint_detail_KIND_repair(REAL y[VECTORS][3], REAL promise, REAL *xi,
                                                 REAL *eta)
 {

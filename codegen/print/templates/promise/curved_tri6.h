@@ -1,7 +1,8 @@
 /* The triangle with mid-side nodes as a polynomial of (xi,eta), about A. */
 
-/* With u and v, (xi,eta) less the middle's, r = r0 + u e + v f + u^2 a / 2 + u v b + v^2 c / 2, d = xS - r0; `size`, the root of the
- * sum of the squares of differences that bound e to c.  Rounding: differences are off by a unit, e to c by 5. */
+/* With u and v, (xi,eta) minus the middle's, r = r0 + u e + v f + u^2 a / 2 + u v b + v^2 c / 2, d = xS - r0; `size`:
+ * the root of the sum of the squares of differences that bound e to c. Rounding: differences are off by a unit, e to c
+ * by 5. */
 typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], d[3], size;
 } footpoint_detail_tri6_terms;
@@ -28,7 +29,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_expand(const REAL *const *x,
     t->size = sqrt(squares);
 }
 
-/* r - r0 - p e - q f at (p,q), from the middle. */
+/* Computes r - r0 - p e - q f at (p,q), from the middle. */
 FOOTPOINT_PART void footpoint_detail_tri6_arc(const footpoint_detail_tri6_terms *t, REAL p, REAL q,
                                               REAL w[3])
 {
@@ -38,7 +39,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_arc(const footpoint_detail_tri6_terms 
         w[i] = p * (0.5 * (p * t->a[i]) + q * t->b[i]) + 0.5 * (q * q) * t->c[i];
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_tri6_local(const footpoint_detail_tri6_terms *t, REAL p,
                                                 REAL q, footpoint_detail_local *l)
 {
@@ -55,20 +56,21 @@ FOOTPOINT_PART void footpoint_detail_tri6_local(const footpoint_detail_tri6_term
     }
 }
 
-/* A bound, over `size`, on |r - D|, |r_xi| and |r_eta|, and when 1.8 times as large on second derivatives, |u| and |v| being x and
- * y, of sums of absolute values, too: e and f are at most the root of 2, a to c that of 32 times as long as `size`. */
+/* Returns a bound, over `size`, on |r - D|, |r_xi| and |r_eta|, and, times 1.8, on second derivatives, for |u| = x and
+ * |v| = y, and for sums of absolute values: e and f are at most the root of 2, a to c at most the root of 32 times as
+ * long as `size`. */
 FOOTPOINT_PART REAL footpoint_detail_tri6_growth(REAL x, REAL y)
 {
     return (1.0 + (x + y)) * (3.2 + 2.9 * (x + y));
 }
 
-/* As tightly, a bound on |r - r0|, and 0.4 for d at the middle. */
+/* Returns an equally tight bound on |r - r0|, and 0.4 for d at the middle. */
 FOOTPOINT_PART REAL footpoint_detail_tri6_spread(REAL x, REAL y)
 {
     return 0.4 + (x + y) * (1.42 + 2.83 * (x + y));
 }
 
-/* Bounds of third derivatives; there are none. */
+/* Bounds third derivatives, which are 0. */
 FOOTPOINT_PART void footpoint_detail_tri6_third(const footpoint_detail_tri6_terms *t, REAL x,
                                                 REAL y, REAL third[2])
 {
@@ -76,7 +78,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_third(const footpoint_detail_tri6_term
     third[0] = third[1] = 0.0;
 }
 
-/* Third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q); there are none. */
+/* Computes the third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q), which are 0. */
 FOOTPOINT_PART void footpoint_detail_tri6_mixed(const footpoint_detail_tri6_terms *t, REAL p,
                                                 REAL q, REAL uuv[3], REAL uvv[3], REAL k[3])
 {

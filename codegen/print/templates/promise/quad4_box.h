@@ -1,17 +1,17 @@
-/* Answers in the closed four-node segment, of searches that assume an order of its corners. */
+/* Answers in the closed four-node segment, for searches that assume an order of its corners. */
 
 #ifndef FOOTPOINT_OUTSIDE
 #define FOOTPOINT_OUTSIDE 1
 #endif
 
-/* See footpoint_detail_quad4_gap(). */
+/* Computes the gap; see footpoint_detail_quad4_gap(). */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_box_gap(const REAL *const *x, REAL xi, REAL eta,
                                                         REAL least, REAL *gap)
 {
     return footpoint_detail_quad4_gap(x, xi, eta, least, gap);
 }
 
-/* The highest bit is not set if (xi,eta) is in the segment. */
+/* Returns its highest bit clear if (xi,eta) is in the segment. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_box_beyond(REAL xi, REAL eta)
 {
     return footpoint_detail_above(xi, 1.0) | footpoint_detail_above(eta, 1.0);
@@ -22,8 +22,8 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_box_kept(REAL p)
     return p < -1.0 ? -1.0 : p < 1.0 ? p : 1.0;
 }
 
-/* Newton's steps from (*xi,*eta), up to four, until one is proved.  The highest bit of the result is not set if a minimum of the
- * distance is proved to lie within `promise` of the answer, and the answer is in the segment. */
+/* Takes up to four Newton steps from (*xi,*eta), until one is proved. The highest bit of the result is not set if a
+ * minimum of the distance is proved to lie within `promise` of the answer, and the answer is in the segment. */
 FOOTPOINT_FN REAL_BITS footpoint_detail_quad4_box_prove(const REAL *const *x, REAL promise,
                                                         REAL *xi, REAL *eta)
 {
@@ -34,13 +34,14 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_quad4_box_prove(const REAL *const *x, RE
     return doubt | footpoint_detail_quad4_box_beyond(*xi, *eta);
 }
 
-/* Whether a minimum of the distance on the closed segment is proved to lie within `promise` of `at`, on the edge that holds
- * coordinate j at -1 or 1, and the distance falls beyond that edge.  *apart: the square of the distance, of vectors four times as long.
+/* Returns 1 if a minimum of the distance on the closed segment is proved to lie within `promise` of `at`, on the edge
+ * that holds coordinate j at -1 or 1, and the distance falls beyond that edge. *apart: the squared distance, of vectors
+ * four times as long.
  *
- * Along the edge t, r_eta or r_xi, is constant, so that g = t . w is linear and its root within |g| / t . t; beyond an end where g leads
- * outwards that end is the minimum.  Over e of the edge the slope across, n . w, changes by e (|c . w| + |n . t|) + e^2 |c . t| at
- * most.  Rounding: see footpoint_detail_quad4_visit; slopes are off by 7 units of T |w| + W |t|, N |w| + W |n|, and what products of two
- * errors make; t . t by 11 of T . T. */
+ * Along the edge t, r_eta or r_xi, is constant. So g = t . w is linear, and its root lies within |g| / t . t; if g
+ * leads outwards beyond an end, that end is the minimum. Over e of the edge the slope across, n . w, changes by at most
+ * e (|c . w| + |n . t|) + e^2 |c . t|. Rounding: see footpoint_detail_quad4_visit; slopes are off by 7 units of T |w| +
+ * W |t|, N |w| + W |n|, and by the products of two errors; t . t by 11 of T . T. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_border(const REAL *const *x, int j, REAL promise,
                                                      const REAL at[2], REAL *apart)
 {
@@ -71,7 +72,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_border(const REAL *const *x, int j
            !(footpoint_detail_fast() >> REAL_TOP);
 }
 
-/* The nearest of the proved minima on the edges; 0 if there is none. */
+/* Finds the nearest of the proved minima on the edges; returns 0 if there is none. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_edges(const REAL *const *x, REAL promise, REAL at[2])
 {
     REAL least = 0.0, apart;
@@ -99,9 +100,9 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_edges(const REAL *const *x, REAL p
     return found;
 }
 
-/* Steps from `at` to a minimum in the segment; if they lead to one outside of it, or `anyway`, to one on an edge,
- * FOOTPOINT_OUTSIDE.  y: as of footpoint_detail_quad4_repair, which goes on to 1e-5 as its steps stop at a hundredth of a
- * promise. */
+/* Takes steps from `at` to a minimum in the segment. If they lead outside, or `anyway`, it looks for a minimum on an
+ * edge, FOOTPOINT_OUTSIDE. y: as for footpoint_detail_quad4_repair, which continues to 1e-5 because its steps stop at a
+ * hundredth of a promise. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_steps(REAL y[VECTORS][3], REAL promise, int anyway,
                                                     REAL at[2])
 {
@@ -115,7 +116,8 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_steps(REAL y[VECTORS][3], REAL pro
     return FOOTPOINT_UNPROVED;
 }
 
-/* Moves `at` into the segment: FOOTPOINT_OK if a minimum so little beyond it is proved that it is within `promise` of the answer. */
+/* Moves `at` into the segment. Returns FOOTPOINT_OK if a minimum is proved so little beyond it that it is within
+ * `promise` of the answer. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_keep(REAL y[VECTORS][3], REAL promise, REAL at[2])
 {
     const REAL *const x[VECTORS] = {y[0], y[1], y[2], y[3], y[4]};
@@ -128,7 +130,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_keep(REAL y[VECTORS][3], REAL prom
     return proved ? FOOTPOINT_OK : FOOTPOINT_UNPROVED;
 }
 
-/* An answer from (*xi,*eta), or else from the middle, or from that of a quarter. */
+/* Answers from (*xi,*eta), otherwise from the middle, or from the middle of a quarter. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_repair(REAL y[VECTORS][3], REAL promise, REAL *xi,
                                                      REAL *eta)
 {

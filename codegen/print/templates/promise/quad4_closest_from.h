@@ -1,6 +1,6 @@
 /* The closest point from the last answer. */
 
-/* For fine promises one approach from the last answer ends too far off, and more cost as much as a start from scratch. */
+/* For fine promises one approach from the last answer ends too far off, and more cost as much as a new start. */
 FOOTPOINT_FN int NAME_closest_from(NODE_PARAMETERS, REAL loc[2], REAL *dist, int *region)
 {
     const REAL *const x[VECTORS] = {NODE_NAMES};

@@ -1,10 +1,11 @@
-/* The proof of a Newton step from nodes: dearer, and finer on long faces. */
+/* The proof of a Newton step from nodes: slower, but finer on long faces. */
 
-/* What a proof knows of a segment and a slave node: their vectors x; those of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over`
- * of the d here; size = a . a + b . b + c . c; and of what their rounding errors are.  Coordinates of a are off by some units of
- * rounding of those of |a| + |c| + 0.08 |b|, of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with
- * 3; of d, of |a| + |b| + |c| + |d|; products of two, by as many units as `rounding`, less 10, has, of the product of what bounds the
- * two, where that of d has 0.5 (|a| + |b| + |c|) + |d|. */
+/* Data for a proof about a segment and a slave node: their vectors x; the vectors of r = c0 + xi a + eta b + xi eta c
+ * and d = xS - c0, `over` of the d here; size = a . a + b . b + c . c; and their rounding errors. Coordinates of a are
+ * off by some units of rounding of those of |a| + |c| + 0.08 |b|, of b by units of |b| + |c| + 0.08 |a|; of c by units
+ * of the former with twist = 1, of the latter with 2, of both with 3; of d by units of |a| + |b| + |c| + |d|. A product
+ * of two is off by `rounding`, minus 10 units, of the product of the two bounds, where the bound of d is 0.5 (|a| + |b|
+ * + |c|) + |d|. */
 typedef struct {
     const REAL *const *x;
     const REAL *a, *b, *c, *d;
@@ -12,7 +13,7 @@ typedef struct {
     int twist;
 } footpoint_detail_quad4_vectors;
 
-/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+/* Returns at least the root of x >= 0, and at most 1.061 times that: half its exponent, as in logarithms. */
 FOOTPOINT_PART REAL footpoint_detail_root_bound(REAL x)
 {
     union {
@@ -23,8 +24,8 @@ FOOTPOINT_PART REAL footpoint_detail_root_bound(REAL x)
     return both.number;
 }
 
-/* What is at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and of each coordinate the sum of the absolute values of its
- * terms, U, V, W, C.  By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
+/* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
+ * values of its terms, U, V, W, C. By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
 typedef struct {
     REAL u[3], v[3], w[3], c[3], U[3], V[3], W[3], C[3];
 } footpoint_detail_quad4_place;
@@ -52,18 +53,18 @@ FOOTPOINT_PART void footpoint_detail_quad4_visit(const REAL *const *x, REAL xi, 
     }
 }
 
-/* A Newton step to the foot point of r, by xi and eta.  The highest bit of what it returns is not set if a minimum of the
- * distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step to the foot point of r, by xi and eta. The highest bit of the result is not set if a minimum of
+ * the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u . v - c . w;
- * beta = |H^-1|, `step` = |H^-1 F|.  In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|) + c . c.  If
- * h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact answer, and H is positive
- * definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u .
+ * v - c . w; beta = |H^-1|, `step` = |H^-1 F|. In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|)
+ * + c . c. If h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact
+ * answer, and H is positive definite on the whole way there.
  *
- * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and what products of two errors make; H by 13 of rows
- * U (U + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is no more than 1e-4 det / (2 units); L is off by 40 of
- * C (U + V + C).  `tilt` bounds |H^-1| times the errors of H: with a step they are errors of F, too.  It makes beta and errors of F
- * 1.06 times as large at most. */
+ * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and by products of two errors; H by 13 of rows U (U
+ * + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is at most 1e-4 det / (2 units); L is off by 40 of C
+ * (U + V + C). `tilt` bounds |H^-1| times the errors of H; times a step, these are errors of F, too. It makes beta and
+ * errors of F at most 1.06 times as large. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_newton(const REAL *const *x, REAL promise, REAL *xi,
                                                        REAL *eta)
 {
@@ -113,7 +114,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_newton(const REAL *const *x, REA
            footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
 }
 
-/* The same, where it is seldom called. */
+/* The same, not inlined because it is seldom called. */
 FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_prove(const REAL *const *x, REAL promise, REAL *xi,
                                                       REAL *eta)
 {

@@ -1,4 +1,4 @@
-/* From a search's xi and eta steps, their proof and the gap, of values that the search has. */
+/* Takes steps from a search's xi and eta, with their proof and the gap, by values of the search. */
 
 FOOTPOINT_PART REAL_BITS NAME_detail_prove(NODE_PARAMETERS, REAL promise, int fixed, REAL *xi,
                                            REAL *eta, REAL *gap)

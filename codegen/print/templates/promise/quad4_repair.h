@@ -1,7 +1,7 @@
-/* Steps of four-node faces where the quick ones prove nothing. */
+/* Steps of four-node faces if the quick steps prove nothing. */
 
-/* The square of the distance at (xi,eta), of vectors with over = 1; and where gauss is not
- * NULL, the step of Gauss and Newton from there, which leads downhill. */
+/* Returns the squared distance at (xi,eta), of vectors with over = 1, and, if gauss is not NULL, computes the
+ * Gauss-Newton step from there, which leads downhill. */
 FOOTPOINT_COLD REAL footpoint_detail_quad4_apart(const REAL a[3], const REAL b[3], const REAL c[3],
                                                  const REAL d[3], REAL xi, REAL eta, REAL *gauss)
 {
@@ -25,7 +25,7 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_apart(const REAL a[3], const REAL b[3
     return footpoint_detail_dot(w, w);
 }
 
-/* Vectors as sums of edges, four times r's. */
+/* Computes the vectors as sums of edges, four times r's. */
 FOOTPOINT_COLD void footpoint_detail_quad4_edges(REAL y[VECTORS][3], REAL a[3], REAL b[3],
                                                  REAL c[3], REAL d[3])
 {
@@ -40,8 +40,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_edges(REAL y[VECTORS][3], REAL a[3], 
     }
 }
 
-/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
- * lead downhill.  0 if nothing is nearer. */
+/* Moves from `at`, where the squared distance is *apart, to `to`, if that is nearer; otherwise by damped Gauss-Newton
+ * steps, which lead downhill. Returns 0 if nothing is nearer. */
 FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const REAL a[3], const REAL b[3], const REAL c[3],
                                                  const REAL d[3], REAL to[2], REAL at[2],
                                                  REAL *apart)
@@ -65,11 +65,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const REAL a[3], const REAL b[3
     return 1;
 }
 
-/* footpoint_detail_quad4_newton of vectors as footpoint_detail_quad4_edges makes them, off by 3 units of |a| + |b| + |c| (and |d|):
- * where |xi| or |eta| is large, products of both weigh nodes, but not these.
+/* Does the same as footpoint_detail_quad4_newton for vectors of footpoint_detail_quad4_edges, which are off by 3 units
+ * of |a| + |b| + |c| (and |d|). If |xi| or |eta| is large, products of both weigh nodes, but not these vectors.
  *
- * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of
- * any order.  The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+ * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and the error of H counts as 8 step far in place of |D|; sums of
+ * any order. The weak inequality of `det` keeps the rounding errors of beta and h below the margins of 0.249 and
+ * 0.999. */
 FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_far(const REAL a[3], const REAL b[3],
                                                     const REAL c[3], const REAL d[3], REAL promise,
                                                     REAL *xi, REAL *eta)
@@ -109,8 +110,8 @@ FOOTPOINT_COLD REAL_BITS footpoint_detail_quad4_far(const REAL a[3], const REAL 
            footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
 }
 
-/* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
- * segment is about 1 long. */
+/* Takes up to 20 steps from (*xi,*eta) until one is proved; otherwise FOOTPOINT_UNPROVED. y: the vectors in a unit of
+ * length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promise, REAL *xi,
                                                  REAL *eta)
 {
@@ -144,7 +145,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(REAL y[VECTORS][3], REAL promis
             at[1] = to[1];
         } else if (!footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
             break;
-        if (moved < 0.01 * promise) /* rounding forbids the proof */
+        if (moved < 0.01 * promise) /* rounding prevents the proof */
             break;
     }
     *xi = at[0];

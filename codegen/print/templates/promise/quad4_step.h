@@ -1,9 +1,10 @@
-/* A step to a foot point, proved from scalar products that a search has. */
+/* A step to a foot point, proved from scalar products of a search. */
 
-/* Bounds P T and Q T, times `rounding`, see footpoint_detail_quad4_step(), with |xi| and |eta| up to p and q, of Euclidean norms, by
- * Cauchy and Schwarz, of the bounds on coordinates that footpoint_detail_quad4_vectors has.  With r->rounding they bound what the
- * slopes r_xi . D and r_eta . D of vectors are off by: tangents by k + 2 units of theirs, D by k + 5 of T and another half of |a| + |b| +
- * |c|, the scalar product adds 3, and `rounding` has at least 2 k + 13. */
+/* Bounds P T and Q T, times `rounding`, see footpoint_detail_quad4_step(), for |xi| and |eta| up to p and q, in
+ * Euclidean norms, by Cauchy and Schwarz, from the bounds on coordinates that footpoint_detail_quad4_vectors has. With
+ * r->rounding they bound the errors of the slopes r_xi . D and r_eta . D of vectors: tangents are off by k + 2 units of
+ * their bounds, D by k + 5 of T and half of |a| + |b| + |c|, the scalar product adds 3, and `rounding` has at least 2 k
+ * + 13. */
 FOOTPOINT_PART void footpoint_detail_quad4_off(const REAL products[9],
                                                const footpoint_detail_quad4_vectors *r,
                                                REAL rounding, REAL p, REAL q, REAL *f, REAL *g)
@@ -20,23 +21,25 @@ FOOTPOINT_PART void footpoint_detail_quad4_off(const REAL products[9],
     *g = v * far;
 }
 
-/* A step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] = a a, a b, b b,
- * a c, b c, c c, a d, b d, c d.  The highest bit of the result is not set if a minimum of the distance is proved to lie within
- * `promise` of the answer.
+/* Takes a step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] =
+ * a a, a b, b b, a c, b c, c c, a d, b d, c d. The highest bit of the result is not set if a minimum of the distance is
+ * proved to lie within `promise` of the answer.
  *
- * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  Newton's step s = H^-1 F leaves N(s) of F, a
- * polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a ball of 1/3 about the start H has the
- * Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + 2 c . c.  R bounds rounding.  Let h = beta L (|s| + 2 |x| + 2 R); in the ball
- * of that radius |1 - H^-1 H(y)| <= h, so that Newton's iteration with H kept contracts.  Its next correction, at most h |x| + R,
- * bounds the distance of the answer from a root within a factor of 1 / (1 - h), and H is positive definite all the way there.
- * Without the correction, |s| / 3 stands for |x|: the next one is at most beta L |s|^2 / 2 + R.
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv]. Newton's step s = H^-1 F leaves
+ * N(s) of F, a polynomial; x = -H^-1 N(s) is the correction. In maximum norms, beta = |H^-1|; in a ball of 1/3 about
+ * the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + 2 c . c. R bounds rounding. Let h = beta L
+ * (|s| + 2 |x| + 2 R). In the ball of that radius |1 - H^-1 H(y)| <= h, so Newton's iteration with H kept contracts.
+ * Its next correction, at most h |x| + R, bounds the distance of the answer from a root within a factor of 1 / (1 - h),
+ * and H is positive definite on the whole way there. Without the correction, |s| / 3 replaces |x|: the next correction
+ * is at most beta L |s|^2 / 2 + R.
  *
- * R: with P = |a| + ..., what bounds the errors of coordinates of r_xi, Q of r_eta, C of c, T of D as |d| + |xi a| + ..., the
- * products give F's row xi within k units of P T, and its polynomials add 6, H's within k + 6 units of P P and of P Q + C T.  With
- * Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P (P + Q) + C T, and by N's rounding, as 2 |s| |c| is in P, 1.25 times
- * that again: in all by (k + 6) units of P T + 4 |s| (P (P + Q) + C T).  P and T of |xi| and |eta| longer by 6 |s| contain that: P
- * grows by 4 |s| C, T by 4 |s| (P + Q).  Off the finest promises a coarser bound is enough, of |s| < 1/6.  0.2, 1.4 and 1.3 leave
- * for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
+ * R: let P = |a| + ... bound the errors of coordinates of r_xi, Q of r_eta, C of c, T of D as |d| + |xi a| + .... The
+ * products yield F's row xi within k units of P T, and its polynomials add 6, H's within k + 6 units of P P and of P Q
+ * + C T. With Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P (P + Q) + C T, and by N's rounding, as 2 |s|
+ * |c| is in P, 1.25 times that again: in all by (k + 6) units of P T + 4 |s| (P (P + Q) + C T). P and T for |xi| and
+ * |eta| longer by 6 |s| contain that: P grows by 4 |s| C, T by 4 |s| (P + Q). Except for the finest promises a coarser
+ * bound for |s| < 1/6 suffices. 0.2, 1.4 and 1.3 leave the margin of 0.25 and 1 / (1 - 0.25) for rounding errors of
+ * beta, h and the determinant, which are at most 9 R. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
                                                      const footpoint_detail_quad4_vectors *r,
                                                      REAL promise, REAL *xi, REAL *eta)

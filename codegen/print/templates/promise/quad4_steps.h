@@ -1,7 +1,7 @@
 /* Steps to a foot point until one is proved. */
 
-/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
- * these are enough. */
+/* Takes up to four steps until one is proved, or they are too short to matter, from finite xi and eta; in a loop over
+ * arrays, `fixed` = 1 or 2 steps, with the same answer if these suffice. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
                                                       const footpoint_detail_quad4_vectors *r,
                                                       REAL promise, int fixed, REAL *xi, REAL *eta)
@@ -17,7 +17,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
             return doubt;
         u = *xi;
         v = *eta;
-        /* as below: if the first step was that short, the second is none */
+        /* as below: if the first step was that short, the second is omitted */
         still = footpoint_detail_bits(fabs(u - p) + fabs(v - q) - 0.01 * promise);
         still |= footpoint_detail_quad4_step(products, r, promise, &u, &v);
         *xi = doubt >> REAL_TOP ? u : *xi;
@@ -32,7 +32,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_steps(const REAL products[9],
         doubt = footpoint_detail_infinite(*xi + *eta) |
                 footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
     }
-    /* where products have lost too many digits, vectors have not */
+    /* if products have lost too many digits, vectors have not */
     if (promise < 1e-9 && !(footpoint_detail_infinite(*xi + *eta) >> REAL_TOP))
         return footpoint_detail_quad4_prove(r->x, promise, xi, eta);
     return (REAL_BITS)1 << REAL_TOP;

@@ -1,4 +1,4 @@
-/* A step to a foot point, proved from vectors alone: in float, where products lose too many digits. */
+/* A step to a foot point, proved only from vectors: in float, where products lose too many digits. */
 
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
                                                      const footpoint_detail_quad4_vectors *r,
