@@ -36,7 +36,7 @@ static void check_found(const struct additions *x, const struct vector *wanted, 
 
 /* Corners A, B, C, D and the slave node: base vectors at the centre, the vector from there to the slave node, the mixed
  * derivative. */
-static void test_quad(void **state)
+static void quad4_takes_the_fewest_additions(void **state)
 {
     (void)state;
     static const struct vector wanted[] = {{{1, -1, -1, 1}}, {{1, 1, -1, -1}}, {{1, 1, 1, 1, -4}}, {{1, -1, 1, -1}}};
@@ -52,7 +52,7 @@ static void test_quad(void **state)
 }
 
 /* Eight nodes and the slave node: base vectors, second and third derivatives, the vector to the slave node. */
-static void test_tree(void **state)
+static void quad8_takes_the_fewest_additions(void **state)
 {
     (void)state;
     enum { WANTED = 8, SEEDS = 12 };
@@ -77,7 +77,7 @@ static void test_tree(void **state)
 }
 
 /* Random vectors, made by additions, are found again in at most as many additions. */
-static void test_random(void **state)
+static void hidden_additions_are_found_again(void **state)
 {
     (void)state;
     uint64_t seed = 3;
@@ -115,7 +115,7 @@ static const char step[] =
     "let det = - * uu vv * uv uv\n"
     "genome step\nxi = / - * vv ud * uv vd det\neta = / - * uu vd * uv ud det\nend\n";
 
-static void test_code(void **state)
+static void code_adds_only_differences(void **state)
 {
     (void)state;
     struct compiled c;
@@ -143,10 +143,10 @@ static void test_code(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_quad),
-        cmocka_unit_test(test_tree),
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_code),
+        cmocka_unit_test(quad4_takes_the_fewest_additions),
+        cmocka_unit_test(quad8_takes_the_fewest_additions),
+        cmocka_unit_test(hidden_additions_are_found_again),
+        cmocka_unit_test(code_adds_only_differences),
     };
     return cmocka_run_group_tests_name("additions", tests, NULL, NULL);
 }

@@ -58,7 +58,7 @@ static bool encloses(struct interval x, const arb_t exact)
     return good;
 }
 
-static void test_intervals(void **state)
+static void intervals_enclose_values(void **state)
 {
     (void)state;
     uint64_t seed = 1;
@@ -245,13 +245,13 @@ static void check_random_programs(const char *requires)
     assert_true(bounded > PROGRAMS && linked > PROGRAMS / 5); /* enough programs have a bound */
 }
 
-static void test_random_programs(void **state)
+static void random_programs_stay_within_bounds(void **state)
 {
     (void)state;
     check_random_programs("");
 }
 
-static void test_random_programs_with_requires(void **state)
+static void requires_keep_bounds_valid(void **state)
 {
     (void)state;
     check_random_programs("require - x * 0.5 y\nrequire - + 1 x abs - y 0.7\nrequire + * x y * 2 y\n");
@@ -297,7 +297,7 @@ static const struct bounded known[] = {
      8},
 };
 
-static void test_known_programs(void **state)
+static void known_programs_have_tight_bounds(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
@@ -317,11 +317,11 @@ static void test_known_programs(void **state)
     }
 }
 
-/* ---- the rows that a header tests itself with ---- */
+/* ---- test points ---- */
 
 /* A region block: x and y lie on curved lines, z is a multiple of a value that the block bounds better, w is near its
  * t. */
-static void test_region(void **state)
+static void region_blocks_yield_bounds(void **state)
 {
     (void)state;
     static const char text[] = "footpoint-genome 2\ninput x y\nregion\ninput s t one\nrange s 0.5 2\nrange t -1 1\n"
@@ -347,7 +347,7 @@ static void test_region(void **state)
 }
 
 /* Membership in the region does not depend on the box that was tested last. */
-static void test_points(void **state)
+static void membership_does_not_depend_on_the_last_box(void **state)
 {
     (void)state;
     static const char text[] = "footpoint-genome 2\ninput x y\nrange x 0 1, y 0 1\nlet v = * x x\n"
@@ -522,7 +522,7 @@ static void check_row(struct subject *s, const char *row, uint64_t *seed)
     }
 }
 
-static void test_rows(void **state)
+static void points_stay_within_bounds(void **state)
 {
     (void)state;
     static const char text[] = "footpoint-genome 1\ninput x y z\nrange x 0.1 2\nrange y -3 3\n%s"
@@ -560,19 +560,19 @@ static void test_rows(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_intervals),
-        cmocka_unit_test(test_random_programs),
-        cmocka_unit_test(test_random_programs_with_requires),
-        cmocka_unit_test(test_known_programs),
-        cmocka_unit_test(test_region),
-        cmocka_unit_test(test_points),
+        cmocka_unit_test(intervals_enclose_values),
+        cmocka_unit_test(random_programs_stay_within_bounds),
+        cmocka_unit_test(requires_keep_bounds_valid),
+        cmocka_unit_test(known_programs_have_tight_bounds),
+        cmocka_unit_test(region_blocks_yield_bounds),
+        cmocka_unit_test(membership_does_not_depend_on_the_last_box),
         cmocka_unit_test(small_constants_are_bounded_in_float),
         cmocka_unit_test(products_contracted_in_one_use_are_bounded),
         cmocka_unit_test(chosen_numbers_have_no_error),
         cmocka_unit_test(bounds_hold_at_the_ends_of_the_range),
         cmocka_unit_test(hopeless_searches_end_early),
         cmocka_unit_test(samples_come_near_the_worst_errors),
-        cmocka_unit_test(test_rows),
+        cmocka_unit_test(points_stay_within_bounds),
     };
     return cmocka_run_group_tests_name("bound", tests, NULL, NULL);
 }

@@ -55,7 +55,7 @@ static void check(const char *expression, const char *statement)
     free(text);
 }
 
-static void test_rules(void **state)
+static void rules_simplify_exactly(void **state)
 {
     (void)state;
     check("- x x", "0.0");
@@ -81,7 +81,7 @@ static void test_rules(void **state)
 }
 
 /* A clamp never turns NaN into a number, and its constants are variables. */
-static void test_clamp(void **state)
+static void clamps_keep_nan(void **state)
 {
     (void)state;
     char *text = compile("max -1 min 1 x", NULL);
@@ -93,7 +93,7 @@ static void test_clamp(void **state)
     free(text);
 }
 
-static void test_counts(void **state)
+static void operations_are_few(void **state)
 {
     (void)state;
     static const struct {
@@ -120,7 +120,7 @@ static void test_counts(void **state)
 }
 
 /* Ten-term cubics of the form (41), (42) with invented coefficients: both together in at most 25 multiplications. */
-static void test_ten_term_pair(void **state)
+static void ten_term_cubics_take_25_products(void **state)
 {
     (void)state;
     static const char text[] =
@@ -143,7 +143,7 @@ static void test_ten_term_pair(void **state)
 }
 
 /* Multiples of a quotient that other values share have its numerator as their unit. */
-static void test_shared_quotient(void **state)
+static void multiples_of_a_quotient_share_it(void **state)
 {
     (void)state;
     static const char *const texts[] = {
@@ -168,7 +168,7 @@ static void test_shared_quotient(void **state)
 }
 
 /* Proofs find a wrong sign, operand or constant in the emitted text. */
-static void test_proof_refuses(void **state)
+static void wrong_code_is_refused(void **state)
 {
     (void)state;
     static const char text[] = "footpoint-genome 1\ninput x y z\ngenome g\nr = + * x + y 0.3 / sqrt z + y 2\nend\n";
@@ -206,7 +206,7 @@ static void test_proof_refuses(void **state)
 }
 
 /* Random genomes with shared parts are proved and never cost more than their genes. */
-static void test_random_genomes(void **state)
+static void random_genomes_never_cost_more(void **state)
 {
     (void)state;
     const int genomes = getenv("FOOTPOINT_LONG") ? 300 : 120;
@@ -298,10 +298,14 @@ static void far_faces_lose_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rules),           cmocka_unit_test(test_clamp),
-        cmocka_unit_test(test_counts),          cmocka_unit_test(test_ten_term_pair),
-        cmocka_unit_test(test_proof_refuses),   cmocka_unit_test(test_random_genomes),
-        cmocka_unit_test(test_shared_quotient), cmocka_unit_test(far_faces_lose_nothing),
+        cmocka_unit_test(rules_simplify_exactly),
+        cmocka_unit_test(clamps_keep_nan),
+        cmocka_unit_test(operations_are_few),
+        cmocka_unit_test(ten_term_cubics_take_25_products),
+        cmocka_unit_test(wrong_code_is_refused),
+        cmocka_unit_test(random_genomes_never_cost_more),
+        cmocka_unit_test(multiples_of_a_quotient_share_it),
+        cmocka_unit_test(far_faces_lose_nothing),
     };
     return cmocka_run_group_tests_name("codegen", tests, NULL, NULL);
 }

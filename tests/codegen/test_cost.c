@@ -57,7 +57,7 @@ static void refuses(const char *text, const char *where, const char *message)
     refuses_text(text, strlen(text), where, message);
 }
 
-static void test_built_in(void **state)
+static void built_in_models_are_known(void **state)
 {
     (void)state;
     static const char *const name[] = {"throughput", "operations", "paper"};
@@ -70,7 +70,7 @@ static void test_built_in(void **state)
     }
 }
 
-static void test_unknown(void **state)
+static void unknown_models_are_refused(void **state)
 {
     (void)state;
     struct cost_model m;
@@ -84,7 +84,7 @@ static void test_unknown(void **state)
     assert_int_equal(d.code, EXIT_SYSTEM);
 }
 
-static void test_good(void **state)
+static void valid_files_are_read(void **state)
 {
     (void)state;
     struct cost_model m;
@@ -99,7 +99,7 @@ static void test_good(void **state)
     assert_true(m.mul == 2 && m.add == 0.5 && m.div == 1e-3 && m.sqrt == 1e9 && m.compare == 0);
 }
 
-static void test_version(void **state)
+static void wrong_versions_are_refused(void **state)
 {
     (void)state;
     refuses("", "1:1", "not a cost file: the first word must be 'footpoint-costs'");
@@ -112,7 +112,7 @@ static void test_version(void **state)
 
 #define START "footpoint-costs 1\nmul 1\n"
 
-static void test_keys(void **state)
+static void wrong_keys_are_refused(void **state)
 {
     (void)state;
     refuses(START "fma 1\n", "3:1", "unknown key 'fma'");
@@ -128,7 +128,7 @@ static void test_keys(void **state)
     refuses_text(START "add\0 1\n", sizeof START + 6, "3:1", "text contains a NUL character");
 }
 
-static void test_numbers(void **state)
+static void wrong_numbers_are_refused(void **state)
 {
     (void)state;
     static const char *const malformed[] = {"x", "nan", "inf", "0x10", "1.2.3", "1e", "--1", "1.0f"};
@@ -153,8 +153,9 @@ static void test_numbers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_built_in), cmocka_unit_test(test_unknown),
-                                       cmocka_unit_test(test_good),     cmocka_unit_test(test_version),
-                                       cmocka_unit_test(test_keys),     cmocka_unit_test(test_numbers)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(built_in_models_are_known), cmocka_unit_test(unknown_models_are_refused),
+        cmocka_unit_test(valid_files_are_read),      cmocka_unit_test(wrong_versions_are_refused),
+        cmocka_unit_test(wrong_keys_are_refused),    cmocka_unit_test(wrong_numbers_are_refused)};
     return cmocka_run_group_tests_name("cost", tests, setup, teardown);
 }

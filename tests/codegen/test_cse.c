@@ -17,7 +17,7 @@ static struct dag *share_factors_multiples(const struct dag *g)
     return made;
 }
 
-static void test_products(void **state)
+static void common_products_are_shared(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -36,7 +36,7 @@ static void test_products(void **state)
     CHECK_GRAPHS(share, row);
 }
 
-static void test_sums(void **state)
+static void common_sums_are_shared(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -58,7 +58,7 @@ static void test_sums(void **state)
 }
 
 /* 2 x y and 2 x z: x becomes a sum of one term, with its own scale, because it is a factor twice. */
-static void test_multiples(void **state)
+static void common_multiples_are_shared(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -74,9 +74,9 @@ static void test_multiples(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_products),
-        cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_multiples),
+        cmocka_unit_test(common_products_are_shared),
+        cmocka_unit_test(common_sums_are_shared),
+        cmocka_unit_test(common_multiples_are_shared),
     };
     return cmocka_run_group_tests_name("cse", tests, NULL, NULL);
 }

@@ -76,7 +76,7 @@ static void vectors_have_derivatives(void **state)
     expect_zero("face tri3", lets, "p = - a + * eta - B A C\nq = - ab - B A - g * 2 * xi r");
 }
 
-static void refusals_say_where(void **state)
+static void refusals_name_the_place(void **state)
 {
     (void)state;
     static const struct {
@@ -139,7 +139,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(derivatives_are_those_of_calculus),
         cmocka_unit_test(vectors_have_derivatives),
-        cmocka_unit_test(refusals_say_where),
+        cmocka_unit_test(refusals_name_the_place),
         cmocka_unit_test(faces_read_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

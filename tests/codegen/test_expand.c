@@ -22,7 +22,7 @@ static struct dag *combine(const struct dag *g)
     return shape_combine(g, &(struct policy){.combine = 1}, NULL);
 }
 
-static void test_expand(void **state)
+static void sums_are_multiplied_out(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -50,7 +50,7 @@ static void test_expand(void **state)
 }
 
 /* One policy dissolves nothing; another keeps differences of inputs, which are exact. */
-static void test_policies(void **state)
+static void policies_limit_expansion(void **state)
 {
     (void)state;
     static const struct graph_row none[] = {
@@ -68,7 +68,7 @@ static void test_policies(void **state)
     CHECK_GRAPHS(expand_but_differences, differences);
 }
 
-static void test_common_denominators(void **state)
+static void denominators_are_combined(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -93,7 +93,7 @@ static void test_common_denominators(void **state)
     CHECK_GRAPHS(combine, row);
 }
 
-static void test_one_division(void **state)
+static void divisions_are_joined(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -112,7 +112,7 @@ static void test_one_division(void **state)
 }
 
 /* Coordinates of a four-node segment as differences only, or otherwise. */
-static void test_relative(void **state)
+static void relative_coordinates_are_recognised(void **state)
 {
     static const struct {
         const char *xi;
@@ -145,11 +145,11 @@ static void test_relative(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_expand),
-        cmocka_unit_test(test_policies),
-        cmocka_unit_test(test_common_denominators),
-        cmocka_unit_test(test_one_division),
-        cmocka_unit_test(test_relative),
+        cmocka_unit_test(sums_are_multiplied_out),
+        cmocka_unit_test(policies_limit_expansion),
+        cmocka_unit_test(denominators_are_combined),
+        cmocka_unit_test(divisions_are_joined),
+        cmocka_unit_test(relative_coordinates_are_recognised),
     };
     return cmocka_run_group_tests_name("expand", tests, NULL, NULL);
 }

@@ -69,7 +69,7 @@ static char *print(const struct genome_file *f, size_t *size)
     return text;
 }
 
-static void test_round_trip(void **state)
+static void printed_text_reads_back(void **state)
 {
     (void)state;
     struct diag d;
@@ -105,7 +105,7 @@ static void assert_let(const struct genome_file *f, size_t k, const char *text)
     free(let);
 }
 
-static void test_expansion(void **state)
+static void functions_are_expanded(void **state)
 {
     (void)state;
     struct diag d;
@@ -139,7 +139,7 @@ static struct genome_file *read_needed(const struct genome_file *f, char **text)
 }
 
 /* The text printed for a genome contains exactly its needs. */
-static void test_needed(void **state)
+static void only_needed_parts_are_printed(void **state)
 {
     (void)state;
     struct diag d;
@@ -156,7 +156,7 @@ static void test_needed(void **state)
 }
 
 /* A function's local names do not require later lets with the same name. */
-static void test_needed_own_names(void **state)
+static void local_names_need_no_later_let(void **state)
 {
     (void)state;
     static const char own[] = "footpoint-genome 2\ninput x\nfunction f u -> w\nlet v = * u u\nlet w = + v u\nend\n"
@@ -173,7 +173,7 @@ static void test_needed_own_names(void **state)
 }
 
 /* Every name of the file that statements define gets the suffix, also as the stem of a component. */
-static void test_suffix(void **state)
+static void suffixes_reach_every_name(void **state)
 {
     (void)state;
     static const char text[] = "footpoint-genome 2\nsegment tri3 any\nlet e = - B A\nlet c = + ex xA\n"
@@ -195,7 +195,7 @@ static void test_suffix(void **state)
 }
 
 /* Names on one line stay on one line if they are needed and fit; requires share lines. */
-static void test_lists(void **state)
+static void lists_stay_on_one_line(void **state)
 {
     (void)state;
     static const char text[] =
@@ -223,7 +223,7 @@ static void test_lists(void **state)
     genome_file_free(g);
 }
 
-static void test_long_expression_wraps(void **state)
+static void long_expressions_wrap(void **state)
 {
     (void)state;
     enum { N = 5001 };
@@ -250,7 +250,7 @@ static void test_long_expression_wraps(void **state)
     genome_file_free(h);
 }
 
-static void test_span(void **state)
+static void spans_end_at_the_last_gene(void **state)
 {
     (void)state;
     const int gene[] = {GENE_ADD, GENE_MUL, -1, GENE_SYMBOL, GENE_NEG, GENE_SYMBOL};
@@ -261,7 +261,7 @@ static void test_span(void **state)
     assert_int_equal(gene_span(gene, 0), 0);
 }
 
-static void test_functions_of_frames(void **state)
+static void malformed_functions_are_refused(void **state)
 {
     (void)state;
     static const char *const bad[][2] = {
@@ -286,7 +286,7 @@ static void test_functions_of_frames(void **state)
 }
 
 /* A region block reads as it is printed; only the requires after it know its inputs. */
-static void test_region(void **state)
+static void region_blocks_read_back(void **state)
 {
     (void)state;
     static const char *const bad[][2] = {
@@ -347,7 +347,7 @@ static void check_hostile(const char *sane, size_t length)
     free(text);
 }
 
-static void test_hostile_text(void **state)
+static void hostile_text_is_refused_in_one_line(void **state)
 {
     (void)state;
     check_hostile(sample, sizeof sample - 1);
@@ -358,17 +358,17 @@ static void test_hostile_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),
-        cmocka_unit_test(test_expansion),
-        cmocka_unit_test(test_needed),
-        cmocka_unit_test(test_needed_own_names),
-        cmocka_unit_test(test_suffix),
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_long_expression_wraps),
-        cmocka_unit_test(test_span),
-        cmocka_unit_test(test_functions_of_frames),
-        cmocka_unit_test(test_region),
-        cmocka_unit_test(test_hostile_text),
+        cmocka_unit_test(printed_text_reads_back),
+        cmocka_unit_test(functions_are_expanded),
+        cmocka_unit_test(only_needed_parts_are_printed),
+        cmocka_unit_test(local_names_need_no_later_let),
+        cmocka_unit_test(suffixes_reach_every_name),
+        cmocka_unit_test(lists_stay_on_one_line),
+        cmocka_unit_test(long_expressions_wrap),
+        cmocka_unit_test(spans_end_at_the_last_gene),
+        cmocka_unit_test(malformed_functions_are_refused),
+        cmocka_unit_test(region_blocks_read_back),
+        cmocka_unit_test(hostile_text_is_refused_in_one_line),
     };
     return cmocka_run_group_tests_name("genome", tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 #include "../../codegen/graph/rewrite.h"
 #include "../support/graph_text.h"
 
-static void test_values(void **state)
+static void equal_values_are_one_node(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -50,7 +50,7 @@ static void test_values(void **state)
     CHECK_GRAPHS(NULL, row);
 }
 
-static void test_removed(void **state)
+static void removed_divisions_are_counted(void **state)
 {
     (void)state;
     static const struct {
@@ -120,7 +120,7 @@ static void test_removed(void **state)
     assert_int_equal(wrong, 0);
 }
 
-static void test_refused(void **state)
+static void zero_divisors_are_refused(void **state)
 {
     (void)state;
     static const char *const genome[] = {"/ x 0", "/ x - y y", "sqrt neg 4", "/ 1 - * - x y + x y - * x x * y y"};
@@ -133,7 +133,7 @@ static void test_refused(void **state)
     }
 }
 
-static void test_degree(void **state)
+static void degrees_are_known(void **state)
 {
     (void)state;
     static const struct {
@@ -151,7 +151,7 @@ static void test_degree(void **state)
     }
 }
 
-static void test_rationals(void **state)
+static void rationals_are_exact(void **state)
 {
     (void)state;
     struct dag *g = dag_new(1); /* makes the table */
@@ -180,7 +180,7 @@ static void test_rationals(void **state)
     dag_free(g);
 }
 
-static void test_constants(void **state)
+static void constants_have_exact_text(void **state)
 {
     (void)state;
     static const struct {
@@ -204,8 +204,9 @@ static void test_constants(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values), cmocka_unit_test(test_removed),   cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_degree), cmocka_unit_test(test_rationals), cmocka_unit_test(test_constants),
+        cmocka_unit_test(equal_values_are_one_node), cmocka_unit_test(removed_divisions_are_counted),
+        cmocka_unit_test(zero_divisors_are_refused), cmocka_unit_test(degrees_are_known),
+        cmocka_unit_test(rationals_are_exact),       cmocka_unit_test(constants_have_exact_text),
     };
     return cmocka_run_group_tests_name("graph", tests, NULL, NULL);
 }

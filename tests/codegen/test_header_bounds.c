@@ -237,7 +237,7 @@ static void check_ratios(double *ratio)
 }
 
 /* Runs JOBS processes, each of which attacks a share of the functions. */
-static void test_headers(void **state)
+static void claimed_bounds_hold(void **state)
 {
     (void)state;
     const size_t size = OUTPUTS * FUNCTIONS * sizeof(double);
@@ -269,7 +269,7 @@ static void test_headers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_headers),
+        cmocka_unit_test(claimed_bounds_hold),
     };
     return cmocka_run_group_tests_name("header bounds", tests, NULL, NULL);
 }

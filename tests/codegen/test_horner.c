@@ -13,7 +13,7 @@ static struct dag *horner_plain(const struct dag *g)
     return horner_factor(g, &(struct policy){.plain = true}, NULL);
 }
 
-static void test_horner(void **state)
+static void factors_are_taken_out(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -49,7 +49,7 @@ static void test_horner(void **state)
 }
 
 /* Nothing is factored if the policy forbids it. */
-static void test_plain(void **state)
+static void policies_forbid_factoring(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -61,7 +61,7 @@ static void test_plain(void **state)
 }
 
 /* a b + a c + b d, factored by a, by b, or not at all: the policy's decisions are recorded and can be overruled. */
-static void test_choices(void **state)
+static void choices_are_recorded_and_overruled(void **state)
 {
     (void)state;
     static const char *const expected[] = {"a*b + a*c + b*d", "a*(b + c) + b*d", "a*c + b*(a + d)"};
@@ -90,7 +90,7 @@ static void test_choices(void **state)
     genome_file_free(f);
 }
 
-static void test_factor(void **state)
+static void sums_are_factored_over_the_rationals(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -117,10 +117,10 @@ static void test_factor(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_horner),
-        cmocka_unit_test(test_plain),
-        cmocka_unit_test(test_choices),
-        cmocka_unit_test(test_factor),
+        cmocka_unit_test(factors_are_taken_out),
+        cmocka_unit_test(policies_forbid_factoring),
+        cmocka_unit_test(choices_are_recorded_and_overruled),
+        cmocka_unit_test(sums_are_factored_over_the_rationals),
     };
     return cmocka_run_group_tests_name("horner", tests, NULL, NULL);
 }

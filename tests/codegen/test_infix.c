@@ -93,14 +93,14 @@ static void assert_same(const char *a, const char *b)
     free(again);
 }
 
-static void test_infix_prints_as_prefix(void **state)
+static void infix_prints_as_prefix(void **state)
 {
     (void)state;
     assert_same(infix, prefix);
 }
 
 /* Commas separate the values of a row and of requires; another output may follow in the line. */
-static void test_rows(void **state)
+static void commas_separate_rows(void **state)
 {
     (void)state;
     assert_same("footpoint-genome 3\nface tri3\ngenome g\nrequire 1 - xi, eta\n"
@@ -109,7 +109,7 @@ static void test_rows(void **state)
                 "p = - A * xi B neg xi neg * 2 eta 3\nq = C\nr = 1\nend\n");
 }
 
-static void test_precedence(void **state)
+static void precedence_is_usual(void **state)
 {
     (void)state;
     static const char *const same[][2] = {
@@ -147,7 +147,7 @@ static void test_precedence(void **state)
     }
 }
 
-static void test_refusals(void **state)
+static void refusals_point_to_the_word(void **state)
 {
     (void)state;
     static const char *const bad[][2] = {
@@ -198,7 +198,7 @@ static void test_refusals(void **state)
 }
 
 /* Neither parentheses nor signs nor operators of the right need a deep stack of calls. */
-static void test_deep_expressions(void **state)
+static void deep_expressions_need_no_deep_stack(void **state)
 {
     (void)state;
     enum { N = 100000 };
@@ -222,7 +222,7 @@ static void test_deep_expressions(void **state)
 }
 
 /* Every truncation and thousands of mutations of a text end in a program or in one line. */
-static void test_hostile_text(void **state)
+static void hostile_text_is_refused_in_one_line(void **state)
 {
     (void)state;
     const size_t length = sizeof infix - 1;
@@ -246,12 +246,12 @@ static void test_hostile_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_infix_prints_as_prefix),
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_precedence),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_deep_expressions),
-        cmocka_unit_test(test_hostile_text),
+        cmocka_unit_test(infix_prints_as_prefix),
+        cmocka_unit_test(commas_separate_rows),
+        cmocka_unit_test(precedence_is_usual),
+        cmocka_unit_test(refusals_point_to_the_word),
+        cmocka_unit_test(deep_expressions_need_no_deep_stack),
+        cmocka_unit_test(hostile_text_is_refused_in_one_line),
     };
     return cmocka_run_group_tests_name("infix", tests, NULL, NULL);
 }

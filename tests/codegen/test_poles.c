@@ -126,7 +126,7 @@ static void check(const struct trial *t)
 #define SHIFTED_8                                                                                                      \
     "range a 1 2\nrange b 1 2\nrange c 1 2\nrange d 1 2\nrange e 1 2\nrange f 1 2\nrange g 1 2\nrange h 1 2"
 
-static void test_polynomials(void **state)
+static void zeros_of_polynomials_are_decided(void **state)
 {
     (void)state;
     static const struct trial trials[] = {
@@ -178,7 +178,7 @@ static void test_polynomials(void **state)
     "const double t2 = in_d * in_d + in_e * in_e + in_f * in_f;\n"                                                     \
     "const double t3 = in_a * in_d + in_b * in_e + in_c * in_f;\n"
 
-static void test_functions(void **state)
+static void poles_of_functions_are_decided(void **state)
 {
     (void)state;
     static const struct trial trials[] = {
@@ -217,7 +217,7 @@ static void test_functions(void **state)
         check(&trials[i]);
 }
 
-static void test_requires(void **state)
+static void requires_exclude_zeros(void **state)
 {
     (void)state;
     static const struct trial trials[] = {
@@ -255,7 +255,7 @@ static void test_requires(void **state)
 }
 
 /* Without all ranges, a verdict must hold for all real numbers. */
-static void test_no_ranges(void **state)
+static void without_ranges_all_numbers_count(void **state)
 {
     (void)state;
     static const struct trial trials[] = {
@@ -278,7 +278,7 @@ static void test_no_ranges(void **state)
 
 /* A constant denominator does not count, a denominator that divides twice counts once, and names are those in the
  * text. */
-static void test_denominators(void **state)
+static void denominators_are_counted_and_named(void **state)
 {
     (void)state;
     struct subject s = examine("range a 1 2\nrange b 1 2",
@@ -293,7 +293,7 @@ static void test_denominators(void **state)
 }
 
 /* (a - p)^2 + (b - q)^2 + (c - s)^2 + m with p, q, s inside: free of zeros for m > 0, but not for m < 0. */
-static void test_random_spheres(void **state)
+static void random_spheres_are_decided(void **state)
 {
     (void)state;
     uint64_t seed = 3;
@@ -318,7 +318,7 @@ static void test_random_spheres(void **state)
 
 /* Freedom from zeros concerns exact values. A divisor is safe if its rounding error is below its least value, or if
  * intervals of computed values exclude 0, and not otherwise. */
-static void rounding_may_turn_divisors_round(void **state)
+static void rounding_may_change_signs_of_divisors(void **state)
 {
     (void)state;
     static const struct {
@@ -372,13 +372,13 @@ static void computed_values_in_float_are_enclosed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_polynomials),
-        cmocka_unit_test(test_functions),
-        cmocka_unit_test(test_requires),
-        cmocka_unit_test(test_no_ranges),
-        cmocka_unit_test(test_denominators),
-        cmocka_unit_test(test_random_spheres),
-        cmocka_unit_test(rounding_may_turn_divisors_round),
+        cmocka_unit_test(zeros_of_polynomials_are_decided),
+        cmocka_unit_test(poles_of_functions_are_decided),
+        cmocka_unit_test(requires_exclude_zeros),
+        cmocka_unit_test(without_ranges_all_numbers_count),
+        cmocka_unit_test(denominators_are_counted_and_named),
+        cmocka_unit_test(random_spheres_are_decided),
+        cmocka_unit_test(rounding_may_change_signs_of_divisors),
         cmocka_unit_test(computed_values_in_float_are_enclosed),
     };
     return cmocka_run_group_tests_name("poles", tests, NULL, NULL);

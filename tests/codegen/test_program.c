@@ -7,7 +7,7 @@ static const char one_output[] = "footpoint-genome 1\ninput x y\nlet z = x\ngeno
 static const char segment[] = "footpoint-genome 1\ninput xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS\n"
                               "segment quad4 any\ngenome g\nxi = xS\neta = yS\nend\n";
 
-static void test_operations(void **state)
+static void operations_are_read_in_order(void **state)
 {
     (void)state;
     static const char text[] = "    const double t1 = in_x * in_x + 2.5;\n"
@@ -84,7 +84,7 @@ static void print_op(const struct program *p, int op, char *text)
     }
 }
 
-static void test_forms(void **state)
+static void every_form_is_read(void **state)
 {
     (void)state;
     static const char *const form[][2] = {
@@ -128,7 +128,7 @@ static void check_refused(const char *genome, const char *text)
     genome_file_free(f);
 }
 
-static void test_refusals(void **state)
+static void foreign_text_is_refused(void **state)
 {
     (void)state;
     static const char *const value[] = {
@@ -209,7 +209,7 @@ static void test_refusals(void **state)
     check_refused(segment, "*out_xi = xA[0];\n*out_eta = xS[1];\n");
 }
 
-static void test_segment(void **state)
+static void segments_have_their_inputs(void **state)
 {
     (void)state;
     struct genome_file *f = parse(segment);
@@ -226,7 +226,7 @@ static void test_segment(void **state)
 }
 
 /* Long chains and deep nesting, at least a megabyte each, take time in proportion and no stack. */
-static void test_sizes(void **state)
+static void long_and_deep_text_is_read(void **state)
 {
     (void)state;
     const size_t n = getenv("FOOTPOINT_LONG") ? 200000 : 50000;
@@ -251,7 +251,7 @@ static void test_sizes(void **state)
 }
 
 /* The emitter's counts equal the counts of the text. */
-static void test_counts(void **state)
+static void counts_match_the_text(void **state)
 {
     (void)state;
     struct diag d = {0};
@@ -281,8 +281,9 @@ static void test_counts(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_operations), cmocka_unit_test(test_forms), cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_segment),    cmocka_unit_test(test_sizes), cmocka_unit_test(test_counts),
+        cmocka_unit_test(operations_are_read_in_order), cmocka_unit_test(every_form_is_read),
+        cmocka_unit_test(foreign_text_is_refused),      cmocka_unit_test(segments_have_their_inputs),
+        cmocka_unit_test(long_and_deep_text_is_read),   cmocka_unit_test(counts_match_the_text),
     };
     return cmocka_run_group_tests_name("program", tests, NULL, NULL);
 }

@@ -76,7 +76,7 @@ static enum answer compare(const char *expression, const char *code)
     return answer[0];
 }
 
-static void test_equal(void **state)
+static void equal_code_is_proved(void **state)
 {
     (void)state;
     static const char *const known[][2] = {
@@ -124,7 +124,7 @@ static void test_equal(void **state)
     }
 }
 
-static void test_different(void **state)
+static void different_code_is_refused(void **state)
 {
     (void)state;
     static const char *const known[][2] = {
@@ -234,7 +234,7 @@ static void change(struct tally *t)
     }
 }
 
-static void test_changes(void **state)
+static void every_change_is_found(void **state)
 {
     (void)state;
     static const char *const expression[] = {
@@ -274,7 +274,7 @@ static void test_changes(void **state)
 
 /* ---- messages ---- */
 
-static void test_refused_genomes(void **state)
+static void wrong_genomes_are_refused(void **state)
 {
     (void)state;
     struct genome_file *f;
@@ -295,7 +295,7 @@ static void test_refused_genomes(void **state)
 
 /* (x + 1)^(2^n), in lets and the same statements. Powers are not multiplied out, so the degree does not matter until
  * there are too many variables; then every prime may be too small. */
-static void test_high_degrees(void **state)
+static void high_degrees_are_proved(void **state)
 {
     (void)state;
     static const struct {
@@ -332,7 +332,7 @@ static void test_high_degrees(void **state)
     }
 }
 
-static void test_print(void **state)
+static void proofs_are_described(void **state)
 {
     (void)state;
     char text[120];
@@ -348,8 +348,9 @@ static void test_print(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_equal),           cmocka_unit_test(test_different),    cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_refused_genomes), cmocka_unit_test(test_high_degrees), cmocka_unit_test(test_print),
+        cmocka_unit_test(equal_code_is_proved),    cmocka_unit_test(different_code_is_refused),
+        cmocka_unit_test(every_change_is_found),   cmocka_unit_test(wrong_genomes_are_refused),
+        cmocka_unit_test(high_degrees_are_proved), cmocka_unit_test(proofs_are_described),
     };
     return cmocka_run_group_tests_name("prove", tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 /* Codegen on random programs like those of searches: named values that share divisors, protected quotients, nested
  * minima and maxima, constants close to 1. Each compiled program is proved equal.
- *   test_random_programs [COUNT [FIRST]]    COUNT programs, from number FIRST on; 20000 with FOOTPOINT_LONG */
+ *   random_programs_are_proved [COUNT [FIRST]]    COUNT programs, from number FIRST on; 20000 with FOOTPOINT_LONG */
 #include "../../codegen/base/text.h"
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/prove/prove.h"
@@ -212,7 +212,7 @@ static bool compile(const char *text, uint64_t number)
     return compiled;
 }
 
-static void test_random_programs(void **state)
+static void random_programs_are_proved(void **state)
 {
     (void)state;
     uint64_t compiled = 0;
@@ -226,7 +226,7 @@ static void test_random_programs(void **state)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random_programs)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(random_programs_are_proved)};
     if (getenv("FOOTPOINT_LONG"))
         count = 20000;
     if (argc > 1)

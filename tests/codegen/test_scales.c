@@ -16,7 +16,7 @@ static struct cost_model costs(const char *name)
 }
 
 /* Counts multiplications with every value as in the graph, and with the scales that a search finds. */
-static void test_scales(void **state)
+static void scales_save_products(void **state)
 {
     (void)state;
     static const struct {
@@ -73,7 +73,7 @@ static void test_scales(void **state)
 }
 
 /* In a chain from left to right, the operand that is ready first comes first. */
-static void test_chains(void **state)
+static void ready_operands_come_first(void **state)
 {
     (void)state;
     static const struct {
@@ -111,7 +111,7 @@ static struct dag *distribute(const struct dag *g)
     return made;
 }
 
-static void test_distribute(void **state)
+static void products_are_distributed(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -141,7 +141,7 @@ static struct dag *take_multiples(const struct dag *g)
     return made;
 }
 
-static void test_multiples(void **state)
+static void multiples_share_a_product(void **state)
 {
     (void)state;
     static const struct graph_row row[] = {
@@ -157,10 +157,10 @@ static void test_multiples(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scales),
-        cmocka_unit_test(test_chains),
-        cmocka_unit_test(test_distribute),
-        cmocka_unit_test(test_multiples),
+        cmocka_unit_test(scales_save_products),
+        cmocka_unit_test(ready_operands_come_first),
+        cmocka_unit_test(products_are_distributed),
+        cmocka_unit_test(multiples_share_a_product),
     };
     return cmocka_run_group_tests_name("scales", tests, NULL, NULL);
 }

@@ -49,7 +49,7 @@ static void check_statements(const struct statement_row *row, size_t rows)
     assert_int_equal(wrong, 0);
 }
 
-static void test_statements(void **state)
+static void statements_are_as_expected(void **state)
 {
     (void)state;
     static const struct statement_row row[] = {
@@ -95,7 +95,7 @@ static const char *const genomes[] = {
 
 /* No value precedes its operands or uses an operand of a later stage. Choices are in odd stages, arithmetic in even
  * stages. Each used value occurs once. */
-static void test_order(void **state)
+static void operands_precede_their_uses(void **state)
 {
     (void)state;
     const char *const names[] = {"throughput", "paper", "operations"};
@@ -129,7 +129,7 @@ static void test_order(void **state)
 }
 
 /* The operand of the root, on which a long chain waits, comes first although it is named last. */
-static void test_urgent(void **state)
+static void long_chains_start_early(void **state)
 {
     (void)state;
     const struct cost_model model = costs("throughput");
@@ -159,9 +159,9 @@ static void test_urgent(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_statements),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_urgent),
+        cmocka_unit_test(statements_are_as_expected),
+        cmocka_unit_test(operands_precede_their_uses),
+        cmocka_unit_test(long_chains_start_early),
     };
     return cmocka_run_group_tests_name("schedule", tests, NULL, NULL);
 }

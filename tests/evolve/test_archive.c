@@ -104,7 +104,7 @@ static void offer(struct fixture *f, struct archive *a, const int *gene, size_t 
 }
 
 /* If nothing is better, the champion keeps its genes; otherwise it is replaced, and the new constants are exact. */
-static void champions_yield_to_the_better_alone(void **state)
+static void champions_yield_only_to_better_members(void **state)
 {
     struct fixture *f = *state;
     struct archive *a = archive_of(&f->scene, START);
@@ -284,7 +284,7 @@ static void fronts_are_written(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(champions_yield_to_the_better_alone, setup, teardown),
+        cmocka_unit_test_setup_teardown(champions_yield_only_to_better_members, setup, teardown),
         cmocka_unit_test_setup_teardown(budgets_decide, setup, teardown),
         cmocka_unit_test_setup_teardown(less_than_rounding_is_no_gain, setup, teardown),
         cmocka_unit_test_setup_teardown(parsimony_decides_without_a_budget, setup, teardown),

@@ -74,7 +74,7 @@ static void check(const struct checkpoint *c)
     }
 }
 
-static void read_is_what_was_written(void **state)
+static void files_read_back(void **state)
 {
     (void)state;
     struct checkpoint c, other;
@@ -206,7 +206,7 @@ static void a_log_goes_on_where_its_mark_is(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(read_is_what_was_written),
+        cmocka_unit_test(files_read_back),
         cmocka_unit_test(cut_or_flipped_is_refused),
         cmocka_unit_test(malformed_inside_is_refused),
         cmocka_unit_test(a_log_goes_on_where_its_mark_is),

@@ -44,7 +44,7 @@ static void check(const struct front *f, const struct offer *o)
     assert_null(front_member(f, members));
 }
 
-static void holds_what_is_not_outdone(void **state)
+static void fronts_keep_unbeaten_trees(void **state)
 {
     (void)state;
     struct offer o[OFFERS];
@@ -72,7 +72,7 @@ static void holds_what_is_not_outdone(void **state)
     gsl_rng_free(rng);
 }
 
-static void refuses_what_is_not_finite(void **state)
+static void nonfinite_numbers_are_refused(void **state)
 {
     (void)state;
     int gene = 1;
@@ -88,8 +88,8 @@ static void refuses_what_is_not_finite(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(holds_what_is_not_outdone),
-        cmocka_unit_test(refuses_what_is_not_finite),
+        cmocka_unit_test(fronts_keep_unbeaten_trees),
+        cmocka_unit_test(nonfinite_numbers_are_refused),
     };
     return cmocka_run_group_tests_name("front", tests, NULL, NULL);
 }

@@ -74,7 +74,7 @@ static void draw(gsl_rng *rng, double most, double x[4][3], double n[4][3])
 }
 
 /* Corners coincide in all ways. If the ends of an edge do, there is no patch; opposite corners may. */
-static void test_repeated(void **state)
+static void repeated_corners_have_statuses(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -95,7 +95,7 @@ static void test_repeated(void **state)
 }
 
 /* An edge gets ever shorter; a normal gets ever nearer to an edge. */
-static void test_vanishing(void **state)
+static void vanishing_edges_have_statuses(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -123,7 +123,7 @@ static void test_vanishing(void **state)
 }
 
 /* Sizes range from 1e-320 to 1e308. A patch is made if squares of lengths are numbers, and only then. */
-static void test_sizes(void **state)
+static void sizes_have_statuses(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -151,7 +151,7 @@ static void test_sizes(void **state)
     gsl_rng_free(rng);
 }
 
-static void test_statuses(void **state)
+static void bad_normals_have_statuses(void **state)
 {
     (void)state;
     static const double bad[] = {NAN, INFINITY, -INFINITY};
@@ -179,7 +179,7 @@ static void test_statuses(void **state)
 /* ---- tilts up to tan = 2 --------------------------------------------------------------------------------------- */
 
 /* Patches contain corners and their normals; beside a corner the normal is nearly the corner's. */
-static void test_corners(void **state)
+static void corners_and_normals_are_interpolated(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -211,7 +211,7 @@ static void test_corners(void **state)
 
 /* Neighbours over the edge BC, each with its own normals at its far corners: one curve, one tangent plane, also at its
  * ends. */
-static void test_edge(void **state)
+static void neighbours_share_tangent_planes(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -252,7 +252,7 @@ static void test_edge(void **state)
 
 /* Slave nodes lie above and below corners and edges. The certain closest point is nearer than any point of a lattice,
  * or is not found; on slightly bent surfaces it is found. */
-static void test_closest(void **state)
+static void closest_points_are_certain(void **state)
 {
     (void)state;
     enum { LATTICE = 24 };
@@ -294,9 +294,13 @@ static void test_closest(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_repeated), cmocka_unit_test(test_vanishing), cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_statuses), cmocka_unit_test(test_corners),   cmocka_unit_test(test_edge),
-        cmocka_unit_test(test_closest),
+        cmocka_unit_test(repeated_corners_have_statuses),
+        cmocka_unit_test(vanishing_edges_have_statuses),
+        cmocka_unit_test(sizes_have_statuses),
+        cmocka_unit_test(bad_normals_have_statuses),
+        cmocka_unit_test(corners_and_normals_are_interpolated),
+        cmocka_unit_test(neighbours_share_tangent_planes),
+        cmocka_unit_test(closest_points_are_certain),
     };
     return cmocka_run_group_tests_name("gregory_hard", tests, NULL, NULL);
 }

@@ -334,7 +334,7 @@ static void quotients(void **state)
 }
 
 /* A value that is not finite makes the sum infinite, wherever it occurs. */
-static void not_finite(void **state)
+static void nonfinite_values_make_the_sum_infinite(void **state)
 {
     const struct fixture *f = *state;
     const int leaf[] = {GENE_SYMBOL};
@@ -385,7 +385,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(decimal_constants, setup, teardown),
         cmocka_unit_test_setup_teardown(long_genomes, setup, teardown),
         cmocka_unit_test_setup_teardown(quotients, setup, teardown),
-        cmocka_unit_test_setup_teardown(not_finite, setup, teardown),
+        cmocka_unit_test_setup_teardown(nonfinite_values_make_the_sum_infinite, setup, teardown),
         cmocka_unit_test_setup_teardown(early_end, setup, teardown),
     };
     return cmocka_run_group_tests_name("kernel", tests, NULL, NULL);

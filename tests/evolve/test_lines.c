@@ -157,7 +157,7 @@ static void check_against_text(const struct fixture *f, const struct genes *t)
 }
 
 /* Changed programs are valid, equal to their text, and in the same powers of a length as their parents. */
-static void test_changes(void **state)
+static void changed_programs_match_their_text(void **state)
 {
     const struct fixture *f = *state;
     struct line_editor *e = line_editor_new(f->objective->rules);
@@ -199,7 +199,7 @@ static void test_changes(void **state)
 }
 
 /* Equal values occur once, and unused values are dropped. */
-static void test_equal(void **state)
+static void equal_values_occur_once(void **state)
 {
     const struct fixture *f = *state;
     static const char *const equal[][4] = {
@@ -217,7 +217,7 @@ static void test_equal(void **state)
 }
 
 /* The last function is removed when programs are read, and only then. */
-static void test_last(void **state)
+static void last_functions_are_removed_on_reading(void **state)
 {
     const struct fixture *f = *state;
     struct genes inner = program_of(f, "let u v = newton p q", "u", "v");
@@ -235,7 +235,7 @@ static void test_last(void **state)
 }
 
 /* Invalid genes are refused, for example from checkpoints. */
-static void test_valid(void **state)
+static void invalid_genes_are_refused(void **state)
 {
     const struct fixture *f = *state;
     const struct line_rules *r = f->objective->rules;
@@ -256,7 +256,7 @@ static void test_valid(void **state)
 }
 
 /* d root / d number agrees with central differences, sample by sample. */
-static void test_derivatives(void **state)
+static void derivatives_match_differences(void **state)
 {
     const struct fixture *f = *state;
     static const char *const text[][3] = {
@@ -304,7 +304,7 @@ static double cost_of_text(const struct fixture *f, const char *lets, const char
 }
 
 /* Costs: a product or a sum 1, a quotient 8. */
-static void test_costs(void **state)
+static void costs_are_as_counted(void **state)
 {
     const struct fixture *f = *state;
     /* (d1 + v (cd - (e12 + v c2))) / (e11 + v (c1 + (c1 + v cc))): 4 products, 6 sums and a quotient. c1, c2, cc and
@@ -318,7 +318,7 @@ static void test_costs(void **state)
 }
 
 /* For the cost of each truncated iteration that a programmer would write, a seed is as accurate. */
-static void test_seeds(void **state)
+static void seeds_match_truncated_iterations(void **state)
 {
     const struct fixture *f = *state;
     static const char *const method[][3] = {
@@ -342,7 +342,7 @@ static void test_seeds(void **state)
 }
 
 /* Evolution keeps all seeds, improves some, and keeps the whole front. */
-static void test_evolution(void **state)
+static void evolution_keeps_and_improves_seeds(void **state)
 {
     const struct fixture *f = *state;
     struct front *found = front_new(f->plan.front_limit, LONGEST);
@@ -384,7 +384,7 @@ static void test_evolution(void **state)
 }
 
 /* A program is charged for errors beyond their limits. */
-static void test_tails(void **state)
+static void tails_are_charged(void **state)
 {
     const struct fixture *f = *state;
     struct genes t = program_of(f, "", "ut", "vt");
@@ -404,7 +404,7 @@ static void test_tails(void **state)
 
 /* On samples with bands of the gap, a program is charged for its worst band, and is worse than another if it is worse
  * in both halves of a band. */
-static void test_bands(void **state)
+static void the_worst_band_is_charged(void **state)
 {
     struct fixture *f = *state;
     struct genes t = program_of(f, "", "ut", "vt");
@@ -438,7 +438,7 @@ static int ascending(const void *a, const void *b)
 }
 
 /* The 99 % of errors equals the result of sorting, for all sizes, few and many, equal and infinite errors. */
-static void test_p99(void **state)
+static void p99_matches_sorting(void **state)
 {
     enum { MOST = 20000 };
     (void)state;
@@ -467,7 +467,7 @@ static void test_p99(void **state)
 }
 
 /* Fits recover the best numbers in each norm; numbers that stand for a structure stay. */
-static void test_fit(void **state)
+static void fits_recover_numbers(void **state)
 {
     const struct fixture *f = *state;
     struct genes fitted = {new_array(LONGEST, sizeof *fitted.gene), 0};
@@ -489,7 +489,7 @@ static void test_fit(void **state)
 }
 
 /* Trees of one output find |x| and a clamp by minima and maxima. */
-static void test_clamps(void **state)
+static void clamps_are_found(void **state)
 {
     const struct fixture *f = *state;
     const struct gene_set genes = archive_genes(f->archive, 1, false);
@@ -512,11 +512,18 @@ static void test_clamps(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changes),  cmocka_unit_test(test_equal),       cmocka_unit_test(test_last),
-        cmocka_unit_test(test_valid),    cmocka_unit_test(test_derivatives), cmocka_unit_test(test_costs),
-        cmocka_unit_test(test_seeds),    cmocka_unit_test(test_tails),       cmocka_unit_test(test_p99),
-        cmocka_unit_test(test_bands),    cmocka_unit_test(test_fit),         cmocka_unit_test(test_clamps),
-        cmocka_unit_test(test_evolution)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(changed_programs_match_their_text),
+                                       cmocka_unit_test(equal_values_occur_once),
+                                       cmocka_unit_test(last_functions_are_removed_on_reading),
+                                       cmocka_unit_test(invalid_genes_are_refused),
+                                       cmocka_unit_test(derivatives_match_differences),
+                                       cmocka_unit_test(costs_are_as_counted),
+                                       cmocka_unit_test(seeds_match_truncated_iterations),
+                                       cmocka_unit_test(tails_are_charged),
+                                       cmocka_unit_test(p99_matches_sorting),
+                                       cmocka_unit_test(the_worst_band_is_charged),
+                                       cmocka_unit_test(fits_recover_numbers),
+                                       cmocka_unit_test(clamps_are_found),
+                                       cmocka_unit_test(evolution_keeps_and_improves_seeds)};
     return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -273,7 +273,7 @@ static const char around[] = "*NODE\n"
                              "ONE, ONE\n"
                              "THIN, ONE\n";
 
-static void what_does_not_matter_is_skipped(void **state)
+static void irrelevant_input_is_skipped(void **state)
 {
     static const int slaves[2][6] = {{4, 6}, {1, 2, 4, 5, 6}};
     (void)state;
@@ -314,7 +314,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spellings),      cmocka_unit_test(included_files),
-        cmocka_unit_test(sparse_numbers), cmocka_unit_test(what_does_not_matter_is_skipped),
+        cmocka_unit_test(sparse_numbers), cmocka_unit_test(irrelevant_input_is_skipped),
         cmocka_unit_test(kinds_of_faces), cmocka_unit_test(mutations),
     };
     return cmocka_run_group_tests_name("mesh text", tests, make_folder, remove_folder);

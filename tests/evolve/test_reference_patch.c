@@ -129,7 +129,7 @@ static bool compare(const struct sample *s, int *points)
     return told;
 }
 
-static void test_against_sampling(void **state)
+static void no_sample_is_nearer(void **state)
 {
     (void)state;
     static const struct {
@@ -152,7 +152,7 @@ static void test_against_sampling(void **state)
 }
 
 /* All corners lie on one line: a curve of stationary points, which cannot be separated. */
-static void test_uncertain(void **state)
+static void curves_of_points_are_uncertain(void **state)
 {
     (void)state;
     struct sample s = {.x = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {1.5, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
@@ -169,7 +169,7 @@ static void test_uncertain(void **state)
 }
 
 /* A corner is the closest point of all points that lie beyond it, an edge of points beside it. */
-static void test_border(void **state)
+static void borders_are_closest_points_beyond(void **state)
 {
     (void)state;
     struct sample s = {.x = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
@@ -213,7 +213,7 @@ static void same_samples(const struct sample_set *a, const struct sample_set *b,
         assert_memory_equal(&a->s[i], &b->s[i], sizeof *a->s);
 }
 
-static void test_lattice(void **state)
+static void lattice_labels_are_certain(void **state)
 {
     (void)state;
     struct diag d;
@@ -251,7 +251,7 @@ static void test_lattice(void **state)
     scene_free(scene);
 }
 
-static void test_bodies(void **state)
+static void body_labels_are_certain(void **state)
 {
     (void)state;
     const struct smooth plan = {3, 0.2, PATCH_GREGORY};
@@ -273,8 +273,11 @@ static void test_bodies(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_against_sampling), cmocka_unit_test(test_uncertain), cmocka_unit_test(test_border),
-        cmocka_unit_test(test_lattice),          cmocka_unit_test(test_bodies),
+        cmocka_unit_test(no_sample_is_nearer),
+        cmocka_unit_test(curves_of_points_are_uncertain),
+        cmocka_unit_test(borders_are_closest_points_beyond),
+        cmocka_unit_test(lattice_labels_are_certain),
+        cmocka_unit_test(body_labels_are_certain),
     };
     return cmocka_run_group_tests_name("reference_patch", tests, NULL, NULL);
 }

@@ -62,7 +62,7 @@ static void check_scene(const char *named)
     scene_free(s);
 }
 
-static void test_scenes(void **state)
+static void regions_contain_unseen_samples(void **state)
 {
     (void)state;
     if (!getenv("FOOTPOINT_LONG"))
@@ -74,7 +74,7 @@ static void test_scenes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(regions_contain_unseen_samples),
     };
     return cmocka_run_group_tests_name("region", tests, NULL, NULL);
 }

@@ -48,7 +48,7 @@ static void shipped_scenes_read(void **state)
 }
 
 /* The segments of these scenes have the shapes of their names. */
-static void shipped_segments_are_found_out(void **state)
+static void shipped_shapes_are_recognised(void **state)
 {
     static const struct {
         const char *name;
@@ -345,7 +345,7 @@ static void printed_scenes_read(void **state)
 }
 
 /* Unusual limits of meshes are accepted with a note. */
-static void unusual_limits_are_told(void **state)
+static void unusual_limits_are_noted(void **state)
 {
     static const struct {
         const char *find, *put, *told;
@@ -486,12 +486,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shipped_scenes_read),
-        cmocka_unit_test(shipped_segments_are_found_out),
+        cmocka_unit_test(shipped_shapes_are_recognised),
         cmocka_unit_test(every_value_arrives),
         cmocka_unit_test(malformed_scenes_are_refused),
         cmocka_unit_test(usual_values),
         cmocka_unit_test(printed_scenes_read),
-        cmocka_unit_test(unusual_limits_are_told),
+        cmocka_unit_test(unusual_limits_are_noted),
         cmocka_unit_test(tiers_expand_about_points_of_their_own),
         cmocka_unit_test(programs_have_reference_points),
         cmocka_unit_test(frames_share_what_is_alike),

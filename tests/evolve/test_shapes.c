@@ -154,7 +154,7 @@ static void check_kind(const char *name)
     shape_free(shape);
 }
 
-static void test_kinds(void **state)
+static void shape_numbers_reproduce_segments(void **state)
 {
     (void)state;
     static const char *const name[] = {"tri3", "quad4", "tri6", "quad8", "quad9"};
@@ -165,6 +165,6 @@ static void test_kinds(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(shape_numbers_reproduce_segments)};
     return cmocka_run_group_tests_name("shapes", tests, NULL, NULL);
 }

@@ -59,7 +59,7 @@ static struct deviation deviation_of(enum smooth_kind kind, int n)
 
 /* With exact normals the distance falls with the fourth power of the segments' width; for facets with the second power.
  * The bounds are the results of tests/bench/bench_gregory_main.c, rounded up. */
-static void test_bodies(void **state)
+static void distances_fall_with_the_fourth_power(void **state)
 {
     (void)state;
     static const struct {
@@ -80,7 +80,7 @@ static void test_bodies(void **state)
 }
 
 /* Exact normals agree with difference quotients and with the closest point's normal. */
-static void test_projection(void **state)
+static void projections_match_differences(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -110,7 +110,7 @@ static void test_projection(void **state)
 }
 
 /* (44): known normals, nodes without a normal, indices out of range. */
-static void test_node_normals(void **state)
+static void node_normals_are_known(void **state)
 {
     (void)state;
     /* A roof, its two slopes of different width, and a separate node. */
@@ -135,9 +135,9 @@ static void test_node_normals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bodies),
-        cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_node_normals),
+        cmocka_unit_test(distances_fall_with_the_fourth_power),
+        cmocka_unit_test(projections_match_differences),
+        cmocka_unit_test(node_normals_are_known),
     };
     return cmocka_run_group_tests_name("smooth_bodies", tests, NULL, NULL);
 }

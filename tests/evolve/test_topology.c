@@ -54,7 +54,7 @@ static void genomes_get_about(void **state)
     assert_int_equal(reached(TOPOLOGY_NONE, 36, 10), 1);
 }
 
-static void a_random_circle_is_one_and_drawn_anew(void **state)
+static void random_circles_are_single_and_redrawn(void **state)
 {
     (void)state;
     size_t differ = 0;
@@ -76,7 +76,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sources_and_targets_belong_together),
         cmocka_unit_test(genomes_get_about),
-        cmocka_unit_test(a_random_circle_is_one_and_drawn_anew),
+        cmocka_unit_test(random_circles_are_single_and_redrawn),
     };
     return cmocka_run_group_tests_name("topology", tests, NULL, NULL);
 }

@@ -79,7 +79,7 @@ static void known_shapes_anywhere(void **state)
 }
 
 /* The tolerance is 1e-12 of the size at the origin; farther away it grows with the rounding of coordinates. */
-static void the_tolerance_is_where_it_is_said(void **state)
+static void tolerances_are_as_documented(void **state)
 {
     static const struct {
         double a, scale, offset;
@@ -149,7 +149,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(known_shapes_anywhere),
-        cmocka_unit_test(the_tolerance_is_where_it_is_said),
+        cmocka_unit_test(tolerances_are_as_documented),
         cmocka_unit_test(the_worst_decides),
         cmocka_unit_test(frame_and_tiers_follow),
     };

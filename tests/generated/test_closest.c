@@ -248,7 +248,7 @@ static void check_scene(const char *name, const char *prefix)
     scene_free(scene);
 }
 
-static void as_footpoint_robust(void **state)
+static void answers_match_footpoint_robust(void **state)
 {
     (void)state;
     check_scene("quad4", "quad4");
@@ -477,9 +477,12 @@ static void in_single_precision(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_footpoint_robust),       cmocka_unit_test(arrays_are_answered_as_one),
-        cmocka_unit_test(size_does_not_matter),      cmocka_unit_test(a_collapsed_edge_is_a_corner),
-        cmocka_unit_test(the_nearest_of_many_faces), cmocka_unit_test(sides_of_a_sharp_edge),
+        cmocka_unit_test(answers_match_footpoint_robust),
+        cmocka_unit_test(arrays_are_answered_as_one),
+        cmocka_unit_test(size_does_not_matter),
+        cmocka_unit_test(a_collapsed_edge_is_a_corner),
+        cmocka_unit_test(the_nearest_of_many_faces),
+        cmocka_unit_test(sides_of_a_sharp_edge),
         cmocka_unit_test(in_single_precision),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

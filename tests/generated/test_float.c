@@ -108,7 +108,7 @@ static void read_banner(const char *text, const char *function, const char *part
     *climbed = strncmp(strstr(at, " samples"), " samples and", strlen(" samples and")) == 0;
 }
 
-static void banner_tells_errors_of_the_float_code(void **state)
+static void banner_states_errors_of_the_float_code(void **state)
 {
     size_t size;
     struct diag d;
@@ -216,7 +216,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coordinates_are_floats),
-        cmocka_unit_test(banner_tells_errors_of_the_float_code),
+        cmocka_unit_test(banner_states_errors_of_the_float_code),
         cmocka_unit_test(samples_are_proved),
         cmocka_unit_test(size_does_not_matter),
         cmocka_unit_test(loops_agree_with_single_calls),

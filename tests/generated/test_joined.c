@@ -170,7 +170,7 @@ static struct given element(const struct arrays *a, const struct kind *k, int p)
     return g;
 }
 
-static void joined_is_one_after_the_other(void **state)
+static void joined_calls_match_separate_calls(void **state)
 {
     static double x[PAIRS][NODES + 1][3], column[C][PAIRS];
     static struct arrays a;
@@ -272,7 +272,7 @@ static void place_and_hessian(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(joined_is_one_after_the_other),
+        cmocka_unit_test(joined_calls_match_separate_calls),
         cmocka_unit_test(unproved_stays_unproved),
         cmocka_unit_test(place_and_hessian),
     };

@@ -29,7 +29,7 @@ static void near(double got, double expected)
         fail_msg("%.17g instead of %.17g", got, expected);
 }
 
-static void test_square(void **state)
+static void depths_over_a_square_are_known(void **state)
 {
     (void)state;
     const double pi = 3.14159265358979324;
@@ -44,7 +44,7 @@ static void test_square(void **state)
     near(depth_of(&big), 4 * diameter - 5);
 }
 
-static void test_invariance(void **state)
+static void depth_does_not_depend_on_place_and_size(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < 200; i++) {
@@ -63,7 +63,7 @@ static void test_invariance(void **state)
     }
 }
 
-static void test_decisions(void **state)
+static void decisions_are_classified(void **state)
 {
     (void)state;
     struct sample s[] = {
@@ -86,7 +86,8 @@ static void test_decisions(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_square), cmocka_unit_test(test_invariance),
-                                       cmocka_unit_test(test_decisions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(depths_over_a_square_are_known),
+                                       cmocka_unit_test(depth_does_not_depend_on_place_and_size),
+                                       cmocka_unit_test(decisions_are_classified)};
     return cmocka_run_group_tests_name("pinball", tests, NULL, NULL);
 }

@@ -68,7 +68,7 @@ static void textbook(const struct quad *q, double xi, double eta, int gauss_newt
     found[1] = eta;
 }
 
-static void test_textbook(void **state)
+static void rivals_equal_textbook_iterations(void **state)
 {
     (void)state;
     for (number = 0; number < SEGMENTS; number++) {
@@ -88,7 +88,7 @@ static void test_textbook(void **state)
 }
 
 /* On a parallelogram every iteration converges in one step, whatever the gap. */
-static void test_parallelogram(void **state)
+static void parallelograms_take_one_step(void **state)
 {
     const struct quad_limits limits = {0, 0, 0.5, 0.95};
     (void)state;
@@ -115,7 +115,7 @@ static void test_parallelogram(void **state)
 }
 
 /* (12)-(16) hold in a square without a gap. */
-static void test_area(void **state)
+static void areas_are_exact_in_squares(void **state)
 {
     const struct quad square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0.3, 0.8, 0}, -0.4, 0.6, 0};
     const struct quad_limits limits = {0, 0, 0, 0.95};
@@ -132,7 +132,7 @@ static void test_area(void **state)
     }
 }
 
-static void test_plane(void **state)
+static void plane_form_is_exact(void **state)
 {
     const struct quad_limits limits = {0.25, 0, 0.5, 1.2};
     double xi, eta;
@@ -145,7 +145,7 @@ static void test_plane(void **state)
     }
 }
 
-static void test_newton(void **state)
+static void newton_converges(void **state)
 {
     double xi, eta;
     (void)state;
@@ -161,7 +161,7 @@ static void test_newton(void **state)
 }
 
 /* Fair Newton finds the reference's foot point and gap, and returns 0 if it may take too few steps. */
-static void test_newton_fair(void **state)
+static void fair_newton_matches_the_reference(void **state)
 {
     (void)state;
     where = "newton_fair";
@@ -182,7 +182,7 @@ static void test_newton_fair(void **state)
 }
 
 /* If nodes lie on a line, no step succeeds, and there is no normal. */
-static void test_newton_fair_refuses(void **state)
+static void fair_newton_refuses_lines(void **state)
 {
     const double x[5][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1, 1, 0}};
     double loc[2], gap;
@@ -190,7 +190,7 @@ static void test_newton_fair_refuses(void **state)
     assert_false(rival_fair_checked(x, loc, &gap));
 }
 
-static void test_clamped(void **state)
+static void clamped_rivals_stay_inside(void **state)
 {
     const struct quad_limits limits = {0.15, 0.1, 0.3, 3};
     (void)state;
@@ -209,13 +209,13 @@ static void test_clamped(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_textbook),
-                                       cmocka_unit_test(test_parallelogram),
-                                       cmocka_unit_test(test_area),
-                                       cmocka_unit_test(test_plane),
-                                       cmocka_unit_test(test_newton),
-                                       cmocka_unit_test(test_newton_fair),
-                                       cmocka_unit_test(test_newton_fair_refuses),
-                                       cmocka_unit_test(test_clamped)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rivals_equal_textbook_iterations),
+                                       cmocka_unit_test(parallelograms_take_one_step),
+                                       cmocka_unit_test(areas_are_exact_in_squares),
+                                       cmocka_unit_test(plane_form_is_exact),
+                                       cmocka_unit_test(newton_converges),
+                                       cmocka_unit_test(fair_newton_matches_the_reference),
+                                       cmocka_unit_test(fair_newton_refuses_lines),
+                                       cmocka_unit_test(clamped_rivals_stay_inside)};
     return cmocka_run_group_tests_name("rivals", tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static void compare(rival_lanes ours, const double theirs[3], double factor, dou
         assert_true(fabs(ours[k] - factor * theirs[k]) <= tolerance);
 }
 
-static void test_jet(void **state)
+static void jets_match_the_runtime(void **state)
 {
     (void)state;
     for (size_t i = 0; i < samples.n; i++) {
@@ -66,7 +66,7 @@ static void test_jet(void **state)
 }
 
 /* Jets of Bezier patches are right, and Newton's iteration ends at the certain foot point. */
-static void test_bezier(void **state)
+static void bezier_patches_match_the_runtime(void **state)
 {
     struct sample_set set = {0};
     size_t converged = 0;
@@ -98,7 +98,7 @@ static void test_bezier(void **state)
     sample_set_free(&set);
 }
 
-static void test_searches(void **state)
+static void searches_match_the_reference(void **state)
 {
     (void)state;
     double miss[3] = {0}, along_normals = 0;
@@ -131,7 +131,8 @@ static void test_searches(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_jet), cmocka_unit_test(test_bezier),
-                                       cmocka_unit_test(test_searches)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(jets_match_the_runtime),
+                                       cmocka_unit_test(bezier_patches_match_the_runtime),
+                                       cmocka_unit_test(searches_match_the_reference)};
     return cmocka_run_group_tests_name("rivals_gregory", tests, setup, teardown);
 }

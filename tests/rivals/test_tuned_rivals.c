@@ -26,7 +26,7 @@ static void close_to(double a, double b)
 }
 
 /* A tuned iteration that starts in the middle of the whole segment equals the iteration from the centre. */
-static void test_centre(void **state)
+static void tuned_start_in_the_middle_is_the_centre(void **state)
 {
     struct rival_tuning t = {.s = 0.5, .t = 0.5};
     t.clamp.plain = (struct rival_box){{-0.5, -0.5}, {0.5, 0.5}};
@@ -53,7 +53,7 @@ static void test_centre(void **state)
 }
 
 /* A step from the answer does not move. */
-static void test_start(void **state)
+static void answers_do_not_move(void **state)
 {
     (void)state;
     for (uint64_t number = 0; number < SEGMENTS; number++) {
@@ -70,7 +70,7 @@ static void test_start(void **state)
 }
 
 /* Steps with kept determinants approach the foot point, and sufficiently many reach it; the box limits them. */
-static void test_kept(void **state)
+static void kept_steps_converge_in_the_box(void **state)
 {
     struct rival_tuning t = {.s = 0.5, .t = 0.5};
     t.clamp.plain = (struct rival_box){{-0.7, -0.7}, {0.7, 0.7}};
@@ -98,7 +98,7 @@ static void test_kept(void **state)
 }
 
 /* The inputs are those of section 3.1: distances are kept, and A, B, D are in their places. */
-static void test_similarity(void **state)
+static void similarity_keeps_distances(void **state)
 {
     (void)state;
     for (uint64_t number = 0; number < SEGMENTS; number++) {
@@ -125,7 +125,7 @@ static void test_similarity(void **state)
 }
 
 /* Horner's form contains every monomial once. */
-static void test_polynomials(void **state)
+static void polynomials_have_every_monomial(void **state)
 {
     const struct quad q = quad_draw(&quad_ordinary, 7);
     double x[RIVAL_INPUTS], xi, eta;
@@ -184,7 +184,7 @@ static int alone(const struct quad *q, enum newton_lanes_start start, double *xi
 }
 
 /* Each lane finds what its sample's own search finds, however long the others take. */
-static void test_lanes(void **state)
+static void lanes_match_single_searches(void **state)
 {
     const struct quad_limits limits = {0.45, 0.4, 0.8, 1.5};
     (void)state;
@@ -217,7 +217,7 @@ static void test_lanes(void **state)
 }
 
 /* Lanes of fair Newton return the gap and the status of calls, whether or not slave nodes share a segment. */
-static void test_lanes_checked(void **state)
+static void checked_lanes_match_calls(void **state)
 {
     const struct quad_limits limits = {0.25, 0.1, 0.3, 1.2};
     (void)state;
@@ -247,7 +247,7 @@ static void test_lanes_checked(void **state)
 
 /* The result lies in the box, equals the box's closest point if that lies inside, and is never farther off than the
  * middle, the corners or the edges. */
-static void test_trust_region(void **state)
+static void trust_region_finds_the_closest_point(void **state)
 {
     const struct quad_limits limits = {0.45, 0.4, 0.8, 1.5};
     const struct rival_box box = {{-1, -1}, {1, 1}};
@@ -282,9 +282,13 @@ static void test_trust_region(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_centre),        cmocka_unit_test(test_start),
-                                       cmocka_unit_test(test_kept),          cmocka_unit_test(test_similarity),
-                                       cmocka_unit_test(test_polynomials),   cmocka_unit_test(test_lanes),
-                                       cmocka_unit_test(test_lanes_checked), cmocka_unit_test(test_trust_region)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(tuned_start_in_the_middle_is_the_centre),
+                                       cmocka_unit_test(answers_do_not_move),
+                                       cmocka_unit_test(kept_steps_converge_in_the_box),
+                                       cmocka_unit_test(similarity_keeps_distances),
+                                       cmocka_unit_test(polynomials_have_every_monomial),
+                                       cmocka_unit_test(lanes_match_single_searches),
+                                       cmocka_unit_test(checked_lanes_match_calls),
+                                       cmocka_unit_test(trust_region_finds_the_closest_point)};
     return cmocka_run_group_tests_name("tuned rivals", tests, NULL, NULL);
 }

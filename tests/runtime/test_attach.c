@@ -388,7 +388,7 @@ static void closest_points(void **state)
 }
 
 /* A quadratic face whose midside nodes halve its edges equals the linear face. */
-static void faces_alike(void **state)
+static void halved_edges_match_linear_faces(void **state)
 {
     (void)state;
     gsl_rng *const r = stream_new();
@@ -411,7 +411,7 @@ static void faces_alike(void **state)
 }
 
 /* Answers hold in any unit of length that attach.h allows. */
-static void any_unit(void **state)
+static void any_unit_has_the_same_answer(void **state)
 {
     (void)state;
     gsl_rng *const r = stream_new();
@@ -436,7 +436,7 @@ static void any_unit(void **state)
 }
 
 /* Faces found by `make rivals`: another edge is nearer than the minimum to which the iteration converges. */
-static void nearer_edge(void **state)
+static void the_nearer_edge_is_found(void **state)
 {
     const struct face f = {.nodes = 6,
                            .x = {{0x1.6ae751943b61dp+0, 0x1.3e14c4d85b6bfp+1, -0x1.52b0ffc00945p-5},
@@ -474,8 +474,11 @@ static void hostile_input(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closest_points), cmocka_unit_test(faces_alike),   cmocka_unit_test(any_unit),
-        cmocka_unit_test(nearer_edge),    cmocka_unit_test(hostile_input),
+        cmocka_unit_test(closest_points),
+        cmocka_unit_test(halved_edges_match_linear_faces),
+        cmocka_unit_test(any_unit_has_the_same_answer),
+        cmocka_unit_test(the_nearer_edge_is_found),
+        cmocka_unit_test(hostile_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -198,7 +198,7 @@ static struct footpoint_pairs pairs_of(size_t from, size_t n, int layout, int wi
     return p;
 }
 
-static void test_kinds(void **state)
+static void kinds_of_arrays_have_equal_bits(void **state)
 {
     static const unsigned bad[4] = {0, 97, 33, 3};
     (void)state;
@@ -217,7 +217,7 @@ static void test_kinds(void **state)
     }
 }
 
-static void test_sizes(void **state)
+static void batch_sizes_have_equal_bits(void **state)
 {
     (void)state;
     build(50);
@@ -232,7 +232,7 @@ static void test_sizes(void **state)
 }
 
 /* Coordinates in float have the answer of the same coordinates in double, rounded on request. */
-static void test_float(void **state)
+static void float_coordinates_match_double(void **state)
 {
     static double widened[NODES][3];
     (void)state;
@@ -263,7 +263,7 @@ static void test_float(void **state)
 }
 
 /* Only pairs with status FOOTPOINT_OK take the short way; ordinary pairs always do. */
-static void test_short_way(void **state)
+static void only_sure_pairs_take_the_short_way(void **state)
 {
     static struct block b;
     const struct lanes *const lanes = footpoint_batch_lanes();
@@ -286,7 +286,7 @@ static void test_short_way(void **state)
         }
 }
 
-static void test_refused(void **state)
+static void bad_arguments_are_refused(void **state)
 {
     (void)state;
     build(0);
@@ -312,7 +312,7 @@ static void test_refused(void **state)
 
 /* All instruction sets return the same answers for all kinds of arrays; a block with the last node is not a block of
  * triples. */
-static void test_instruction_sets(void **state)
+static void instruction_sets_have_equal_bits(void **state)
 {
     static struct block blocks[LANE_SETS];
     size_t taken[KINDS] = {0};
@@ -338,7 +338,7 @@ static void test_instruction_sets(void **state)
 }
 
 /* The last node may lie at the very end of an array: nothing after it is read. */
-static void test_last_node(void **state)
+static void nothing_is_read_after_the_last_node(void **state)
 {
     enum { LAST = 40 };
     (void)state;
@@ -376,7 +376,7 @@ static void test_last_node(void **state)
 }
 
 /* Each segment is searched with the slave nodes of its neighbours in the list. */
-static void test_prepared(void **state)
+static void prepared_segments_have_equal_bits(void **state)
 {
     enum { MOST = 70 };
     static double xs[MOST][3];
@@ -428,9 +428,10 @@ static void test_prepared(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds),     cmocka_unit_test(test_sizes),
-                                       cmocka_unit_test(test_float),     cmocka_unit_test(test_instruction_sets),
-                                       cmocka_unit_test(test_last_node), cmocka_unit_test(test_refused),
-                                       cmocka_unit_test(test_short_way), cmocka_unit_test(test_prepared)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(kinds_of_arrays_have_equal_bits),     cmocka_unit_test(batch_sizes_have_equal_bits),
+        cmocka_unit_test(float_coordinates_match_double),      cmocka_unit_test(instruction_sets_have_equal_bits),
+        cmocka_unit_test(nothing_is_read_after_the_last_node), cmocka_unit_test(bad_arguments_are_refused),
+        cmocka_unit_test(only_sure_pairs_take_the_short_way),  cmocka_unit_test(prepared_segments_have_equal_bits)};
     return cmocka_run_group_tests_name("batch", tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static const int around[4][4] = {{4, 5, 8, 7}, {3, 4, 7, 6}, {0, 1, 4, 3}, {5, 4
 
 /* ---- normal, gap, forces ---- */
 
-static void test_normal(void **state)
+static void normals_are_right(void **state)
 {
     const double O[3] = {1, 1, 1}, X[3] = {3, 1, 1}, Y[3] = {1, 5, 1}, X2[3] = {7, 1, 1}, bad[3] = {0, (double)NAN, 0};
     double m[3];
@@ -37,7 +37,7 @@ static void test_normal(void **state)
 }
 
 /* Edges and nodes on a line, for which rounding leaves products other than 0. */
-static void test_parallel(void **state)
+static void lines_have_no_normal(void **state)
 {
     const double O[3] = {0, 0, 0}, X[3] = {0.1, 0.2, 0.3}, loc[2] = {0.1, 0.2};
     /* multiples of (-366083, 471023, 59437) */
@@ -70,7 +70,7 @@ static void test_parallel(void **state)
 }
 
 /* With the segment's own normal, (9) is its signed gap; with another unit vector, the projection of xS - r. */
-static void test_gap(void **state)
+static void gaps_are_projections(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < SEGMENTS; i++) {
@@ -89,7 +89,7 @@ static void test_gap(void **state)
     }
 }
 
-static void test_forces_balance(void **state)
+static void forces_balance(void **state)
 {
     const double k = 250;
     (void)state;
@@ -117,7 +117,7 @@ static void test_forces_balance(void **state)
     }
 }
 
-static void test_force_open(void **state)
+static void open_gaps_have_no_force(void **state)
 {
     const double m[3] = {0, 0, 1}, loc[2] = {0.5, -0.5}, open[2] = {0, 0.25};
     double fs[3], fm[4][3];
@@ -138,7 +138,7 @@ static double uniform(uint64_t *stream)
 
 /* A parallelogram in any position with slave nodes in its plane, 1e-3 to 10 edges beside it, has no forces. Slave nodes
  * moved behind the plane by 1e-9 have some. */
-static void test_force_beside(void **state)
+static void nodes_beside_have_no_force(void **state)
 {
     uint64_t stream = 20246;
     (void)state;
@@ -169,7 +169,7 @@ static void test_force_beside(void **state)
     }
 }
 
-static void test_force_refused(void **state)
+static void bad_forces_are_refused(void **state)
 {
     const double m[3] = {0, 0, 1}, loc[2] = {0.5, -0.5}, nan = (double)NAN;
     const double bad_m[3] = {0, 0, nan}, bad_loc[2] = {(double)INFINITY, 0}, deep[3] = {-0.5, -0.5, -1e200};
@@ -200,7 +200,7 @@ static void check_chosen(const double *xyz, const double xs[3], int expected)
     fail();
 }
 
-static void test_select_inside(void **state)
+static void segments_around_are_chosen(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
@@ -210,7 +210,7 @@ static void test_select_inside(void **state)
 }
 
 /* Over an edge, the first of its two segments is chosen; over the node, the first of all. */
-static void test_select_ties(void **state)
+static void ties_choose_the_first(void **state)
 {
     const double edge[4][3] = {{0, 0.5, 0.1}, {-0.5, 0, 0.1}, {0, -0.5, 0.1}, {0.5, 0, -0.1}}, node[3] = {0, 0, 0.2};
     static const int expected[4] = {0, 1, 2, 0};
@@ -228,7 +228,7 @@ static void turn(double axis[3][3], const double x[3], double y[3])
 }
 
 /* Rounding must not lose a slave node over an edge, however the patch lies in space. */
-static void test_select_turned(void **state)
+static void turned_patches_lose_no_node(void **state)
 {
     static const double on_edge[4][2] = {{0, 1}, {-1, 0}, {0, -1}, {1, 0}};
     static const int expected[4] = {0, 1, 2, 0};
@@ -257,7 +257,7 @@ static void test_select_turned(void **state)
     }
 }
 
-static void test_select_refused(void **state)
+static void bad_segments_are_refused(void **state)
 {
     const double xs[3] = {-0.5, -0.5, 0}, bad[3] = {0, 0, (double)INFINITY};
     static const int negative[4] = {4, -1, 8, 7}, collapsed[4] = {4, 5, 8, 5}, opposite[4] = {4, 7, -1, 3},
@@ -283,11 +283,12 @@ static void test_select_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_normal),        cmocka_unit_test(test_parallel),
-                                       cmocka_unit_test(test_gap),           cmocka_unit_test(test_forces_balance),
-                                       cmocka_unit_test(test_force_open),    cmocka_unit_test(test_force_refused),
-                                       cmocka_unit_test(test_force_beside),  cmocka_unit_test(test_select_inside),
-                                       cmocka_unit_test(test_select_ties),   cmocka_unit_test(test_select_turned),
-                                       cmocka_unit_test(test_select_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(normals_are_right),          cmocka_unit_test(lines_have_no_normal),
+        cmocka_unit_test(gaps_are_projections),       cmocka_unit_test(forces_balance),
+        cmocka_unit_test(open_gaps_have_no_force),    cmocka_unit_test(bad_forces_are_refused),
+        cmocka_unit_test(nodes_beside_have_no_force), cmocka_unit_test(segments_around_are_chosen),
+        cmocka_unit_test(ties_choose_the_first),      cmocka_unit_test(turned_patches_lose_no_node),
+        cmocka_unit_test(bad_segments_are_refused)};
     return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
 }

@@ -379,7 +379,7 @@ static void robust_is_closest(void **state)
 }
 
 /* Faces without area or with several closest points, and far slave nodes, have an honest status. */
-static void robust_is_sure_or_says_so(void **state)
+static void robust_is_sure_or_unproved(void **state)
 {
     uint64_t stream = 11;
     (void)state;
@@ -505,7 +505,7 @@ int main(void)
         cmocka_unit_test(pairs_are_single_ones),
         cmocka_unit_test(the_nearest_face_is_chosen),
         cmocka_unit_test(robust_is_closest),
-        cmocka_unit_test(robust_is_sure_or_says_so),
+        cmocka_unit_test(robust_is_sure_or_unproved),
         cmocka_unit_test(robust_pairs_are_single_ones),
         cmocka_unit_test(tracked_pairs_are_located_ones),
         cmocka_unit_test(statuses),

@@ -195,7 +195,7 @@ static void compare_jet(const struct footpoint_gregory *g, double xi, double eta
 }
 
 /* Jets are right inside, next to corners and on edges; in corners, as limits from the diagonal. */
-static void test_jet(void **state)
+static void jets_match_difference_quotients(void **state)
 {
     (void)state;
     static const double place[] = {-1, -1 + 1e-12, -0.999, -0.3, 0, 0.7, 1 - 1e-9, 1};
@@ -220,7 +220,7 @@ static void test_jet(void **state)
 }
 
 /* Beyond an edge r continues without poles, with its derivatives. */
-static void test_beyond(void **state)
+static void patches_continue_beyond_edges(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -245,7 +245,7 @@ static void test_beyond(void **state)
 
 /* Patches contain corners and their normals; a flat parallelogram is the bilinear segment; impossible patches are
  * refused. */
-static void test_interpolation(void **state)
+static void corners_and_normals_are_interpolated(void **state)
 {
     (void)state;
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -288,7 +288,7 @@ static void test_interpolation(void **state)
 }
 
 /* Renumbering the corners only turns (xi,eta). */
-static void test_renumbering(void **state)
+static void renumbering_only_turns_coordinates(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -389,7 +389,7 @@ static struct joint fan(gsl_rng *rng, int valence, int smooth)
     return most;
 }
 
-static void test_joints(void **state)
+static void neighbours_share_tangent_planes(void **state)
 {
     (void)state;
     gsl_rng *rng = stream_new();
@@ -406,8 +406,9 @@ static void test_joints(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_jet),         cmocka_unit_test(test_beyond), cmocka_unit_test(test_interpolation),
-        cmocka_unit_test(test_renumbering), cmocka_unit_test(test_joints),
+        cmocka_unit_test(jets_match_difference_quotients),      cmocka_unit_test(patches_continue_beyond_edges),
+        cmocka_unit_test(corners_and_normals_are_interpolated), cmocka_unit_test(renumbering_only_turns_coordinates),
+        cmocka_unit_test(neighbours_share_tangent_planes),
     };
     return cmocka_run_group_tests_name("gregory", tests, start, finish);
 }

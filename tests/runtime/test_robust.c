@@ -75,7 +75,7 @@ static void long_foot(const long double x[15], long double z[2], long double *ga
 
 /* ---- the closest point ---- */
 
-static void test_inside(void **state)
+static void closest_points_inside_are_proved(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < SEGMENTS; i++) {
@@ -88,7 +88,7 @@ static void test_inside(void **state)
 }
 
 /* Above the square with corners +-1 the nearest point is obvious. */
-static void test_square(void **state)
+static void points_over_a_square_are_known(void **state)
 {
     const struct quad q = {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0}, 0, 0, 0};
     (void)state;
@@ -107,7 +107,7 @@ static void test_square(void **state)
 }
 
 /* Renumbered corners and transformed coordinates change (xi,eta), but not the point. */
-static void test_invariance(void **state)
+static void renumbering_keeps_the_point(void **state)
 {
     const struct quad_limits wild = {0.45, 0.6, 1.5, 2};
     (void)state;
@@ -131,7 +131,7 @@ static void test_invariance(void **state)
     }
 }
 
-static void test_two_closest(void **state)
+static void ties_are_not_unique(void **state)
 {
     double loc[2], dist;
     struct quad q = saddle(0.5);
@@ -149,7 +149,7 @@ static void test_two_closest(void **state)
 
 /* Folded, concave and crossing segments, nearly plane, with the slave node on them. Another sheet is 1e-4 to 1e-6 edges
  * away, so double precision does not separate stationary points. */
-static void test_nearly_plane(void **state)
+static void nearly_plane_folds_are_decided(void **state)
 {
     (void)state;
     for (int flat = 4; flat <= 6; flat++) {
@@ -164,7 +164,7 @@ static void test_nearly_plane(void **state)
     }
 }
 
-static void test_no_area(void **state)
+static void segments_without_area_have_statuses(void **state)
 {
     const double a[3] = {0, 0, 0}, b[3] = {1, 1, 1}, c[3] = {3, 3, 3}, s[3] = {3, 3, 0}, far[3] = {1e30, 0, 0};
     double loc[2] = {UNTOUCHED, UNTOUCHED}, dist = UNTOUCHED;
@@ -205,7 +205,7 @@ static void test_no_area(void **state)
     assert_true(dist == 0x1p-1074);
 }
 
-static void test_not_finite(void **state)
+static void bad_numbers_are_refused(void **state)
 {
     static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     (void)state;
@@ -234,7 +234,7 @@ static int is_on_edge(int corners, const double loc[2])
 
 /* For slave nodes over edges, or beside them by less than rounding, the status is OUTSIDE, with a region, if and only
  * if loc is on an edge. */
-static void statuses_say_where_loc_is(void **state)
+static void statuses_match_the_region(void **state)
 {
     static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
     static const double three[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
@@ -272,7 +272,7 @@ static void statuses_say_where_loc_is(void **state)
 
 /* ---- proofs ---- */
 
-static void test_certify(void **state)
+static void foot_points_are_certified(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < SEGMENTS; i++) {
@@ -289,7 +289,7 @@ static void test_certify(void **state)
     }
 }
 
-static void test_certify_refuses(void **state)
+static void wrong_points_are_not_certified(void **state)
 {
     const struct quad focal = saddle(1), q = saddle(0.5);
     const double centre[2] = {0, 0}, away[2] = {3, -2}, bad[2] = {0, (double)NAN};
@@ -303,7 +303,7 @@ static void test_certify_refuses(void **state)
 }
 
 /* The answer is as accurate as the banner claims, or has another status. */
-static void test_locate_checks(void **state)
+static void located_points_are_as_accurate_as_claimed(void **state)
 {
     const struct quad_limits wild = {0.3, 0.4, 1, 1.5};
     int answered = 0;
@@ -337,7 +337,7 @@ static int compare(const void *a, const void *b)
     return (p[0] > q[0]) - (p[0] < q[0]);
 }
 
-static void test_stationary(void **state)
+static void all_stationary_points_are_found(void **state)
 {
     double z[FOOTPOINT_STATIONARY_MOST][2];
     int count;
@@ -367,7 +367,7 @@ static void test_stationary(void **state)
 
 /* ---- derivatives ---- */
 
-static void test_derivatives(void **state)
+static void derivatives_match_differences(void **state)
 {
     const struct quad_limits warped = {0.2, 0.2, 0.3, 1.2};
     (void)state;
@@ -403,7 +403,7 @@ static void test_derivatives(void **state)
     }
 }
 
-static void test_derivatives_refused(void **state)
+static void singular_derivatives_are_refused(void **state)
 {
     const struct quad focal = saddle(1);
     const double a[3] = {0, 0, 0}, b[3] = {1, 0, 0}, c[3] = {2, 0, 0}, centre[2] = {0, 0};
@@ -416,20 +416,20 @@ static void test_derivatives_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_inside),
-        cmocka_unit_test(test_square),
-        cmocka_unit_test(test_invariance),
-        cmocka_unit_test(test_two_closest),
-        cmocka_unit_test(test_nearly_plane),
-        cmocka_unit_test(test_no_area),
-        cmocka_unit_test(statuses_say_where_loc_is),
-        cmocka_unit_test(test_not_finite),
-        cmocka_unit_test(test_certify),
-        cmocka_unit_test(test_certify_refuses),
-        cmocka_unit_test(test_locate_checks),
-        cmocka_unit_test(test_stationary),
-        cmocka_unit_test(test_derivatives),
-        cmocka_unit_test(test_derivatives_refused),
+        cmocka_unit_test(closest_points_inside_are_proved),
+        cmocka_unit_test(points_over_a_square_are_known),
+        cmocka_unit_test(renumbering_keeps_the_point),
+        cmocka_unit_test(ties_are_not_unique),
+        cmocka_unit_test(nearly_plane_folds_are_decided),
+        cmocka_unit_test(segments_without_area_have_statuses),
+        cmocka_unit_test(statuses_match_the_region),
+        cmocka_unit_test(bad_numbers_are_refused),
+        cmocka_unit_test(foot_points_are_certified),
+        cmocka_unit_test(wrong_points_are_not_certified),
+        cmocka_unit_test(located_points_are_as_accurate_as_claimed),
+        cmocka_unit_test(all_stationary_points_are_found),
+        cmocka_unit_test(derivatives_match_differences),
+        cmocka_unit_test(singular_derivatives_are_refused),
     };
     return cmocka_run_group_tests_name("robust", tests, NULL, NULL);
 }

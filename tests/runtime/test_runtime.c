@@ -81,7 +81,7 @@ static void check_refused(const struct method *m, const struct quad *q, int expe
 
 /* ---- answers ---- */
 
-static void test_square(void **state)
+static void points_over_a_square_are_known(void **state)
 {
     struct quad q = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0}, 0, 0, 0};
     (void)state;
@@ -99,7 +99,7 @@ static void test_square(void **state)
             }
 }
 
-static void test_parallelogram(void **state)
+static void points_over_a_parallelogram_are_known(void **state)
 {
     /* A = (1,2,3), edges (2,0,1) and (1,1,0); S over (xi,eta) = (0.5,-0.25) by 0.3 along (-1,1,2)/sqrt(6). */
     const double n = 0.3 / sqrt(6);
@@ -113,7 +113,7 @@ static void test_parallelogram(void **state)
         check_answer(&methods[m], &q);
 }
 
-static void test_ordinary(void **state)
+static void ordinary_segments_are_accurate(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < SEGMENTS; i++) {
@@ -125,7 +125,7 @@ static void test_ordinary(void **state)
 
 /* Strong warp and taper, and foot points outside, which Newton's iteration finds but the iteration-free search does
  * not. */
-static void test_newton_warped(void **state)
+static void newton_finds_warped_foot_points(void **state)
 {
     const struct quad_limits limits = {0.2, 0.2, 0.1, 1.3};
     (void)state;
@@ -137,7 +137,7 @@ static void test_newton_warped(void **state)
 
 /* ---- properties ---- */
 
-static void test_move(void **state)
+static void moving_and_scaling_keep_answers(void **state)
 {
     static const double scale[] = {1, 0.25, 1e-6, 1e6};
     (void)state;
@@ -156,7 +156,7 @@ static void test_move(void **state)
     }
 }
 
-static void test_renumber(void **state)
+static void renumbering_keeps_the_point(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < SEGMENTS; i++) {
@@ -172,7 +172,7 @@ static void test_renumber(void **state)
     }
 }
 
-static void test_inputs_unchanged(void **state)
+static void inputs_stay_unchanged(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < SEGMENTS; i++) {
@@ -190,7 +190,7 @@ static void test_inputs_unchanged(void **state)
 
 /* ---- bad input ---- */
 
-static void test_not_finite(void **state)
+static void bad_numbers_are_refused(void **state)
 {
     static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     (void)state;
@@ -204,7 +204,7 @@ static void test_not_finite(void **state)
 }
 
 /* If two corners of a segment coincide, the answer is as usual if there is an area at the foot point. */
-static void test_collapsed(void **state)
+static void collapsed_corners_have_answers(void **state)
 {
     (void)state;
     for (int m = 0; m < METHODS; m++)
@@ -234,7 +234,7 @@ static void test_collapsed(void **state)
 }
 
 /* Corners that enclose no area. */
-static void test_corners_without_area(void **state)
+static void corners_without_area_are_refused(void **state)
 {
     static const int same[5][4] = {{0, 0, 2, 2}, {0, 1, 1, 0}, {0, 0, 0, 3}, {0, 1, 0, 1}, {2, 2, 2, 2}};
     (void)state;
@@ -248,7 +248,7 @@ static void test_corners_without_area(void **state)
     }
 }
 
-static void test_newton_statuses(void **state)
+static void newton_statuses_are_right(void **state)
 {
     const struct quad q = quad_draw(&quad_ordinary, 5);
     const struct quad line = {{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}}, {1, 2, 0}, 0, 0, 0};
@@ -270,7 +270,7 @@ static void test_newton_statuses(void **state)
 }
 
 /* A segment with an area is never degenerate: slave nodes far away, corners collapsed and edges crossed. */
-static void test_newton_degenerate(void **state)
+static void segments_with_area_are_not_degenerate(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < 20 * SEGMENTS; i++) {
@@ -293,7 +293,7 @@ static void test_newton_degenerate(void **state)
     }
 }
 
-static void test_strerror(void **state)
+static void every_status_has_a_text(void **state)
 {
     (void)state;
     const char *unknown = footpoint_strerror(INT_MAX);
@@ -352,7 +352,7 @@ static void check_untouched(const struct batch *b, int i)
     assert_true(b->loc[i][0] == UNTOUCHED && b->loc[i][1] == UNTOUCHED && b->gap[i] == UNTOUCHED);
 }
 
-static void test_pairs(void **state)
+static void pairs_match_single_calls(void **state)
 {
     static const int counts[] = {0, 1, 2, 7, 63, 64, 65, 127, 128, 129, PAIRS};
     static struct batch b;
@@ -369,7 +369,7 @@ static void test_pairs(void **state)
     }
 }
 
-static void test_pairs_refused(void **state)
+static void bad_pairs_are_refused(void **state)
 {
     static const int wrong[] = {-1, NODES, INT_MAX, INT_MIN};
     static struct batch b;
@@ -397,7 +397,7 @@ static void test_pairs_refused(void **state)
 
 /* ---- geometry ---- */
 
-static void test_shape(void **state)
+static void shape_functions_are_right(void **state)
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     double phi[4];
@@ -413,7 +413,7 @@ static void test_shape(void **state)
     assert_true(fabs(phi[2] + phi[3] - phi[0] - phi[1] + 0.7) < 1e-15);
 }
 
-static void test_geometry(void **state)
+static void derivatives_match_differences(void **state)
 {
     const double h = 1e-5;
     (void)state;
@@ -447,7 +447,7 @@ static void test_geometry(void **state)
     }
 }
 
-static void test_normal_degenerate(void **state)
+static void degenerate_normals_are_refused(void **state)
 {
     const double O[3] = {0, 0, 0}, X[3] = {1, 0, 0}, X2[3] = {2, 0, 0}, X3[3] = {3, 0, 0};
     double n[3] = {UNTOUCHED, UNTOUCHED, UNTOUCHED}, gap = UNTOUCHED;
@@ -458,7 +458,7 @@ static void test_normal_degenerate(void **state)
 }
 
 /* Four different corners on a line have no normal; the status reports it and the outputs stay. */
-static void test_no_area(void **state)
+static void lines_have_no_normal(void **state)
 {
     (void)state;
     srand(5);
@@ -477,7 +477,7 @@ static void test_no_area(void **state)
 }
 
 /* Segments of any size have the same xi and eta, and the gap in proportion. */
-static void test_sizes(void **state)
+static void sizes_change_only_the_gap(void **state)
 {
     (void)state;
     for (int power = -300; power <= 300; power++)
@@ -495,25 +495,25 @@ static void test_sizes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_area),
-                                       cmocka_unit_test(test_sizes),
-                                       cmocka_unit_test(test_square),
-                                       cmocka_unit_test(test_parallelogram),
-                                       cmocka_unit_test(test_ordinary),
-                                       cmocka_unit_test(test_newton_warped),
-                                       cmocka_unit_test(test_move),
-                                       cmocka_unit_test(test_renumber),
-                                       cmocka_unit_test(test_inputs_unchanged),
-                                       cmocka_unit_test(test_not_finite),
-                                       cmocka_unit_test(test_collapsed),
-                                       cmocka_unit_test(test_corners_without_area),
-                                       cmocka_unit_test(test_newton_statuses),
-                                       cmocka_unit_test(test_newton_degenerate),
-                                       cmocka_unit_test(test_strerror),
-                                       cmocka_unit_test(test_pairs),
-                                       cmocka_unit_test(test_pairs_refused),
-                                       cmocka_unit_test(test_shape),
-                                       cmocka_unit_test(test_geometry),
-                                       cmocka_unit_test(test_normal_degenerate)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lines_have_no_normal),
+                                       cmocka_unit_test(sizes_change_only_the_gap),
+                                       cmocka_unit_test(points_over_a_square_are_known),
+                                       cmocka_unit_test(points_over_a_parallelogram_are_known),
+                                       cmocka_unit_test(ordinary_segments_are_accurate),
+                                       cmocka_unit_test(newton_finds_warped_foot_points),
+                                       cmocka_unit_test(moving_and_scaling_keep_answers),
+                                       cmocka_unit_test(renumbering_keeps_the_point),
+                                       cmocka_unit_test(inputs_stay_unchanged),
+                                       cmocka_unit_test(bad_numbers_are_refused),
+                                       cmocka_unit_test(collapsed_corners_have_answers),
+                                       cmocka_unit_test(corners_without_area_are_refused),
+                                       cmocka_unit_test(newton_statuses_are_right),
+                                       cmocka_unit_test(segments_with_area_are_not_degenerate),
+                                       cmocka_unit_test(every_status_has_a_text),
+                                       cmocka_unit_test(pairs_match_single_calls),
+                                       cmocka_unit_test(bad_pairs_are_refused),
+                                       cmocka_unit_test(shape_functions_are_right),
+                                       cmocka_unit_test(derivatives_match_differences),
+                                       cmocka_unit_test(degenerate_normals_are_refused)};
     return cmocka_run_group_tests_name("runtime", tests, NULL, NULL);
 }

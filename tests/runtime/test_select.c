@@ -59,7 +59,7 @@ static double true_distance(const double x[4][3], const double s[3])
     return least;
 }
 
-static void test_closest(void **state)
+static void closest_points_are_nearest(void **state)
 {
     static const struct quad_limits hard = {0.45, 0.8, 3, 3};
     (void)state;
@@ -118,7 +118,7 @@ static double fan_distance(const struct fan *f, int s, const double xs[3])
     return true_distance((const double(*)[3])x, xs);
 }
 
-static void test_fans(void **state)
+static void fans_choose_the_nearest(void **state)
 {
     int missed = 0, other = 0;
     (void)state;
@@ -145,7 +145,7 @@ static void test_fans(void **state)
 
 /* On a shared edge, above the middle node, and outside of a ridge or a corner, any order of the segments has the same
  * distance, and the first of equals is chosen. */
-static void test_edges_and_corners(void **state)
+static void order_keeps_distances_on_edges(void **state)
 {
     (void)state;
     seed = 12;
@@ -176,7 +176,7 @@ static void test_edges_and_corners(void **state)
 }
 
 /* Both choices work in any unit of length from 1e-300 to 1e300. */
-static void test_any_unit(void **state)
+static void any_unit_has_the_same_choice(void **state)
 {
     (void)state;
     seed = 15;
@@ -204,7 +204,7 @@ static void test_any_unit(void **state)
     }
 }
 
-static void test_closest_refused(void **state)
+static void bad_arguments_are_refused(void **state)
 {
     seed = 13;
     (void)state;
@@ -248,7 +248,7 @@ static void balance(const struct quad *q, const double fs[3], const double fm[4]
     }
 }
 
-static void test_forces_balance(void **state)
+static void forces_balance(void **state)
 {
     static const struct quad_limits deep = {0.3, 0.3, 0.5, 1.2};
     const double k = 250;
@@ -275,7 +275,7 @@ static void test_forces_balance(void **state)
 }
 
 /* At the exact foot point they are (10), (11) with the normal there, and gradients of the energy k gap^2 / 2. */
-static void test_forces_energy(void **state)
+static void forces_are_gradients_of_the_energy(void **state)
 {
     static const struct quad_limits soft = {0.15, 0.1, 0.1, 0.9};
     const double k = 250;
@@ -309,7 +309,7 @@ static void test_forces_energy(void **state)
     }
 }
 
-static void test_forces_refused(void **state)
+static void bad_forces_are_refused(void **state)
 {
     const double A[3] = {0, 0, 0}, B[3] = {1, 0, 0}, C[3] = {1, 1, 0}, D[3] = {0, 1, 0}, S[3] = {0.5, 0.5, -0.1};
     const double loc[2] = {0, 0}, bad[3] = {0, (double)NAN, 0};
@@ -327,9 +327,10 @@ static void test_forces_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_closest),           cmocka_unit_test(test_fans),
-                                       cmocka_unit_test(test_edges_and_corners), cmocka_unit_test(test_any_unit),
-                                       cmocka_unit_test(test_closest_refused),   cmocka_unit_test(test_forces_balance),
-                                       cmocka_unit_test(test_forces_energy),     cmocka_unit_test(test_forces_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(closest_points_are_nearest),         cmocka_unit_test(fans_choose_the_nearest),
+        cmocka_unit_test(order_keeps_distances_on_edges),     cmocka_unit_test(any_unit_has_the_same_choice),
+        cmocka_unit_test(bad_arguments_are_refused),          cmocka_unit_test(forces_balance),
+        cmocka_unit_test(forces_are_gradients_of_the_energy), cmocka_unit_test(bad_forces_are_refused)};
     return cmocka_run_group_tests_name("select", tests, NULL, NULL);
 }
