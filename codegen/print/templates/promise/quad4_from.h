@@ -73,38 +73,52 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_blur(const footpoint_detail_quad4_nea
     return 8e-15 * (row * e->square);
 }
 
-/* Newton's step with the matrix M of `at`, which is (*s,*t) from `start` and no farther from there than `before`, and
- * with `correct` a correction through M; (*s,*t) goes along.  The highest bit of the result is not set if the end is
- * proved, see footpoint_detail_quad4_from(). */
+/* A correction of (*s,*t) through the matrix of `at`; its length. */
+FOOTPOINT_PART REAL footpoint_detail_quad4_chord(const footpoint_detail_quad4_near *start,
+                                                 const footpoint_detail_quad4_near *at, REAL per,
+                                                 REAL *s, REAL *t)
+{
+    REAL x, y, left;
+    footpoint_detail_quad4_slopes(start, *s, *t, &x, &y);
+    left = footpoint_detail_quad4_adjoin(at, x, y, &x, &y) * per;
+    *s += x * per;
+    *t += y * per;
+    return left;
+}
+
+/* Newton's step with the matrix M of `at`, which is (*s,*t) from `start` and no farther from there than `before`, with
+ * `correct` a correction through M, and up to `more` of them while the error is too large; (*s,*t) goes along.  The highest
+ * bit of the result is not set if the end is proved, see footpoint_detail_quad4_from(). */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_stage(const footpoint_detail_quad4_near *start,
                                                       const footpoint_detail_quad4_near *at,
                                                       const footpoint_detail_quad4_scales *e,
-                                                      REAL promise, int correct, REAL before,
-                                                      REAL *s, REAL *t)
+                                                      REAL promise, int correct, int more,
+                                                      REAL before, REAL *s, REAL *t)
 {
     const REAL det = at->uu * at->vv - at->r12 * at->r12, per = 1.0 / det, mixed = fabs(at->r12);
     const REAL row = footpoint_detail_greater(at->uu, at->vv) + mixed, a = 2.0 * fabs(at->tu);
     const REAL b = 2.0 * fabs(at->tv), both = (a + b) + at->cc;
     const REAL turn = footpoint_detail_greater(at->vv * (a + both) + mixed * (b + both),
                                                at->uu * (b + both) + mixed * (a + both));
-    REAL x, y, left, ball, off, h, error;
+    REAL x, y, left, ball, off, h, room, error;
     ball = footpoint_detail_quad4_adjoin(at, at->f, at->g, &x, &y) * per;
     *s += x * per;
     *t += y * per;
     left = 0.5 * ball;
-    if (correct) {
-        footpoint_detail_quad4_slopes(start, *s, *t, &x, &y);
-        left = footpoint_detail_quad4_adjoin(at, x, y, &x, &y) * per;
-        *s += x * per;
-        *t += y * per;
-    }
+    if (correct)
+        left = footpoint_detail_quad4_chord(start, at, per, s, t);
     ball += 2.0 * left;
     off = footpoint_detail_quad4_blur(at, row, e, promise, before + ball) * per;
     ball += 16.0 * off;
     h = (ball * turn + 3e-14 * (row * e->square)) * per;
+    room = footpoint_detail_greater(h, 0.6 * (before + ball));
     error = 2.61 * (h * left + off);
-    h = footpoint_detail_greater(h, 0.6 * (before + ball));
-    return footpoint_detail_above(error, promise) | footpoint_detail_above(h, 0.2) |
+    while (more-- > 0 && footpoint_detail_above(error, promise) >> REAL_TOP &&
+           !(footpoint_detail_above(room, 0.2) >> REAL_TOP)) {
+        left = footpoint_detail_quad4_chord(start, at, per, s, t);
+        error = 2.61 * (h * left + off);
+    }
+    return footpoint_detail_above(error, promise) | footpoint_detail_above(room, 0.2) |
            footpoint_detail_bits(at->uu) | footpoint_detail_bits(det) |
            footpoint_detail_outside(det);
 }
@@ -119,7 +133,7 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_q
     for (k = 0; k < 2 && !(doubt >> REAL_TOP); k++) {
         const footpoint_detail_quad4_near at = footpoint_detail_quad4_moved(start, *s, *t);
         const REAL before = footpoint_detail_greater(fabs(*s), fabs(*t));
-        doubt = footpoint_detail_quad4_stage(start, &at, e, promise, 1, before, s, t);
+        doubt = footpoint_detail_quad4_stage(start, &at, e, promise, 1, 0, before, s, t);
         if (!(doubt >> REAL_TOP))
             return doubt;
         doubt = footpoint_detail_infinite(*s + *t);
@@ -139,7 +153,8 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_q
  * in which q <= h <= 0.2, holds the iterates, a root within (q |x| + R) / (1 - q) of the last one, x being the last
  * correction and R the rounding errors of |M F|, and no zero of det H.  |H(z) - H| has rows of at most |z| times
  * 4 |tu| + 2 |tv| + cc and 2 |tu| + 4 |tv| + cc, where |z| <= 1/3; `turn` bounds det |M| times these.  Newton's step is
- * the first iterate; without a correction half of it stands for |x|, as q grows from 0 with |z|.  2.61 is twice 1.3, as
+ * the first iterate; without a correction half of it stands for |x|, as q grows from 0 with |z|.  Corrections after those
+ * that the ball is made of are less than a fifth each of the one before, so that it holds them, too.  2.61 is twice 1.3, as
  * xi = 2 s - 1; 1 / (1 - q) <= 1.25.
  *
  * With the lengths U, V, C, W of u, v, c, w and S >= |ab| + |ad| + |c|, let far = W + (1 + |s|) (1 + |t|) S.  In
@@ -205,11 +220,13 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
         }
         before = footpoint_detail_greater(fabs(s), fabs(t));
         at = footpoint_detail_quad4_moved(&r, s, t);
-        doubt = footpoint_detail_quad4_stage(
-            &r, &at, &e, promise, fine || (stages == 1 && promise < 1e-6), before, &s, &t);
+        doubt = footpoint_detail_quad4_stage(&r, &at, &e, promise,
+                                             fine || (stages == 1 && promise < 1e-6),
+                                             stages > 1 && !fine, before, &s, &t);
     } else {
         s = t = 0.0;
-        doubt = footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, 0.0, &s, &t);
+        doubt =
+            footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, stages > 1 ? 2 : 0, 0.0, &s, &t);
     }
     if (stages > 1 && !fine && doubt >> REAL_TOP) {
         const footpoint_detail_quad4_near start = r;
