@@ -23,7 +23,7 @@ static void require(bool good, const char *what)
 
 static void check_face(const struct mesh *m, const struct mesh_face *f)
 {
-    require(segment_of_face((size_t)f->nodes) != NULL, "a face of no kind");
+    require(f->edge ? f->nodes == 2 || f->nodes == 3 : segment_of_face((size_t)f->nodes) != NULL, "a face of no kind");
     for (int i = 0; i < f->nodes; i++)
         require(f->node[i] >= 0 && (size_t)f->node[i] < m->nodes, "a face without a node");
 }
