@@ -22,7 +22,7 @@ quicker() {
             exit bad > 0 || n == 0
         }' "$work/$1-$isa.csv"
 }
-measure() { "$BIN/footpoint-bench" --isa $isa --csv --quiet --scene "$1" > "$work/$1-$isa.csv"; }
+measure() { "$BIN/footpoint-bench" --isa $isa --csv --quiet --rounds 15 --scene "$1" > "$work/$1-$isa.csv"; }
 quicker_or_again() { quicker "$@" > "$work/slower" || { cat "$work/slower"; measure "$1"; false; }; }
 holds() { steady "$isa, $2: $1" quicker_or_again "$2" "$3" "$4" "$5"; }
 
