@@ -9,6 +9,7 @@ rm -rf "$folder" && mkdir -p "$folder/maps" || exit 3
 awk -f tests/report/front.awk "$folder/bench.csv" > "$folder/front.txt" || exit 3
 say 'hard cases'
 work=$folder/work
+LIBRARY="$BIN/libfootpoint_ccx.a $BIN/libfootpoint.a"
 mkdir "$work" && . tests/hard/build.inc && hard_build "$work/hard" "${CC:-gcc}" -O3 -ffp-contract=off || exit 3
 "$work/hard" 100 > "$folder/hard.csv"
 hard=$?
