@@ -158,6 +158,7 @@ FORCE:
 
 # Templates of headers, as a table that codegen is compiled with.
 CFLAGS_templates := -I$(OBJ)
+$(foreach test,curved tri3 edges,$(eval CFLAGS_test_single_$(test) := -I$(OBJ)/float))
 $(OBJ)/codegen/print/templates.o: $(OBJ)/templates.inc
 $(OBJ)/templates.inc: codegen/print/templates.awk $(wildcard codegen/print/templates/*.h codegen/print/templates/*/*.h)
 	@mkdir -p $(@D)
@@ -188,6 +189,8 @@ header_of = generated/footpoint_$(subst -,_,$(1)).h
 GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
 # Templates of C++, a header for each kind of face, which `make install` takes if they have been made.
 GENERIC := $(patsubst %,build/c++/footpoint_%.hpp,quad4 quad8 quad9 tri3 tri6)
+# Single precision of kinds beside quad4.
+SINGLES := $(patsubst %,build/float/footpoint_%_float.h,edge2 edge3 quad8 quad9 tri3 tri6)
 # Derivatives at a foot point, by kind of face and patch.
 FACES   := bezier gregory quad4 quad8 quad9 tri3 tri6
 DERIVATIVES := $(FACES:%=generated/footpoint_%_derivatives.h)
@@ -277,6 +280,28 @@ build/c++/footpoint_%.hpp: evolve/genomes/%.gen $(BIN)/footpoint-codegen
 	@mkdir -p $(@D)
 	$(call say,GEN,$@)
 	$(Q)$(BIN)/footpoint-codegen --quiet --allow-poles --language c++ $< -o $@
+
+float: $(SINGLES) ## headers in single precision beside quad4's, build/float/ (minutes)
+build/float/footpoint_edge%_float.h $(OBJ)/float/footpoint_edge%_float.h: $(BIN)/footpoint-codegen
+	@mkdir -p $(@D)
+	$(call say,GEN,$@)
+	$(Q)$< --quiet --edge edge$* --precision float -o $@
+
+# Tiers that promise more than single precision reaches are left out.
+build/float/footpoint_%_float.h: evolve/genomes/%.gen $(BIN)/footpoint-codegen $(BIN)/footpoint-evolve
+	@mkdir -p $(@D)
+	$(call say,GEN,$@)
+	$(Q)awk '/^genome / { out = $$2 ~ /^(precise|accurate|sharp|full)$$/ } !out' $< > $(@:.h=.gen)
+	$(Q)$(BIN)/footpoint-evolve --scene evolve/scenes/$*.scene --start $(@:.h=.gen) --samples $(@:.h=.samples)
+	$(Q)$(BIN)/footpoint-codegen --quiet --allow-poles --precision float --samples $(@:.h=.samples) $(@:.h=.gen) -o $@
+	$(Q)rm -f $(@:.h=.gen) $(@:.h=.samples)
+
+# For tests of promises, which go by the tier's name: the first program under several names, quickly made.
+$(OBJ)/float/footpoint_%_float.h: evolve/genomes/%.gen $(BIN)/footpoint-codegen
+	@mkdir -p $(@D)
+	$(call say,GEN,$@)
+	$(Q)awk -f tests/single/tiers.awk $< > $(@:.h=.gen)
+	$(Q)$(BIN)/footpoint-codegen --quiet --allow-poles --effort 0 --precision float $(@:.h=.gen) -o $@
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
 $(eval $(call line,$(OBJ)/methods,DOUBLES))
@@ -398,6 +423,12 @@ $(foreach test,edge edge_place edge_faces edge_along,$(eval $(BIN)/tests/test_$(
 $(BIN)/tests/test_along_gradients $(BIN)/tests/test_along_hessian: $(OBJ)/tests/along/along_judge.o
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
+$(BIN)/tests/test_single_curved: $(patsubst %,$(OBJ)/tests/%.o,single/single_cases generated/curved_cases generated/judged_faces hard/draw)
+$(BIN)/tests/test_single_tri3: $(patsubst %,$(OBJ)/tests/%.o,single/single_cases generated/curved_cases hard/draw)
+$(BIN)/tests/test_single_edges: $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)
+$(OBJ)/tests/single/test_single_curved.o: $(patsubst %,$(OBJ)/float/footpoint_%_float.h,quad8 quad9 tri6)
+$(OBJ)/tests/single/test_single_tri3.o: $(OBJ)/float/footpoint_tri3_float.h
+$(OBJ)/tests/single/test_single_edges.o: $(patsubst %,$(OBJ)/float/footpoint_%_float.h,edge2 edge3)
 $(BIN)/tests/test_queries: $(OBJ)/tests/queries/query_text.o
 $(foreach test,$(test_main),$(eval $(BIN)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
 $(TESTS): $(OBJ)/support.a $(OBJ)/paper.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
@@ -597,6 +628,6 @@ clean: ## remove everything that was built
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z+ -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
-.PHONY: all c++ codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench bench-record figures calibrate report \
+.PHONY: all c++ float codegen evolve runtime calibrate-program bench-program paper-programs regenerate front check check-long bench bench-record figures calibrate report \
         perceptrons paper rivals queries build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

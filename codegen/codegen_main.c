@@ -76,7 +76,7 @@ static bool write_edge(const struct codegen_options *o, struct diag *d)
     struct outfile out;
     if (!outfile_open(&out, o->output, d))
         return false;
-    edge_print(edge_find(o->edge), o->prefix, out.stream);
+    edge_print(edge_find(o->edge), o->prefix, o->unit.precision, out.stream);
     return outfile_commit(&out, d);
 }
 

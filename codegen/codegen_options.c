@@ -120,14 +120,18 @@ static const char *ending_of(enum language language)
     return language == LANGUAGE_FORTRAN ? ".f90" : language == LANGUAGE_GENERIC ? ".hpp" : ".h";
 }
 
-/* Completes the options for an edge, whose header has no genomes; only its names can be chosen. */
+/* Completes the options for an edge, whose header has no genomes; only its names and precision can be chosen. */
 static bool complete_edge(struct codegen_options *o, const bool *given, struct diag *d)
 {
+    static const char *const allowed[] = {"edge", "output", "prefix", "precision", "quiet"};
     const struct option_table *t = &codegen_option_table;
+    size_t options = 0, known = 0;
     for (size_t i = 0; i < t->rows; i++)
-        if (given[i] && strcmp(t->row[i].name, "edge") != 0 && strcmp(t->row[i].name, "output") != 0 &&
-            strcmp(t->row[i].name, "prefix") != 0 && strcmp(t->row[i].name, "quiet") != 0)
-            return options_refuse(t, d, "--edge goes with -o FILE, --prefix and --quiet only (try --help)");
+        options += given[i];
+    for (size_t i = 0; i < sizeof allowed / sizeof *allowed; i++)
+        known += given[option_find(t, allowed[i])];
+    if (options > known)
+        return options_refuse(t, d, "--edge goes with -o FILE, --prefix, --precision and --quiet only (try --help)");
     if (o->genomes || !o->output)
         return options_refuse(t, d, "--edge goes with -o FILE, and no genome file (try --help)");
     if (!edge_find(o->edge))

@@ -26,16 +26,19 @@ static const struct {
             {"REAL_MIDDLE", {"511", "31"}}, /* middle of biased exponents from 2^-LOW to 2^HIGH */
             {"REAL_LOW", {"512", "96"}},
             {"REAL_HIGH", {"512", "32"}},
-            {"REAL_ORDINARY", {"32", "12"}},     /* products of edges from 2^-this to 2^this stay in range */
-            {"REAL_CLOSE", {"1e-9", "3e-4f"}},   /* proved for a whole segment if promises are finer */
-            {"REAL_FINE", {"1e-11", "1e-3f"}},   /* fine promises are below this */
-            {"REAL_APART", {"1e-6", "1e-3f"}},   /* steps above change the distance by more than rounding */
-            {"REAL_TIE", {"1e-10", "3e-5f"}},    /* below, rounding decides between distances, over the longest edge */
-            {"REAL_FLAT", {"1e-20", "1e-9f"}},   /* the square of the sine below which tangents are parallel */
-            {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
-            {"REAL_ANGLE", {"1e-24", "1e-12f"}}, /* the square of the sine below which a vector lies in a plane */
-            {"REAL_SMALL", {"1e-29", "1e-12f"}}, /* the square of the rounding errors of a vector, over its parts */
-            {"REAL_ALONG", {"1e-9", "1e-3f"}},   /* promise of projection along a direction; its name */
+            {"REAL_ORDINARY", {"32", "12"}},      /* products of edges from 2^-this to 2^this stay in range */
+            {"REAL_CLOSE", {"1e-9", "3e-4f"}},    /* proved for a whole segment if promises are finer */
+            {"REAL_WEAK", {"1e-6", "1.2e-3f"}},   /* least determinant, over the squares that it is a difference of */
+            {"REAL_CRAMER", {"1e-8", "1.5e-3f"}}, /* relative error of a quotient by that determinant */
+            {"REAL_FINE", {"1e-11", "1e-3f"}},    /* fine promises are below this */
+            {"REAL_APART", {"1e-6", "1e-3f"}},    /* steps above change the distance by more than rounding */
+            {"REAL_TIE", {"1e-10", "3e-5f"}},     /* below, rounding decides between distances, over the longest edge */
+            {"REAL_FLAT", {"1e-20", "1e-9f"}},    /* the square of the sine below which tangents are parallel */
+            {"REAL_MARGIN", {"4e-16", "2e-7f"}},  /* rounding errors of the square of a distance */
+            {"REAL_ANGLE", {"1e-24", "1e-12f"}},  /* the square of the sine below which a vector lies in a plane */
+            {"REAL_TURN", {"1e-12", "1e-6f"}},    /* its root */
+            {"REAL_SMALL", {"1e-29", "1e-12f"}},  /* the square of the rounding errors of a vector, over its parts */
+            {"REAL_ALONG", {"1e-9", "1e-3f"}},    /* promise of projection along a direction; its name */
             {"ALONG_PROMISE", {"FOOTPOINT_ALONG_PROMISE", "FOOTPOINT_ALONG_PROMISE_F"}},
             {"REAL_ROOT", {"0x5fe6eb50c7b537a9ull", "0x5f3759dfu"}}, /* see patch_lane.h */
             {"REAL_INWARD", {"0.0009765625", "0.03125f"}}, /* part of the way to the middle, for normals of corners */

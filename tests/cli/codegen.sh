@@ -234,7 +234,7 @@ report $((! $?)) 'bounds where an input is one of the block'
 # ---- headers of edges, which have no genomes ----
 expect 'an edge and genomes' 2 '' 'footpoint-codegen: --edge goes with -o FILE, and no genome file (try --help)' \
     "$BIN/footpoint-codegen" --edge edge2 "$g"
-misused '--edge goes with -o FILE, --prefix and --quiet only' --edge edge2 --seed 1 -o "$work/h.h"
+misused '--edge goes with -o FILE, --prefix, --precision and --quiet only' --edge edge2 --seed 1 -o "$work/h.h"
 expect 'an edge that there is not' 2 '' 'footpoint-codegen: unknown edge: edge4; there are edge2 and edge3' \
     "$BIN/footpoint-codegen" --edge edge4 -o "$work/h.h"
 for edge in edge2 edge3; do

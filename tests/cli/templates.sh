@@ -34,15 +34,15 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         done
         closest="inward ${nearest}_nearest fan closest_again closest_arrays closest_surface closest_of"
         [ "$kind" != quad4 ] || closest="quad4_surface inward fan closest_surface corners"
-        [ "$kind" != tri3 ] || closest="inward tri3_nearest tri3_found ${closest#* * } tri3_sure proved_closest_arrays"
+        [ "$kind" != tri3 ] || closest="inward tri3_nearest fan closest_surface tri3_sure proved_closest_arrays"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
         [ "$kind" != tri3 ] || files="tri3 tri3_over gap"
         case $kind in quad4 | tri3) files="$files ${kind}_vectors_gap" ;; esac
         case $kind in
         quad4) files="$files quad4_proof quad4_step:quad4_vector_step quad4_steps quad4_repair answer_proved quad4_box quad4_from from" ;;
-        tri6) files="$files curved_local curved_limits curved_tri6 curved_proof curved_repair answer_proved curved_from from" ;;
-        quad8 | quad9) files="$files curved_$kind curved_proof curved_repair answer_proved curved_from from" ;;
+        tri6) files="$files curved_local norm curved_limits curved_tri6 single_tri6 curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
+        quad8 | quad9) files="$files curved_$kind single_$kind curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
         bezier) files="$files patch_net patch_bezier patch_newton patch_proof patch_repair patch_from" ;;
         gregory) files="$files patch_gregory patch_newton patch_proof patch_repair patch_from" ;;
@@ -78,8 +78,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             files="$files quad4_sole quad4_here:quad4_vector_here quad4_close quad4_repair_closest proved_closest_arrays"
             calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby:quad4_vector_nearby proved_closest_calls quad4_closest_from"
             ;;
-        curved*) calls="$calls from_calls curved_nearby proved_closest_calls" ;;
-        tri3) calls="$calls tri3_nearby:closest_calls proved_closest_calls:contract_closest" ;; # in float those without proof
+        curved*) calls="$calls from_calls curved_nearby:closest_calls proved_closest_calls:contract_closest" ;; # in float those without proof
+        tri3) calls="$calls tri3_nearby proved_closest_calls" ;;
         esac
         if [ $kind = face ]; then # functions at a place of it
             files='answer place_detail place_calls place_joined place_along place_along_joined place_bends_calls place_bends_joined' calls=
@@ -147,8 +147,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
-double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625 -DREAL_ROOT=0x5fe6eb50c7b537a9ull -DREAL_ALONG=1e-9'
-float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f -DREAL_ROOT=0x5f3759dfu -DREAL_ALONG=1e-3f'
+double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_WEAK=1e-6 -DREAL_CRAMER=1e-8 -DREAL_TURN=1e-12 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625 -DREAL_ROOT=0x5fe6eb50c7b537a9ull -DREAL_ALONG=1e-9'
+float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_WEAK=1.2e-3f -DREAL_CRAMER=1.5e-3f -DREAL_TURN=1e-6f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f -DREAL_ROOT=0x5f3759dfu -DREAL_ALONG=1e-3f'
 float="$float -fsingle-precision-constant -DSINGLE"
 later 'templates: half of the compilers and precisions'
 for compiler in 'gcc -std=c99' 'clang -std=c99' 'g++ -std=c++11' 'clang++ -std=c++11'; do

@@ -110,7 +110,19 @@ void judge_edge(struct judged *j, int nodes, double x[4][2])
         j->x[2][i] = nodes == 3 ? (wide)x[2][i] : ((wide)x[0][i] + x[1][i]) / 2;
         j->x[3][i] = x[nodes][i];
     }
+    j->unit = 1e-16;
+    j->promise = 1e-12;
+    j->tie = 1e-10;
+    j->apart = 1e-7;
     judge_expand(j);
+}
+
+void judge_single(struct judged *j)
+{
+    j->unit = 6e-8;
+    j->promise = 1e-5;
+    j->tie = 3e-5;
+    j->apart = 1e-4;
 }
 
 static double length_of(const struct judged *j)
@@ -127,7 +139,7 @@ static double length_of(const struct judged *j)
 /* A minimum within the promise: the cubic rises through 0. */
 bool judge_holds(const struct judged *j, double xi)
 {
-    const double within = 1e-12 * fmax(1, fabs(xi));
+    const double within = j->promise * fmax(1, fabs(xi));
     return judge_value(j->f, (wide)xi - within) < 0 && judge_value(j->f, (wide)xi + within) > 0;
 }
 
@@ -142,7 +154,7 @@ bool judge_gap_holds(const struct judged *j, double xi, double gap)
     }
     const double size = length_of(j), normal = (double)judge_root((t[0] * t[0] + t[1] * t[1]) / size / size);
     const double off = (double)(((d[0] * t[1] - d[1] * t[0]) / size / normal - gap) / size);
-    return fabs(off) <= 1e-13 * (1 + xi * xi + fabs(gap) / size) / fmin(1, normal * normal);
+    return fabs(off) <= 1e3 * j->unit * (1 + xi * xi + fabs(gap) / size) / fmin(1, normal * normal);
 }
 
 bool judge_closest_holds(const struct judged *j, int status, double xi, double dist, int region)
@@ -150,22 +162,23 @@ bool judge_closest_holds(const struct judged *j, int status, double xi, double d
     const double size = length_of(j), off = (double)(j->place[0] - xi);
     const double least = size * (double)judge_root(j->least / size / size);
     const bool inside = fabs(xi) <= 1 && (region == 0 || xi == (region == 1 ? -1 : 1));
-    if (fabs(fabs(dist) - least) > 1e-14 * (size + least) + (status == FOOTPOINT_OK ? 4e-12 * size : 2e-10 * size) ||
+    if (fabs(fabs(dist) - least) >
+            100 * j->unit * (size + least) + (status == FOOTPOINT_OK ? 4 * j->promise : 2 * j->tie) * size ||
         !inside)
         return false;
     if (status == FOOTPOINT_OK)
-        return fabs(off) <= 1e-12;
+        return fabs(off) <= j->promise;
     wide other[2], here[2];
     const wide across =
         (j->x[1][0] - j->x[0][0]) * (j->x[1][0] - j->x[0][0]) + (j->x[1][1] - j->x[0][1]) * (j->x[1][1] - j->x[0][1]);
-    const double tie = 1e-10 * size * (double)judge_root(across / size / size);
+    const double tie = j->tie * size * (double)judge_root(across / size / size);
     bool found = false;
     judge_point(j, xi, here);
     for (int k = 0; k < j->places; k++) {
         judge_point(j, j->place[k], other);
         const double away = fabs((double)(other[0] - here[0])) + fabs((double)(other[1] - here[1]));
-        found =
-            found || (away > 1e-7 * size && size * (double)judge_root(j->square[k] / size / size) <= fabs(dist) + tie);
+        found = found ||
+                (away > j->apart * size && size * (double)judge_root(j->square[k] / size / size) <= fabs(dist) + tie);
     }
     return found && fabs(dist) <= least + tie;
 }

@@ -13,10 +13,14 @@ struct judged {
     wide least;   /* the square of the least distance */
     wide place[5], square[5];
     int places; /* minima on the edge, the nearest first */
+    double unit, promise, tie,
+        apart; /* of rounding; of xi; of distances that are equal; of places that are not, over lengths */
 };
 
-/** Sets x and f of an edge of `nodes` nodes and a slave node. */
+/** Sets x and f of an edge of `nodes` nodes and a slave node, and what functions in double promise. */
 void judge_edge(struct judged *j, int nodes, double x[4][2]);
+/** Sets the errors that functions in float promise. */
+void judge_single(struct judged *j);
 /** Sets f to the coefficients of r' . (r - S) for the current x. */
 void judge_expand(struct judged *j);
 /** Finds the minima on the edge. */

@@ -19,6 +19,7 @@ codegen/print/templates/closest:
 codegen/print/templates/curved_closest:
 codegen/print/templates/along:
 codegen/print/templates/promise:
+codegen/print/templates/single:
 codegen/print/templates/patch:
 codegen/print/templates/triangle:
 codegen/print/templates/place:
@@ -64,6 +65,7 @@ tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/hard tests/patches tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/plane:        tests/hard generated runtime
+tests/single:       tests/plane tests/generated tests/hard
 tests/along:        tests/support generated runtime
 tests/generic:      generated
 tests/calculix:     runtime/calculix

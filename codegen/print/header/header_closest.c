@@ -47,33 +47,23 @@ static void print_proved(const struct unit *u, FILE *out)
     lines_print_templates(u, "NEAREST", is_curved ? curved : is_linear ? linear : bilinear, out);
 }
 
-/* Prints closest points without a proof: triangles and curved faces in float. */
+/* Prints closest points without a proof: curved faces in float. */
 static void print_nearest(const struct unit *u, FILE *out)
 {
-    static const char *const flat[] = {"tri3_nearest", "tri3_found", NULL};
-    static const char *const triangle[] = {"curved_triangle_nearest", NULL}, *const quad[] = {"curved_quad_nearest",
-                                                                                              NULL};
-    static const char *const shared[] = {"fan", "closest_again", "closest_arrays", "closest_surface", "closest_of",
-                                         NULL};
-    const struct segment_kind *k = u->file->segment;
-    const bool straight = lines_straight(u);
-    const char *const *const own = straight ? flat : k->triangle ? triangle : quad;
-    const char *names[12] = {"inward"};
-    size_t n = 1;
-    for (size_t i = 0; own[i]; i++)
-        names[n++] = own[i];
-    for (size_t i = 0; shared[i]; i++)
-        names[n++] = shared[i];
-    templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
-                    (const char *const[]){straight ? "edge" : "curve", NULL}, u->options.precision, NULL, out);
-    lines_print_templates(u, "NEAREST", names, out);
+    const char *const own = u->file->segment->triangle ? "curved_triangle_nearest" : "curved_quad_nearest";
+    templates_print("FOOTPOINT_DETAIL_CURVE", (const char *const[]){"curve", NULL}, u->options.precision, NULL, out);
+    lines_print_templates(u, "NEAREST",
+                          (const char *const[]){"inward", own, "fan", "closest_again", "closest_arrays",
+                                                "closest_surface", "closest_of", NULL},
+                          out);
 }
 
 /* Returns true if answers are proved. */
 static bool is_proved(const struct unit *u)
 {
     const enum promise_kind kind = promise_kind_of(u);
-    return kind == PROMISE_BILINEAR || kind == PROMISE_CURVED || kind == PROMISE_LINEAR;
+    return kind == PROMISE_BILINEAR || kind == PROMISE_LINEAR ||
+           (kind == PROMISE_CURVED && u->options.precision == PRECISION_DOUBLE);
 }
 
 void closest_print_helpers(const struct unit *u, FILE *out)
@@ -101,11 +91,14 @@ void closest_print(const struct unit *u, const struct function *f, FILE *out)
     const enum promise_kind kind = promise_kind_of(u);
     struct words w = promise_words(u, f);
     const bool single = u->options.precision == PRECISION_FLOAT;
+    if (!is_proved(u))
+        words_set(&w, "PROMISE", new_format("%s", single ? "-1.0f" : "0.0"));
     const char *const nearby = single ? "quad4_vector_nearby" : "quad4_nearby";
     const char *const bilinear[] = {nearby, "proved_closest_calls", single ? NULL : "quad4_closest_from", NULL};
     words_add(&w, "SCALED_ROWS", lines_rows(u, "y"));
     templates_print(NULL,
                     kind == PROMISE_BILINEAR ? bilinear
+                    : !is_proved(u)          ? other
                     : kind == PROMISE_CURVED ? curved
                     : kind == PROMISE_LINEAR ? linear
                                              : other,

@@ -3,6 +3,8 @@
 #ifndef FOOTPOINT_HEADER_EDGE_H
 #define FOOTPOINT_HEADER_EDGE_H
 
+#include "../../compile/compiled_file.h"
+
 #include <stdio.h>
 
 struct edge_kind;
@@ -10,7 +12,7 @@ struct edge_kind;
 /** Returns the kind with this name, "edge2" or "edge3", or NULL. */
 const struct edge_kind *edge_find(const char *name);
 
-/** Prints the header of a kind in double, whose functions' names begin with `prefix`. */
-void edge_print(const struct edge_kind *k, const char *prefix, FILE *out);
+/** Prints the header of a kind, whose functions' names begin with `prefix`; in float without those at a place. */
+void edge_print(const struct edge_kind *k, const char *prefix, enum precision precision, FILE *out);
 
 #endif

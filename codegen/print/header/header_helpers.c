@@ -35,22 +35,28 @@ static void print_answers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
     const bool bilinear = u->file->segment->bilinear;
-    const char *const step = precision == PRECISION_FLOAT ? "quad4_vector_step" : "quad4_step";
     const enum promise_kind promise = promise_kind_of(u);
     const bool curved = promise == PROMISE_CURVED, patch = promise == PROMISE_PATCH;
+    const bool single = precision == PRECISION_FLOAT;
+    const char *const step = single ? "quad4_vector_step" : "quad4_step";
     char *terms = new_format("%s_%s", patch ? "patch" : "curved", u->file->segment->name);
+    char *errors = new_format("single_%s", u->file->segment->name);
     if (patch)
         templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
     if (bilinear || curved || patch)
         templates_print("FOOTPOINT_DETAIL_BOUNDS", (const char *const[]){"bounds", NULL}, precision, NULL, out);
     if (curved || patch)
-        templates_print("FOOTPOINT_DETAIL_LOCAL", (const char *const[]){"curved_local", NULL}, precision, NULL, out);
+        templates_print("FOOTPOINT_DETAIL_LOCAL", (const char *const[]){"curved_local", single ? "norm" : NULL, NULL},
+                        precision, NULL, out);
     if (patch)
         templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_net", NULL}, precision, NULL, out);
     lines_print_templates(
         u, "ANSWER",
-        curved     ? (const char *const[]){terms, "curved_proof", "curved_repair", "answer_proved", NULL}
-        : patch    ? (const char *const[]){terms, "patch_newton", "patch_proof", "patch_repair", NULL}
+        curved && single ? (const char *const[]){terms, errors, "curved_start", "curved_single", "curved_proof",
+                                                 "curved_repair", "answer_proved", NULL}
+        : curved         ? (const char *const[]){terms, "curved_start", "curved_step", "curved_proof", "curved_repair",
+                                                 "answer_proved", NULL}
+        : patch          ? (const char *const[]){terms, "patch_newton", "patch_proof", "patch_repair", NULL}
         : bilinear ? (const char *const[]){"quad4_proof", step, "quad4_steps", "quad4_repair", "answer_proved", NULL}
         : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}
                                     : (const char *const[]){"answer", NULL},
@@ -63,6 +69,7 @@ static void print_answers(const struct unit *u, FILE *out)
                               patch ? (const char *const[]){"patch_from", NULL}
                                     : (const char *const[]){curved ? "curved_from" : "quad4_from", "from", NULL},
                               out);
+    free(errors);
     free(terms);
 }
 

@@ -34,10 +34,8 @@ enum promise_kind promise_kind_of(const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
     const bool any = u->file->order == CORNERS_ANY;
-    if (single(u) && !k->bilinear)
-        return PROMISE_NONE;
     if (*k->normals)
-        return PROMISE_PATCH;
+        return single(u) ? PROMISE_NONE : PROMISE_PATCH;
     if (!lines_straight(u))
         return PROMISE_CURVED;
     if (k->bilinear)
@@ -228,7 +226,7 @@ struct words promise_words(const struct unit *u, const struct function *f)
     words_add(&w, "PROMISE", promise_text(u, f));
     words_add(&w, "START", new_format("%s", promise_start(u, f)->name));
     words_set(&w, "KIND", new_format("%s", promise_answers(u)));
-    words_add(&w, "EXACT", new_format("footpoint_detail_%s", promise_answers(u)));
+    words_add(&w, "EXACT", new_format("footpoint_detail_%s%s", single(u) ? "f_" : "", promise_answers(u)));
     words_add(&w, "STEPS", new_format("%d", promise_steps(u, f)));
     return w;
 }

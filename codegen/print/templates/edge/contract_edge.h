@@ -19,10 +19,10 @@
  *           is proved, too: no point is nearer than r by more than REAL_TIE |AB|, and another, elsewhere in the plane, is
  *           not farther by more.  FOOTPOINT_UNPROVED: r is the nearest point found.
  *           Behind means (xS - r) . n < 0 for the normal n at r or, if the tangent at r is a thousand times shorter than
- *           at a thousandth (1/1024) of the way to the middle, for the normal there.  At an end xS is behind only by more
- *           than a small angle, 1e-12, and by more than rounding.
+ *           at a thousandth (1/1024; float: 1/32) of the way to the middle, for the normal there.  At an end xS is behind only by more
+ *           than a small angle, REAL_TURN, and by more than rounding.
  *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if all nodes are one point; and
- *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than 1e149 edges, or the distance is no number.
+ *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than 1e149 edges (float: 1e14), or the distance is no number.
  * NAME_closest_of:  finds the nearest of n edges, the nodes of edge i being x[NODES i] and on; which is its number.  At an end
  *           dist < 0 if xS lies behind the sum of the unit normals of all edges that have that end.  Nodes are the same if
  *           their coordinates are.  FOOTPOINT_UNPROVED also if the answer of any edge is not proved.  Edges without an answer

@@ -162,7 +162,8 @@ FOOTPOINT_FN int footpoint_detail_edge3_tie(const struct footpoint_detail_parabo
                                             const REAL *p, int n, int best)
 {
     const REAL dist = sqrt(footpoint_detail_edge3_square(e, p[best]));
-    const REAL tie = 0.9 * REAL_TIE * sqrt(footpoint_detail_plane_dot(e->h, e->h));
+    const REAL rounding = 16.0 * REAL_UNIT * (dist + sqrt(e->size));
+    const REAL tie = 0.9 * REAL_TIE * sqrt(footpoint_detail_plane_dot(e->h, e->h)) - rounding;
     const REAL least = dist > tie ? 4.0 * (dist - tie) * (dist - tie) : -1.0;
     int i, found = 0;
     for (i = 0; i < n; i++) {
@@ -173,7 +174,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_tie(const struct footpoint_detail_parabo
                 (sqrt(footpoint_detail_plane_dot(d, d)) < dist + 0.9 * tie &&
                  fabs(d[0] - to[0]) + fabs(d[1] - to[1]) > REAL_APART * (e->wide[0] + e->wide[1]));
     }
-    return found && footpoint_detail_edge3_above(e, least, -1.0, 1.0);
+    return found && tie > 0.0 && footpoint_detail_edge3_above(e, least, -1.0, 1.0);
 }
 
 FOOTPOINT_COLD int footpoint_detail_edge3_seek(const REAL *const *x, REAL promise, REAL *xi,

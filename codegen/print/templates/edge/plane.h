@@ -54,5 +54,5 @@ FOOTPOINT_PART int footpoint_detail_plane_behind(const REAL d[2], const REAL t[2
     const REAL angle =
         sqrt(footpoint_detail_plane_dot(d, d)) * sqrt(footpoint_detail_plane_dot(t, t));
     const REAL rounding = 16.0 * REAL_UNIT * size * (fabs(d[0]) + fabs(d[1]));
-    return (int)(footpoint_detail_bits(across + 1e-12 * angle + rounding) >> REAL_TOP);
+    return (int)(footpoint_detail_bits(across + REAL_TURN * angle + rounding) >> REAL_TOP);
 }

@@ -14,20 +14,21 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_fast(void)
  * what it returns is not set if the foot point is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
  * Let e be the unit of rounding, u, v and w the edges AB, AC and AS.  Coordinates of d = w - xi u - eta v are off by 4 e T, T = |w| +
- * |xi u| + |eta v|, so that f = u . d is off by 9 e |u| . T, and g = v . d by 9 e |v| . T, sums of any order.  Products of edges are off
- * by 5 e uu, 5 e vv and 5 e m, m >= |u . v|, and the determinant by 24 e uu vv, which is 3e-9 of it at most: so the 1e-8 f and
- * 1e-8 g cover Cramer's rule, and 1.01 what bounds are rounded by. */
+ * |xi u| + |eta v|, so that f = u . d is off by e |u| . (4 T + 5 |d|), and g = v . d likewise, sums of any order.  Products of edges are off
+ * by 5 e uu, 5 e vv and 5 e m, m >= |u . v|, and the determinant by 24 e uu vv, which is REAL_CRAMER / 1.2 of it at most: so REAL_CRAMER
+ * of f and g covers Cramer's rule, and 1.01 what bounds are rounded by. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_prove(const REAL *const *x, REAL promise, REAL *xi,
                                                      REAL *eta)
 {
-    const REAL p = *xi, q = *eta, unit = 1.12e-16;
+    const REAL p = *xi, q = *eta, unit = REAL_UNIT;
     REAL uu = 0.0, uv = 0.0, vv = 0.0, m = 0.0, f = 0.0, g = 0.0, ut = 0.0, vt = 0.0;
     REAL det, per, s, t, off_f, off_g, first, second, greater, room, other;
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         const REAL u = x[1][i] - x[0][i], v = x[2][i] - x[0][i], w = x[3][i] - x[0][i];
-        const REAL d = w - p * u - q * v, all = fabs(w) + fabs(p * u) + fabs(q * v);
+        const REAL d = w - p * u - q * v,
+                   all = 4.0 * (fabs(w) + fabs(p * u) + fabs(q * v)) + 5.0 * fabs(d);
         uu += u * u;
         uv += u * v;
         vv += v * v;
@@ -41,18 +42,18 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_prove(const REAL *const *x, REAL 
     per = 1.0 / det;
     s = (vv * f - uv * g) * per;
     t = (uu * g - uv * f) * per;
-    off_f = 9.0 * unit * ut + 1e-8 * fabs(f);
-    off_g = 9.0 * unit * vt + 1e-8 * fabs(g);
+    off_f = unit * ut + REAL_CRAMER * fabs(f);
+    off_g = unit * vt + REAL_CRAMER * fabs(g);
     *xi = p + s;
     *eta = q + t;
     first = vv * off_f + m * off_g;
     second = uu * off_g + m * off_f;
     greater = 0.5 * (fabs(*xi) + fabs(*eta) + fabs(fabs(*xi) - fabs(*eta)));
-    room = 0.999 * promise * (0.5 * (1.0 + greater + fabs(1.0 - greater)));
+    room = 0.99 * promise * (0.5 * (1.0 + greater + fabs(1.0 - greater)));
     other = room - 1.01 * per * second;
     room -= 1.01 * per * first;
     return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
-           footpoint_detail_bits(det - 1e-6 * (uu * vv)) |
+           footpoint_detail_bits(det - REAL_WEAK * (uu * vv)) |
            footpoint_detail_infinite(room + other + *xi + *eta) | footpoint_detail_tri3_fast();
 }
 

@@ -19,11 +19,12 @@ FOOTPOINT_PART REAL footpoint_detail_tri3_choose(const REAL how[4], REAL a, REAL
  * If G leads outwards even at the closest point of the edge, by e . h s, that is the closest of all, and s is f / ee at most.
  *
  * Rounding, as in footpoint_detail_tri3_prove: D is off by 4 units of T, slopes by 9 of |e| . T and |h| . T; of |e x h|^2 more than
- * half is left, as it is more than REAL_FLAT of the square of all edges.  On an edge xi and eta add up to 1 but for a unit. */
+ * half is left, as it is more than REAL_FLAT of the square of all edges.  On an edge xi and eta add up to 1 but for a unit.  16 REAL_MIN are
+ * more than what underflows. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_sure(const REAL *const *x, REAL promise,
                                                     const REAL at[3], const REAL how[4])
 {
-    const REAL unit = 1.12e-16, inside = how[3], edge = 1.0 - inside;
+    const REAL unit = REAL_UNIT, inside = how[3], edge = 1.0 - inside;
     const REAL a = footpoint_detail_either(inside, how[2], at[0]), b = inside * at[1];
     const REAL start = edge * footpoint_detail_step(REAL_MIN - a);
     const REAL end = edge * footpoint_detail_step(a - 1.0);
@@ -65,7 +66,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_sure(const REAL *const *x, REAL p
     other = other * other - most * (hh * (f * f) + ee * (g * g));
     return ((footpoint_detail_bits(room) | footpoint_detail_bits(out) |
              footpoint_detail_bits(0.5 - inside)) &
-            footpoint_detail_bits(other)) |
+            footpoint_detail_bits(other - 16.0 * REAL_MIN)) |
            footpoint_detail_infinite(room + other + out) | footpoint_detail_tri3_fast();
 }
 
@@ -116,6 +117,6 @@ FOOTPOINT_COLD REAL footpoint_detail_tri3_none_nearer(const REAL *const *x, REAL
     most = f > g ? f : g;
     most = (most > 0.0 ? most : 0.0) - at[0] * f - at[1] * g;
     size = footpoint_detail_dot(u, u) + footpoint_detail_dot(v, v) + footpoint_detail_dot(d, d);
-    least = footpoint_detail_dot(d, d) - 2.0 * most - 1e-13 * size;
+    least = footpoint_detail_dot(d, d) - 2.0 * most - 900.0 * REAL_UNIT * size;
     return sqrt(least > 0.0 ? least : 0.0);
 }
