@@ -11,6 +11,7 @@
 #include "../../generated/footpoint_tri6.h"
 #include "../support/kind_arguments.h"
 #include "../support/line_points.h"
+#include "../support/long_cases.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -19,7 +20,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -432,7 +432,7 @@ static long compare(const struct kind *k, long samples)
 
 static void lines_meet_faces(void **state)
 {
-    const long samples = getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    const long samples = long_cases(SAMPLES, SAMPLES_LONG);
     long wrong = 0;
     (void)state;
     for (int k = 0; k < KINDS; k++)

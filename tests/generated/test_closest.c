@@ -11,6 +11,7 @@
 #include "../../generated/footpoint_rectangle_quad4.h"
 #include "../../generated/footpoint_tri3.h"
 #include "../../runtime/footpoint.h"
+#include "../support/long_cases.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -223,7 +224,7 @@ static void check_scene(const char *name, const char *prefix)
         fail_msg("%s", d.text);
     const struct surface *surface = surface_find(scene->segment);
     const struct face f = {scene, surface, surface->nodes, stream_new()};
-    const size_t samples = getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    const size_t samples = (size_t)long_cases(SAMPLES, SAMPLES_LONG);
     struct errors e[FUNCTIONS] = {{0}};
     for (size_t i = 0; i < samples; i++) {
         struct question q;

@@ -9,6 +9,7 @@
 #include "../../generated/footpoint_tri6.h"
 #include "../hard/draw.h"
 #include "../support/curved_face.h"
+#include "../support/long_cases.h"
 #include "curved_cases.h"
 
 #include <math.h>
@@ -289,8 +290,7 @@ static const char *fault(struct judged *j, double promise, int status, const dou
 
 static long cases(void)
 {
-    const char *const number = getenv("CLOSEST_CASES");
-    return number ? atol(number) : getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 static void expect(const struct function *f, const char *group, const struct curved_case *h, struct judged *j,
@@ -390,7 +390,7 @@ static void closest_points_keep_the_promise(void **state)
         for (int i = 0; i < FUNCTIONS; i++) {
             const long *c = count[i], answers = c[FOOTPOINT_OK] + c[FOOTPOINT_NOT_UNIQUE] + c[FOOTPOINT_UNPROVED];
             const double proved = 100 * (double)c[FOOTPOINT_OK] / (double)(answers ? answers : 1);
-            if (getenv("FOOTPOINT_LONG") || getenv("CLOSEST_CASES"))
+            if (getenv("FOOTPOINT_LONG"))
                 print_message("%-14s %-15s OK %8.4f %% of %ld, ties %ld, unproved %ld, errors %ld\n", functions[i].name,
                               names[group], proved, answers, c[FOOTPOINT_NOT_UNIQUE], c[FOOTPOINT_UNPROVED],
                               c[ANSWERS - 1]);

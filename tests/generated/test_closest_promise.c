@@ -8,6 +8,7 @@
 #include "../../generated/footpoint_rectangle_quad4.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
+#include "../support/long_cases.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -426,7 +427,7 @@ static const char *fault(struct judged *j, double promise, int status, const dou
 
 static long cases(void)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 static void expect(const struct function *f, const char *family, const struct hard_case *h, struct judged *j,

@@ -10,6 +10,7 @@
 #include "../../generated/footpoint_tri6.h"
 #include "../../runtime/footpoint_face.h"
 #include "../support/curved_face.h"
+#include "../support/long_cases.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -60,7 +61,7 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static long samples(void)
 {
-    return getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    return long_cases(SAMPLES, SAMPLES_LONG);
 }
 
 /* ---- samples ---- */
@@ -324,7 +325,7 @@ static void put(const struct kind *k, enum bend how, gsl_rng *stream, double (*x
 
 static void strongly_curved_faces(void **state)
 {
-    const long count = getenv("FOOTPOINT_LONG") ? STRONG_LONG : STRONG;
+    const long count = long_cases(STRONG, STRONG_LONG);
     gsl_rng *stream = stream_new();
     (void)state;
     for (int k = 0; k < KINDS; k++) {

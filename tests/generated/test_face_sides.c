@@ -8,6 +8,7 @@
 #include "../../generated/footpoint_tri3.h"
 #include "../../generated/footpoint_tri6.h"
 #include "../../runtime/footpoint_face.h"
+#include "../support/long_cases.h"
 
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
@@ -37,7 +38,7 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static long samples(void)
 {
-    return getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    return long_cases(SAMPLES, SAMPLES_LONG);
 }
 
 /* ---- answers ---- */

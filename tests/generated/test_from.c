@@ -7,6 +7,7 @@
 #include "../../generated/footpoint_tri6.h"
 #include "../hard/draw.h"
 #include "../support/kind_arguments.h"
+#include "../support/long_cases.h"
 #include "judged_faces.h"
 
 #include <math.h>
@@ -15,7 +16,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -24,7 +24,7 @@ enum { CASES = 600, CASES_LONG = 105000, PAIRS = 60, MOST_ROWS = 3 * (CURVED_NOD
 
 static long cases(void)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 #define FUNCTIONS(F)                                                                                                   \

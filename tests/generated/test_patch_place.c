@@ -5,6 +5,7 @@
 #include "../../generated/footpoint_bezier_derivatives.h"
 #include "../../generated/footpoint_gregory_derivatives.h"
 #include "../support/kind_arguments.h"
+#include "../support/long_cases.h"
 #include "../support/quad_patch.h"
 
 #include <math.h>
@@ -177,7 +178,7 @@ static void expect_identities(struct given *g, double (*x)[3])
 
 static void derivatives_are_right(void **state)
 {
-    const long samples = getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    const long samples = long_cases(SAMPLES, SAMPLES_LONG);
     gsl_rng *stream = stream_new();
     (void)state;
     for (const struct kind *k = kinds; k < kinds + KINDS; k++) {

@@ -8,6 +8,7 @@
 #include "../../generated/footpoint_tri3_derivatives.h"
 #include "../../generated/footpoint_tri6_derivatives.h"
 #include "../support/kind_arguments.h"
+#include "../support/long_cases.h"
 #include "../support/quad_precision.h"
 
 #include <math.h>
@@ -240,7 +241,7 @@ static void expect_identities(const struct kind *k, const struct given *g, doubl
 
 static void derivatives_are_right(void **state)
 {
-    const long samples = getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    const long samples = long_cases(SAMPLES, SAMPLES_LONG);
     (void)state;
     gsl_rng *stream = stream_new();
     for (const struct kind *k = kinds; k < kinds + KINDS; k++) {

@@ -6,6 +6,7 @@
 #include "../../runtime/footpoint.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
+#include "../support/long_cases.h"
 #include "../support/ordinary_quad.h"
 #include "header_functions.h"
 
@@ -33,7 +34,7 @@ static bool is_kept(const struct header_function *f)
 
 static long cases(const struct header_function *f)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : is_kept(f) ? CASES / 5 : CASES;
+    return long_cases(is_kept(f) ? CASES / 5 : CASES, CASES_LONG);
 }
 
 static double size_of(wide x)
@@ -236,7 +237,7 @@ static void test_swept(void **state)
 
 static void test_ordinary(void **state)
 {
-    const long n = getenv("FOOTPOINT_LONG") ? 10 * CASES_LONG : CASES;
+    const long n = long_cases(CASES, 10 * CASES_LONG);
     (void)state;
     for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
         if (is_judged(&header_functions[i]) && !is_kept(&header_functions[i]))

@@ -3,6 +3,7 @@
  * with coinciding points; some of each, a million of each kind in each group with FOOTPOINT_LONG. The judge takes
  * Newton's steps in quadruple precision on shape functions and shares no code with the judged functions. */
 #include "../../runtime/footpoint.h"
+#include "../support/long_cases.h"
 #include "header_functions.h"
 #include "judged_faces.h"
 
@@ -22,7 +23,7 @@ enum { CASES = 700, CASES_LONG = 1000000 };
 
 static long cases(void)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 /* ---- tests ---- */

@@ -5,6 +5,7 @@
  * quadruple precision; it shares no code with what it judges. */
 #include "../../runtime/footpoint.h"
 #include "../patches/drawn_patches.h"
+#include "../support/long_cases.h"
 #include "header_functions.h"
 
 #include <math.h>
@@ -23,8 +24,7 @@ enum { CASES = 130, CASES_LONG = 1000000 };
 
 static long cases(void)
 {
-    const char *const wanted = getenv("FOOTPOINT_CASES");
-    return wanted ? atol(wanted) : getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 static const char *const kinds[] = {"bezier", "gregory"};

@@ -6,6 +6,7 @@
 #include "../../generated/footpoint_tri3.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
+#include "../support/long_cases.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -24,7 +25,7 @@ enum { CASES = 2000, CASES_LONG = 1000000 };
 
 static long cases(void)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 static double size_of(wide x)

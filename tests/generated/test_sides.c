@@ -10,6 +10,7 @@
 #include "../../generated/footpoint_tri3.h"
 #include "../../generated/footpoint_tri6.h"
 #include "../../runtime/footpoint_face.h"
+#include "../support/long_cases.h"
 
 #include <float.h>
 #include <gsl/gsl_randist.h>
@@ -56,7 +57,7 @@ struct patch {
 
 static long samples(void)
 {
-    return getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    return long_cases(SAMPLES, SAMPLES_LONG);
 }
 
 /* ---- vectors ---- */

@@ -3,6 +3,7 @@
  * with dents. Slave nodes lie on normals of the faces, up to an edge or about 100 edges away, so their side is known.
  * FOOTPOINT_LONG=1: a million. */
 #include "../../runtime/footpoint_face.h"
+#include "../support/long_cases.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -10,7 +11,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -141,7 +141,7 @@ static void check(const struct mesh *m, uint64_t *stream, int far)
 static void nearest_faces_are_those_of_brute_force(void **state)
 {
     static struct mesh m;
-    const int count = getenv("FOOTPOINT_LONG") ? LONG : SHORT;
+    const int count = (int)long_cases(SHORT, LONG);
     uint64_t stream = 9;
     (void)state;
     for (enum footpoint_face kind = FOOTPOINT_TRI3; kind < FOOTPOINT_FACES; kind++) {
