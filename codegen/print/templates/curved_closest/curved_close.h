@@ -1,6 +1,6 @@
 /* The closest point of a closed curved face, with its proof: by steps from the middle, or of the edges. */
 
-/* The longest edge's chord, squared. */
+/* Returns the square of the longest edge's chord. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_longest(const REAL *const *x)
 {
     REAL most = 0.0, e[3];
@@ -13,7 +13,7 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_longest(const REAL *const *x)
     return most;
 }
 
-/* The nearest point of all edges that steps find. */
+/* Finds the nearest point of all edges that steps reach. */
 FOOTPOINT_PART void footpoint_detail_KIND_on_edges(const REAL *const *x, REAL at[2])
 {
     REAL c[5][8], place[8], best = 0.0, along = 0.0, t, from[2], to[2];
@@ -37,7 +37,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_on_edges(const REAL *const *x, REAL at
         at[k] = along >= 1.0 ? to[k] : from[k] + (0.5 + 0.5 * along) * (to[k] - from[k]);
 }
 
-/* The square of the distance at z, with its sign.  Where tangents are not nearly parallel, the normal is u x v. */
+/* Returns the squared distance at z, with its sign. If tangents are not nearly parallel, the normal is u x v. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_signed(const REAL *const *x,
                                                  const footpoint_detail_KIND_anchor *z, REAL size,
                                                  int region, REAL_BITS *flat)
@@ -67,7 +67,7 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_signed(const REAL *const *x,
     return copysign(z->dd, footpoint_detail_side(u, v, m, n, z->dd, size, edge));
 }
 
-/* Corners of the face, (xi,eta). */
+/* Computes the corners of the face, (xi,eta). */
 FOOTPOINT_PART void footpoint_detail_KIND_whole(REAL part[CORNERS][2])
 {
     int k;
@@ -76,7 +76,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_whole(REAL part[CORNERS][2])
         footpoint_detail_SHAPE_corner(k, part[k]);
 }
 
-/* footpoint_detail_KIND_sole of a part, the corners of which are given by (xi,eta). */
+/* Applies footpoint_detail_KIND_sole to a part with the given corners (xi,eta). */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_sole_of(const footpoint_detail_KIND_anchor *z,
                                                        REAL part[CORNERS][2], REAL promise)
 {
@@ -88,7 +88,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_sole_of(const footpoint_detail_KI
     return footpoint_detail_KIND_sole(z, h, promise);
 }
 
-/* What has to be proved of the whole face: the promise itself, if FOOTPOINT_DETAIL_CLOSE does not suffice. */
+/* Returns the promise to prove for the whole face: the caller's, if FOOTPOINT_DETAIL_CLOSE does not suffice. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_needed(const footpoint_detail_KIND_anchor *z,
                                                  REAL promise)
 {
@@ -98,7 +98,7 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_needed(const footpoint_detail_KIND_anc
                : promise;
 }
 
-/* Whether (xi,eta) is inside. */
+/* Returns 1 if (xi,eta) is inside. */
 FOOTPOINT_PART int footpoint_detail_KIND_is_inside(const REAL at[2])
 {
     const REAL third = 1.0 - at[0] - at[1], low = footpoint_detail_least(at[0], at[1]);
@@ -107,8 +107,8 @@ FOOTPOINT_PART int footpoint_detail_KIND_is_inside(const REAL at[2])
     return !(footpoint_detail_bits(room - 1e-15) >> REAL_TOP);
 }
 
-/* The highest bit of the result is not set if the closest point of the face is proved to lie within `promise` of (xi,eta), which is
- * inside. */
+/* Proves (xi,eta), which is inside. The highest bit of the result is not set if the closest point of the face is proved
+ * to lie within `promise` of it. */
 FOOTPOINT_FN REAL_BITS footpoint_detail_KIND_closest_at(const REAL *const *x, REAL promise,
                                                         const REAL at[2])
 {
@@ -124,8 +124,8 @@ FOOTPOINT_FN REAL_BITS footpoint_detail_KIND_closest_at(const REAL *const *x, RE
            footpoint_detail_outside(z.far * z.far * (z.far * z.far));
 }
 
-/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved.  `bare` steps come
- * before the first that is tested. */
+/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a proof. `bare` steps
+ * precede the first tested step. */
 FOOTPOINT_FN int footpoint_detail_KIND_close(const REAL *const *x, REAL promise, int bare,
                                              REAL at[3], int *region)
 {

@@ -1,6 +1,8 @@
-/* The closest point of a closed curved face where the quick way proves nothing: by descents and parts of the face, seldom. */
+/* The closest point of a closed curved face if the quick way proves nothing: by descents and parts of the face,
+ * seldom. */
 
-/* Newton's step of the coordinates that no edge holds; where that may lead uphill, that of Gauss and Newton. */
+/* Computes Newton's step in the coordinates that no edge holds, or the Gauss-Newton step if Newton's may lead
+ * uphill. */
 FOOTPOINT_COLD void footpoint_detail_KIND_free_step(const footpoint_detail_KIND_anchor *z,
                                                     const int held[2], REAL h[2])
 {
@@ -17,7 +19,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_free_step(const footpoint_detail_KIND_
     h[1] = held[1] ? 0.0 : held[0] ? g / h22 : (h11 * g - h12 * f) / det;
 }
 
-/* Where the way h, or as much of it as is in the face, leads from z: `to`; a coordinate within 1e-15 of an edge becomes the edge's. */
+/* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within 1e-15 of an edge
+ * becomes the edge's. */
 FOOTPOINT_COLD void footpoint_detail_KIND_along_way(const footpoint_detail_KIND_anchor *z,
                                                     const REAL h[2], REAL to[2])
 {
@@ -45,7 +48,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_along_way(const footpoint_detail_KIND_
     }
 }
 
-/* A step from z on the closed face: one that an edge stops at once is taken along that edge. */
+/* Takes a step from z on the closed face; if an edge stops it at once, along that edge. */
 FOOTPOINT_COLD void footpoint_detail_KIND_step_on(const footpoint_detail_KIND_anchor *z, REAL h[2])
 {
     int held[2], i;
@@ -60,7 +63,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_step_on(const footpoint_detail_KIND_an
         }
 }
 
-/* From *z downhill, until steps are no longer than rounding makes them. */
+/* Moves *z downhill until steps are within rounding. */
 FOOTPOINT_COLD void footpoint_detail_KIND_downhill(const footpoint_detail_KIND_terms *of,
                                                    footpoint_detail_KIND_anchor *z)
 {
@@ -86,7 +89,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_downhill(const footpoint_detail_KIND_t
     }
 }
 
-/* Whether z[1] is another point of space than z[0], and as near. */
+/* Returns 1 if z[1] is another point of space than z[0], and as near. */
 FOOTPOINT_COLD int footpoint_detail_KIND_is_tie(const footpoint_detail_KIND_anchor z[2],
                                                 REAL longest)
 {
@@ -96,8 +99,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_is_tie(const footpoint_detail_KIND_anch
            fabs(sqrt(z[1].dd) - sqrt(z[0].dd)) <= 1e-10 * longest;
 }
 
-/* The nearest point that descents find, as z[0]; its status.  A tie is proved, too: no point is nearer by more than 1e-10 of the
- * longest edge, and another, elsewhere in space, is not farther by more. */
+/* Finds the nearest point by descents, as z[0]; returns its status. A tie is proved, too: no point is nearer by more
+ * than 1e-10 of the longest edge, and another, elsewhere in space, is not farther by more. */
 FOOTPOINT_COLD int footpoint_detail_KIND_seek(const footpoint_detail_KIND_terms *of, REAL promise,
                                               REAL longest, footpoint_detail_KIND_anchor z[2])
 {
@@ -123,8 +126,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_seek(const footpoint_detail_KIND_terms 
     return FOOTPOINT_UNPROVED;
 }
 
-/* A distance that no point of the face is nearer than, whatever the slave node: by the ball about the middle that all control points
- * lie in. */
+/* Returns a lower bound on the distance of the face, for any slave node: by the ball about the middle that contains all
+ * control points. */
 FOOTPOINT_COLD REAL footpoint_detail_KIND_none_within(const REAL *const *x)
 {
     footpoint_detail_KIND_terms of;
@@ -152,8 +155,8 @@ FOOTPOINT_COLD REAL footpoint_detail_KIND_none_within(const REAL *const *x)
     return footpoint_detail_greater(middle - most - 1e-13 * (middle + most), 0.0);
 }
 
-/* The answer where the quick way proves nothing, at = where that ended: once more in a unit of length in which the face is about 1 long,
- * if it is far from that, then by descents.  at[2]: the distance. */
+/* Answers after the quick way has proved nothing and ended in `at`: again in a unit of length in which the face is
+ * about 1 long, if it is far from that, then by descents. at[2]: the distance. */
 FOOTPOINT_COLD int footpoint_detail_KIND_proved_again(footpoint_detail_nearby *nearby,
                                                       const REAL *const *x, int scalable,
                                                       REAL promise, REAL at[3], int *region)
@@ -196,7 +199,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_proved_again(footpoint_detail_nearby *n
     return status;
 }
 
-/* A distance that no point of the face is nearer than, for an answer `at` of that status. */
+/* Returns a lower bound on the distance of the face, for an answer `at` of that status. */
 FOOTPOINT_COLD REAL footpoint_detail_KIND_none_nearer(const REAL *const *x, REAL promise,
                                                       int status, const REAL at[3])
 {

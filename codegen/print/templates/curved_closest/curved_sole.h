@@ -1,12 +1,13 @@
-/* The proof that the closest point of a closed curved face lies near a given one. */
+/* The proof that the closest point of a closed curved face lies near a given point. */
 
-/* A matrix M(s,t) over a part of the face: its corners' least determinant, less rounding, and least and greatest entries. */
+/* A matrix M(s,t) over a part of the face: the least determinant at its corners, minus rounding, and least and greatest
+ * entries. */
 typedef struct {
     REAL m11[CORNERS], m12[CORNERS], m22[CORNERS], det, low, wide, high;
 } footpoint_detail_KIND_form;
 
-/* How fast half the square of the distance grows, `grows`, from an edge into the face, or may fall, `falls`: a slope f
- * is off by `off`. */
+/* Computes how fast half the squared distance grows from an edge into the face, `grows`, or may fall, `falls`; a slope
+ * f is off by `off`. */
 FOOTPOINT_PART void footpoint_detail_KIND_grows(REAL held, REAL f, REAL off, REAL *grows,
                                                 REAL *falls)
 {
@@ -113,14 +114,14 @@ FOOTPOINT_PART void footpoint_detail_KIND_form_over(const footpoint_detail_KIND_
     m->det -= 4.0 * off * (m->wide + m->high) + REAL_MIN;
 }
 
-/* How far from z, in s and in t, a point may be for all that: promise, of turned coordinates half of it; and within the region, or
- * 4e-10. */
+/* Computes how far from z, in s and in t, a point may be: promise, half of it for turned coordinates; and within the
+ * region, or 4e-10. */
 FOOTPOINT_PART void footpoint_detail_KIND_reach_of(const footpoint_detail_KIND_anchor *z,
                                                    REAL promise, REAL reach[2])
 {
     const REAL least = 4e-10, p = CORNERS == 3 ? 0.5 * promise : promise;
     REAL room = 1.0 - fabs(z->at[0]), other = 1.0 - fabs(z->at[1]);
-    if (CORNERS == 3) { /* two coordinates of three on an edge */
+    if (CORNERS == 3) { /* two of the three coordinates on an edge */
         const REAL l[3] = {1.0 - z->at[0] - z->at[1], z->at[0], z->at[1]};
         const REAL ends = footpoint_detail_least(l[z->turn], l[(z->turn + 1) % 3]);
         room = fabs(z->held[1]) > 0.0 ? 1.0 : l[(z->turn + 2) % 3];

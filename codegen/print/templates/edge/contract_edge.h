@@ -1,8 +1,8 @@
-/* What the functions of edges do. */
+/* The contract of functions of edges. */
 
-/* Contact in the plane: edges of NODES nodes xA, xB, ..., each (x, y); A lies at xi = -1, B at xi = 1, and C, the middle node
- * of an edge of three, at xi = 0.  The body lies to the left of A -> B, as Abaqus numbers the faces of plane elements: the
- * normal n = (t_y, -t_x) / |t| of the tangent t points to where slave nodes come from.
+/* Contact in the plane: edges of NODES nodes xA, xB, ..., each (x, y); A lies at xi = -1, B at xi = 1, and C, the
+ * middle node of an edge of three, at xi = 0. The body lies to the left of A -> B, as Abaqus numbers the faces of plane
+ * elements: the normal n = (t_y, -t_x) / |t| of the tangent t points to the side of the slave nodes.
  *
  * NAME_at:  xi, dimensionless; nothing is checked.
  * NAME:     xi and the gap (xS - r) . n at the foot point r (mesh length, > 0 open), both untouched if the status is < 0.

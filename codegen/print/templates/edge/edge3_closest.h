@@ -1,8 +1,8 @@
-/* Closest points of edges of three nodes.  With the cubic f of edge3.h at p, the square of the distance at p + t, times 4, is that at
- * p plus t (2 f + t q(t)), q(t) = f' + f'' t / 3 + c[3] t^2 / 2.  Where q >= low > 0 on the edge, the closest point lies
- * within 2 |f| / low of p; at an end, f counts only if the distance falls inwards. */
+/* Closest points of edges of three nodes. With the cubic f of edge3.h at p, 4 times the squared distance at p + t is
+ * its value at p plus t (2 f + t q(t)), q(t) = f' + f'' t / 3 + c[3] t^2 / 2. If q >= low > 0 on the edge, the closest
+ * point lies within 2 |f| / low of p; at an end, f counts only if the distance falls inwards. */
 
-/* xi on the edge, the nearest to any number. */
+/* Returns xi clamped to the edge. */
 FOOTPOINT_PART REAL footpoint_detail_edge3_clamp(REAL xi, int *region)
 {
     const int left = (int)(footpoint_detail_bits(xi + 1.0) >> REAL_TOP);
@@ -11,14 +11,14 @@ FOOTPOINT_PART REAL footpoint_detail_edge3_clamp(REAL xi, int *region)
     return left ? -1.0 : right ? 1.0 : xi;
 }
 
-/* How fast the distance falls inwards at an end, or in either direction, where the cubic is f. */
+/* Returns how fast the distance falls inwards at an end, or in either direction, if the cubic is f. */
 FOOTPOINT_PART REAL footpoint_detail_edge3_fall(REAL f, int region)
 {
     return region == 1 ? -f : region == 2 ? f : fabs(f);
 }
 
-/* The highest bit of what it returns is not set if the closest point lies within the promise of where the distance falls
- * like that, off by `error` at most. */
+/* The highest bit of the result is not set if the closest point lies within the promise of the place at which the
+ * distance falls like that, off by at most `error`. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_closed(REAL fall, REAL error, REAL low,
                                                        REAL promise)
 {
@@ -28,7 +28,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_closed(REAL fall, REAL error, RE
            footpoint_detail_fast();
 }
 
-/* The distance, with its sign, of d = S - r over the tangent t. */
+/* Returns the signed distance for d = S - r over the tangent t. */
 FOOTPOINT_PART REAL footpoint_detail_edge3_distance(const struct footpoint_detail_parabola *e,
                                                     const REAL t[2], const REAL d[2], int region)
 {
@@ -39,7 +39,8 @@ FOOTPOINT_PART REAL footpoint_detail_edge3_distance(const struct footpoint_detai
     return behind ? -dist : dist;
 }
 
-/* Two steps, and the end beyond which they lead; the highest bit of what it returns is set unless that is proved. */
+/* Takes two steps, and moves to the end beyond which they lead; the highest bit of the result is set unless that is
+ * proved. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_near(const REAL *const *x, REAL promise, REAL *xi,
                                                      REAL *dist, int *region)
 {
@@ -60,7 +61,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_near(const REAL *const *x, REAL 
            footpoint_detail_bits(tt - 1e-5 * e.size) | footpoint_detail_infinite(tt + *dist);
 }
 
-/* The least value of q on the edge, which is convex: the lowest point of its tangent where it is least. */
+/* Returns a lower bound of q, which is convex, on the edge: the lowest point of its tangent at its least value. */
 FOOTPOINT_FN REAL footpoint_detail_edge3_lowest(const struct footpoint_detail_parabola *e,
                                                 const REAL f[3], REAL p)
 {
@@ -76,8 +77,9 @@ FOOTPOINT_FN REAL footpoint_detail_edge3_lowest(const struct footpoint_detail_pa
     return (left < right ? left : right) - 40.0 * footpoint_detail_edge3_rounding(e, 1.0);
 }
 
-/* Whether the square of the distance, times 4, is above `least` between low and high: on pieces that get narrower where bounds
- * about their middles do not suffice.  The bound on a piece is off by 1200 units of size and far, squares by 104. */
+/* Returns 1 if the square of the distance, times 4, is above `least` between low and high, on pieces that get narrower
+ * if bounds about their middles do not suffice.  The bound on a piece is off by 1200 units of size and far, squares by
+ * 104. */
 FOOTPOINT_FN int footpoint_detail_edge3_above(const struct footpoint_detail_parabola *e, REAL least,
                                               REAL low, REAL high)
 {
@@ -100,7 +102,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_above(const struct footpoint_detail_para
     return low >= high;
 }
 
-/* Whether an end is the closest point: the distance rises for a while, and is greater beyond. */
+/* Returns 1 if an end is the closest point: the distance rises for a while, and is greater beyond. */
 FOOTPOINT_FN int footpoint_detail_edge3_ends(const struct footpoint_detail_parabola *e,
                                              const REAL f[3], int region)
 {
@@ -114,7 +116,8 @@ FOOTPOINT_FN int footpoint_detail_edge3_ends(const struct footpoint_detail_parab
                        : footpoint_detail_edge3_above(e, square, -1.0, 1.0 - first);
 }
 
-/* Candidates for the closest point: the ends, and where the cubic rises through 0 between its extremes; returns how many. */
+/* Finds candidates for the closest point: the ends, and the places at which the cubic rises through 0 between its
+ * extremes.  Returns their number. */
 FOOTPOINT_FN int footpoint_detail_edge3_candidates(const REAL c[4], REAL p[5])
 {
     const REAL under = c[2] * c[2] - 3.0 * c[3] * c[1];
@@ -142,7 +145,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_candidates(const REAL c[4], REAL p[5])
     return n;
 }
 
-/* The tangent, at an end where that is almost 0 a little inside; of any length. */
+/* Computes the tangent, of any length; if it almost vanishes at an end, a little inside. */
 FOOTPOINT_FN void footpoint_detail_edge3_side(const struct footpoint_detail_parabola *e, REAL xi,
                                               REAL t[2])
 {
@@ -157,7 +160,7 @@ FOOTPOINT_FN void footpoint_detail_edge3_side(const struct footpoint_detail_para
     }
 }
 
-/* Whether another candidate is as near as p[best], elsewhere, and no point is nearer than both. */
+/* Returns 1 if another candidate is as near as p[best], elsewhere, and no point is nearer than both. */
 FOOTPOINT_FN int footpoint_detail_edge3_tie(const struct footpoint_detail_parabola *e,
                                             const REAL *p, int n, int best)
 {
@@ -211,7 +214,7 @@ FOOTPOINT_COLD int footpoint_detail_edge3_seek(const REAL *const *x, REAL promis
     return footpoint_detail_edge3_tie(&e, p, n, best) ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_UNPROVED;
 }
 
-/* The tangent at an end, of any length. */
+/* Computes the tangent at an end, of any length. */
 FOOTPOINT_PART void footpoint_detail_edge3_tangent(const REAL *const *x, REAL xi, REAL t[2])
 {
     struct footpoint_detail_parabola e;
@@ -219,7 +222,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_tangent(const REAL *const *x, REAL xi
     footpoint_detail_edge3_side(&e, xi, t);
 }
 
-/* Whether no point of the edge is nearer than dist by more than REAL_TIE. */
+/* Returns 1 if no point of the edge is nearer than dist by more than REAL_TIE. */
 FOOTPOINT_FN int footpoint_detail_edge3_at_least(const REAL *const *x, REAL dist)
 {
     struct footpoint_detail_parabola e;

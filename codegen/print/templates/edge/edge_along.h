@@ -1,6 +1,6 @@
 /* Projection along a direction. */
 
-/* The distance at xi, times |p|. */
+/* Returns the distance at xi, times |p|. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_away(const REAL *const *x, const REAL p[2], REAL xi)
 {
     REAL d[2];
@@ -8,7 +8,7 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_away(const REAL *const *x, const REAL 
     return footpoint_detail_plane_dot(d, p);
 }
 
-/* In units of length in which edge and direction are about 1 long. */
+/* Searches in units of length in which edge and direction are about 1 long. */
 FOOTPOINT_FN int footpoint_detail_KIND_along(const REAL *const *x, const REAL p[2], REAL *xi,
                                              REAL *dist)
 {

@@ -1,4 +1,4 @@
-/* What searches in the plane share: products, units of length, signs. */
+/* Parts that searches in the plane share: products, units of length, signs. */
 
 #ifndef FOOTPOINT_OUTSIDE
 #define FOOTPOINT_OUTSIDE 1
@@ -38,7 +38,7 @@ FOOTPOINT_FN int footpoint_detail_plane_scale(const REAL *const *x, int nodes, R
     if (footpoint_detail_below(most, REAL_MIN) >> REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
-    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may overflow */
     second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i <= nodes; i++)
         for (j = 0; j < 2; j++)
@@ -46,8 +46,8 @@ FOOTPOINT_FN int footpoint_detail_plane_scale(const REAL *const *x, int nodes, R
     return FOOTPOINT_OK;
 }
 
-/* Returns true if d, from a point of an edge to the slave node, points behind the edge of tangent t by more than a small
- * angle and by more than rounding; size bounds the coordinates that t is a sum of. */
+/* Returns 1 if d, from a point of an edge to the slave node, points behind the edge of tangent t by more than a small
+ * angle and by more than rounding; size bounds the coordinates of whose sums t consists. */
 FOOTPOINT_PART int footpoint_detail_plane_behind(const REAL d[2], const REAL t[2], REAL size)
 {
     const REAL across = footpoint_detail_plane_cross(d, t);

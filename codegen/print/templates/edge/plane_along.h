@@ -1,12 +1,12 @@
-/* Where a line meets an edge: a root of a polynomial of degree two at most. */
+/* The intersection of a line with an edge: a root of a polynomial of degree at most two. */
 
 /* The largest error of xi behind FOOTPOINT_OK. */
 #ifndef ALONG_PROMISE
 #define ALONG_PROMISE REAL_ALONG
 #endif
 
-/* A line against an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0.  By rounding a[0] is off by 3 units
- * of far, a[1] by 3 and a[2] by 4 of wide, which bound their absolute values, too. */
+/* A line against an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0.  By rounding a[0] is off by 3
+ * units of far, a[1] by 3 and a[2] by 4 of wide, which also bound their absolute values. */
 struct footpoint_detail_line {
     REAL a[3], far, wide;
 };
@@ -32,8 +32,8 @@ FOOTPOINT_PART REAL footpoint_detail_plane_across(const REAL p[2], REAL x, REAL 
     return fabs(p[0]) * fabs(y) + fabs(p[1]) * fabs(x);
 }
 
-/* If no root is proved to lie within the promise of xi, where it is at most 2 from the edge.  The slope is off by 8 (1 + x)
- * units of wide, and changes by 2 a[2] on 1. */
+/* Returns its highest bit set unless a root is proved to lie within the promise of xi, which is at most 2 from the
+ * edge.  The slope is off by 8 (1 + x) units of wide, and changes by 2 a[2] per unit. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_plane_root(const struct footpoint_detail_line *l, REAL xi)
 {
     const REAL x = fabs(xi), promise = 0.99 * ALONG_PROMISE * (1.0 + x) * 0.5;
@@ -46,7 +46,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_plane_root(const struct footpoint_deta
            footpoint_detail_infinite(left) | footpoint_detail_fast();
 }
 
-/* If the line may meet the edge elsewhere: g / (t - xi) is linear, and its signs at both ends are not the same beyond doubt. */
+/* Returns its highest bit set if the line may meet the edge elsewhere: g / (t - xi) is linear, and its signs at both
+ * ends are not surely equal. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_plane_elsewhere(const struct footpoint_detail_line *l,
                                                           REAL xi)
 {
@@ -56,7 +57,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_plane_elsewhere(const struct footpoint
            (footpoint_detail_bits(left) ^ footpoint_detail_bits(right));
 }
 
-/* Both roots, the one that is nearer to 0 first; 0 if they are not real. */
+/* Computes both roots, the nearer to 0 first; returns 0 if they are not real. */
 FOOTPOINT_FN int footpoint_detail_plane_roots(const struct footpoint_detail_line *l, REAL root[2])
 {
     const REAL under = l->a[1] * l->a[1] - 4.0 * l->a[2] * l->a[0];
@@ -66,7 +67,8 @@ FOOTPOINT_FN int footpoint_detail_plane_roots(const struct footpoint_detail_line
     return under >= 0.0;
 }
 
-/* A status of roots that are not far: see the contract.  xi is the root that counts, of two on the edge root[0]. */
+/* Returns the status of roots that are not far: see the contract.  xi is the relevant root; of two on the edge it is
+ * root[0]. */
 FOOTPOINT_FN int footpoint_detail_plane_meet(const struct footpoint_detail_line *l, REAL root[2],
                                              REAL *xi)
 {

@@ -1,6 +1,6 @@
-/* Patches in loops over arrays: steps, their proof, and repair for what is not proved. */
+/* Patches in loops over arrays: steps, their proof, and repair of unproved answers. */
 
-/* What the patches are, by number of the value. */
+/* The patches' data, by number of the value. */
 enum { footpoint_detail_KIND_count = (sizeof(footpoint_detail_KIND_terms) / sizeof(REAL) + 2) / 3 };
 typedef struct {
     REAL v[footpoint_detail_KIND_count][3][FOOTPOINT_LANES];
@@ -38,7 +38,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRIC
     }
 }
 
-/* The patch of a lane, with xS of another. */
+/* Copies the patch of a lane, with xS of another. */
 FOOTPOINT_PART void footpoint_detail_KIND_take(const BLOCK *b, const footpoint_detail_KIND_lanes *t,
                                                int l, footpoint_detail_KIND_one *one)
 {
@@ -91,10 +91,10 @@ footpoint_detail_KIND_proofs(BLOCK *FOOTPOINT_RESTRICT b,
     }
 }
 
-/* Where a search begins. */
+/* Computes the start of a search. */
 typedef void footpoint_detail_KIND_begin(BLOCK *b);
 
-/* Columns of pairs, or of slave nodes, from `first` on; the last of them instead of those that lack. */
+/* Loads columns of pairs, or of slave nodes, from `first` on; repeats the last to fill the block. */
 FOOTPOINT_PART void footpoint_detail_KIND_load(BLOCK *b, const double *const *column, int begin,
                                                size_t first, size_t n)
 {
@@ -111,7 +111,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_load(BLOCK *b, const double *const *co
     }
 }
 
-/* Results of `count` lanes; the highest bit is set if any of them is not proved. */
+/* Stores results of `count` lanes; the highest bit is set if any of them is not proved. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_store(const BLOCK *b, int count,
                                                      double *FOOTPOINT_RESTRICT xi,
                                                      double *FOOTPOINT_RESTRICT eta,

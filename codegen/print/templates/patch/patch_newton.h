@@ -8,7 +8,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_expand(const REAL *const *x,
     footpoint_detail_KIND_shape(x + 4, bent, t);
 }
 
-/* Kept in the patch. */
+/* Clamps p to the patch. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
 {
     const REAL most = p < 1.0 ? p : 1.0;
@@ -46,7 +46,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_bare(const footpoint_detail_KIND_terms
     footpoint_detail_KIND_correct(&r, &n, p, q);
 }
 
-/* d, u and v after a step (s,t), to its second order. */
+/* Updates d, u and v after a step (s,t), to its second order. */
 FOOTPOINT_PART void footpoint_detail_KIND_follow(REAL s, REAL t, footpoint_detail_local *r)
 {
     int k;

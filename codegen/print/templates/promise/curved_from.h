@@ -1,8 +1,9 @@
 /* Curved faces from a near start. */
 
-/* From (*xi,*eta) to the foot point, and the gap there, by a step of Newton and then up to `stages` that are tested, 1 in a
- * loop over arrays.  The highest bit of the result is not set if a minimum of the distance is proved to lie within promise
- * of the answer, see footpoint_detail_KIND_step(), and that is no farther than half of the face from the start. */
+/* Moves from (*xi,*eta) to the foot point and computes the gap there, by a Newton step and up to `stages` tested steps,
+ * 1 in a loop over arrays. The highest bit of the result is not set if a minimum of the distance is proved to lie
+ * within promise of the answer, see footpoint_detail_KIND_step(), and the answer is at most half of the face from the
+ * start. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL promise, REAL least,
                                                     int stages, REAL *xi, REAL *eta, REAL *gap)
 {

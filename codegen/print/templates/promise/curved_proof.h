@@ -1,6 +1,6 @@
 /* Answers of curved faces by Newton's steps, the last one proved. */
 
-/* The gap (9) at (p,q). */
+/* Computes the gap (9) at (p,q). */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_reach(const footpoint_detail_KIND_terms *of, REAL p,
                                                      REAL q, REAL least, REAL *gap)
 {

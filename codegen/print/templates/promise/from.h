@@ -1,16 +1,16 @@
-/* Searches that begin with the last answer, alone and over arrays. */
+/* Searches from the last answer, single and over arrays. */
 
-/* The search from scratch. */
+/* The search without a last answer. */
 typedef int footpoint_detail_KIND_name(NODE_PARAMETERS, REAL loc[2], REAL *gap);
 
-/* Whether (xi,eta) is more than half of the segment away from loc, or one of them is NaN. */
+/* Returns its highest bit set if (xi,eta) is more than half of the segment away from loc, or NaN. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_strayed(const REAL loc[2], REAL xi, REAL eta)
 {
     return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
 }
 
-/* From loc by way of (xi,eta), to which an expansion about loc has led that proved nothing: two more, then the search
- * from scratch. */
+/* Continues from (xi,eta), to which an expansion about loc has led without a proof: two more expansions, then the
+ * search without a last answer. */
 FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *name,
                                                  const REAL *const *x, REAL promise, REAL least,
                                                  REAL xi, REAL eta, REAL loc[2], REAL *gap)
@@ -29,8 +29,8 @@ FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *nam
     return name(VECTOR_ROWS, loc, gap);
 }
 
-/* An element of arrays of last answers in place, from which loops over arrays have led to (u,v); not inlined, as it is
- * seldom called. */
+/* Follows an element of arrays of last answers, from which loops over arrays have led to (u,v); not inlined, because it
+ * is seldom called. */
 FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name *name,
                                                      const REAL *const *x, REAL promise, REAL least,
                                                      REAL u, REAL v, REAL *xi, REAL *eta, REAL *gap,
@@ -44,7 +44,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name 
     *eta = loc[1];
 }
 
-/* Arrays are followed in parts: all of a part in a loop, and once more if many are not proved then. */
+/* Arrays are followed in parts: each part in a loop, which is repeated if many answers are not proved. */
 enum { footpoint_detail_KIND_span = 64, footpoint_detail_KIND_few = 8 };
 
 FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *name, size_t n,
@@ -105,7 +105,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *nam
     }
 }
 
-/* The same over one segment. */
+/* Does the same over one segment. */
 FOOTPOINT_PART void
 footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *const *segment,
                                   size_t n, const REAL *const *x, REAL promise, REAL least,

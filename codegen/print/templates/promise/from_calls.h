@@ -1,6 +1,6 @@
-/* What callers have from their last answers. */
+/* The functions for callers that have last answers. */
 
-/* See footpoint_detail_KIND_further(); not inlined, so that NAME_from keeps nothing for it. */
+/* Calls footpoint_detail_KIND_further(); not inlined, so that NAME_from reserves nothing for it. */
 FOOTPOINT_COLD int NAME_detail_further(NODE_PARAMETERS, REAL xi, REAL eta, REAL loc[2], REAL *gap)
 {
     const REAL *const x[VECTORS] = {NODE_NAMES};

@@ -1,6 +1,6 @@
 /* Four-node faces from a near start: one expansion about it, Newton's steps, and their proof. */
 
-/* r = A + s ab + t ad + s t c about (xi,eta) = (2 s - 1, 2 t - 1): u = r_s, v = r_t, c = r_st, w = xS - r. */
+/* Expands r = A + s ab + t ad + s t c about (xi,eta) = (2 s - 1, 2 t - 1): u = r_s, v = r_t, c = r_st, w = xS - r. */
 FOOTPOINT_PART void footpoint_detail_quad4_about(const REAL *const *x, REAL s, REAL t, REAL u[3],
                                                  REAL v[3], REAL c[3], REAL w[3])
 {
@@ -15,17 +15,17 @@ FOOTPOINT_PART void footpoint_detail_quad4_about(const REAL *const *x, REAL s, R
     }
 }
 
-/* Half of the squared distance about a point: slopes (f,g), the Hessian, and how that changes. */
+/* Half the squared distance about a point: slopes (f,g), the Hessian, and its rate of change. */
 typedef struct {
     REAL f, g, uu, r12, vv, tu, tv, cc;
 } footpoint_detail_quad4_near;
 
-/* What bounds rounding errors, see footpoint_detail_quad4_from(): far^2; for fine promises lengths, too. */
+/* Bounds for rounding errors, see footpoint_detail_quad4_from(): far^2; for fine promises also lengths. */
 typedef struct {
     REAL square, far, u, v, w;
 } footpoint_detail_quad4_scales;
 
-/* The slopes at a step (s,t) from the point. */
+/* Computes the slopes at a step (s,t) from the point. */
 FOOTPOINT_PART void footpoint_detail_quad4_slopes(const footpoint_detail_quad4_near *r, REAL s,
                                                   REAL t, REAL *f, REAL *g)
 {
@@ -34,7 +34,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_slopes(const footpoint_detail_quad4_n
     *g = (r->g - r->r12 * s - r->vv * t) - s * ((2.0 * tv + tu) + both);
 }
 
-/* All of that. */
+/* Computes all of these. */
 FOOTPOINT_PART footpoint_detail_quad4_near
 footpoint_detail_quad4_moved(const footpoint_detail_quad4_near *r, REAL s, REAL t)
 {
@@ -50,7 +50,7 @@ footpoint_detail_quad4_moved(const footpoint_detail_quad4_near *r, REAL s, REAL 
     return to;
 }
 
-/* (*x,*y) = adj H (f,g); the larger of their absolute values. */
+/* Computes (*x,*y) = adj H (f,g); returns the larger absolute value. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_adjoin(const footpoint_detail_quad4_near *r, REAL f,
                                                   REAL g, REAL *x, REAL *y)
 {
@@ -59,7 +59,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_adjoin(const footpoint_detail_quad4_n
     return footpoint_detail_greater(fabs(*x), fabs(*y));
 }
 
-/* det H times a bound on rounding errors of steps within `whole` of the start. */
+/* Returns det H times a bound on rounding errors of steps within `whole` of the start. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_blur(const footpoint_detail_quad4_near *r, REAL row,
                                                 const footpoint_detail_quad4_scales *e,
                                                 REAL promise, REAL whole)
@@ -123,7 +123,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_stage(const footpoint_detail_qua
            footpoint_detail_outside(det);
 }
 
-/* From (*s,*t) up to two such steps, each with a matrix of its own, until one is proved; seldom needed. */
+/* Takes up to two such steps from (*s,*t), each with its own matrix, until one is proved; seldom needed. */
 FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
                                                         const footpoint_detail_quad4_scales *e,
                                                         REAL promise, REAL *s, REAL *t)
@@ -141,13 +141,13 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_q
     return (REAL_BITS)1 << REAL_TOP;
 }
 
-/* From (*xi,*eta) to the foot point, and the gap there; stages: 1 in a loop over arrays, otherwise more.  The highest
- * bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the answer, which is
- * 2/3 away at most.  Any start will do, NaN too.
+/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, otherwise more.
+ * The highest bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the
+ * answer, which is at most 2/3 away. Any start is allowed, also NaN.
  *
- * Newton's step and a correction through the same matrix are proved at once, which takes one quotient; fine promises
- * take a step before, as corrections through the first matrix would be many.  Where moves are large that costs a loop
- * over arrays less than doing all of it again.
+ * Newton's step and a correction through the same matrix are proved together, with one quotient. Fine promises take a
+ * step before, because they would need many corrections through the first matrix. If moves are large, that costs a loop
+ * over arrays less than a full repetition.
  *
  * With the slopes F and M near H^-1, z + M F(z) contracts by q = |1 - M H(z)|.  A ball about the point that M is of,
  * in which q <= h <= 0.2, holds the iterates, a root within (q |x| + R) / (1 - q) of the last one, x being the last
@@ -157,12 +157,12 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_q
  * that the ball is made of are less than a fifth each of the one before, so that it holds them, too.  2.61 is twice 1.3, as
  * xi = 2 s - 1; 1 / (1 - q) <= 1.25.
  *
- * With the lengths U, V, C, W of u, v, c, w and S >= |ab| + |ad| + |c|, let far = W + (1 + |s|) (1 + |t|) S.  In
- * units of rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its
- * changes within 1/3 by 27 far^2, so that slopes at z are by 24 far (U + W + 4 |z| far), for which 30 stand, the sum
- * for xi included, and with |z| <= 1/3 70 far^2.  M differs from H^-1, and what it multiplies, by 25 far^2 |M|: q is
- * larger by |M| 3e-14 far^2 at most.  Sums of any order.  Where det is well within the range of numbers, what
- * underflows is below these bounds.
+ * With the lengths U, V, C, W of u, v, c, w and S >= |ab| + |ad| + |c|, let far = W + (1 + |s|) (1 + |t|) S. In units
+ * of rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its changes
+ * within 1/3 by 27 far^2. So slopes at z are off by 24 far (U + W + 4 |z| far), for which the code counts 30, including
+ * the sum for xi, and with |z| <= 1/3 70 far^2. M differs from H^-1, and from its use, by 25 far^2 |M|: q is larger by
+ * at most |M| 3e-14 far^2. Sums in any order. If det is well within the range of numbers, underflow is below these
+ * bounds.
  *
  * The normal at a step is u x v + s (u x c) + t (c x v), the last two of which are normal to c. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL promise, REAL least,

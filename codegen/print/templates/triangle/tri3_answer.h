@@ -1,6 +1,6 @@
-/* Answers of plane triangles that are proved, whatever search they come from. */
+/* Proved answers of plane triangles, from any search. */
 
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -10,8 +10,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_fast(void)
 #endif
 }
 
-/* A step of Newton's method from (xi,eta) to the foot point of a plane triangle, where it leads but for rounding.  The highest bit of
- * what it returns is not set if the foot point is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step from (xi,eta) to the foot point of a plane triangle, which it reaches up to rounding. The highest
+ * bit of the result is not set if the foot point is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
  * Let e be the unit of rounding, u, v and w the edges AB, AC and AS.  Coordinates of d = w - xi u - eta v are off by 4 e T, T = |w| +
  * |xi u| + |eta v|, so that f = u . d is off by e |u| . (4 T + 5 |d|), and g = v . d likewise, sums of any order.  Products of edges are off
@@ -57,7 +57,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_prove(const REAL *const *x, REAL 
            footpoint_detail_infinite(room + other + *xi + *eta) | footpoint_detail_tri3_fast();
 }
 
-/* The answer where a search is not good beyond doubt: the same in a unit of length in which the triangle is about 1 long. */
+/* Answers if a search is not good beyond doubt: it repeats the search in a unit of length in which the triangle is
+ * about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_tri3_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
                                                 REAL loc[2], REAL *gap)
@@ -77,7 +78,7 @@ FOOTPOINT_COLD int footpoint_detail_tri3_answer(footpoint_detail_search *search,
         return FOOTPOINT_ERR_DEGENERATE;
     g = ldexp(g, exponent);
     if (footpoint_detail_infinite(g) >> REAL_TOP)
-        return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+        return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;

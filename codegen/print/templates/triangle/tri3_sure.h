@@ -1,22 +1,24 @@
 /* The proof of closest points of the closed triangle, whose squared distance is convex. */
 
-/* a, b or c. */
+/* Returns a, b or c. */
 FOOTPOINT_PART REAL footpoint_detail_tri3_choose(const REAL how[4], REAL a, REAL b, REAL c)
 {
     const REAL base = 1.0 - how[3]; /* inside: a */
     return footpoint_detail_either(base * how[1], footpoint_detail_either(base * how[0], a, b), c);
 }
 
-/* The highest bit of the result is not set if the closest point of the triangle is proved to lie within `promise` of what
- * footpoint_detail_tri3_find has written.
+/* The highest bit of the result is not set if the closest point of the triangle is proved to lie within `promise` of
+ * the result of footpoint_detail_tri3_find.
  *
- * From corner P, the first of the nearest edge, or A, edges e and h lead to the next corners; r = P + a e + b h, D = xS - r, slopes
- * F = e . D and G = h . D.  Let (s,t) lead from here to the closest point.  Because that is at the end of no feasible way downhill,
- * |s e + t h|^2 <= s F + t G.  Terms < 0 of feasible steps are left out: f and g bound those of F and G that are not.  So
- * |s e + t h|^2 <= 2 (hh f^2 + ee g^2) / |e x h|^2, and s^2 and t^2 are at most hh and ee over |e x h|^2 times that.  At the end of e
- * feasible steps lead along -e and h - e.  Of an edge, xi and eta change by |s| + |t| at most.
+ * From corner P, the first of the nearest edge, or A, edges e and h lead to the next corners; r = P + a e + b h, D = xS
+ * - r, slopes F = e . D and G = h . D. Let (s,t) lead from here to the closest point. At that point no feasible
+ * direction leads downhill, so |s e + t h|^2 <= s F + t G. Terms < 0 of feasible steps are left out: f and g bound the
+ * slopes F and G of the others. So |s e + t h|^2 <= 2 (hh f^2 + ee g^2) / |e x h|^2, and s^2 and t^2 are at most hh and
+ * ee over |e x h|^2 times that. At the end of e feasible steps lead along -e and h - e. On an edge, xi and eta change
+ * by at most |s| + |t|.
  *
- * If G leads outwards even at the closest point of the edge, by e . h s, that is the closest of all, and s is f / ee at most.
+ * If G leads outwards even at the closest point of the edge, by e . h s, that is the closest of all, and s is at most f
+ * / ee.
  *
  * Rounding, as in footpoint_detail_tri3_prove: D is off by 4 units of T, slopes by 9 of |e| . T and |h| . T; of |e x h|^2 more than
  * half is left, as it is more than REAL_FLAT of the square of all edges.  On an edge xi and eta add up to 1 but for a unit.  16 REAL_MIN are
@@ -59,7 +61,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_sure(const REAL *const *x, REAL p
     moved = 1.01 * f / (ee + REAL_MIN);
     out = -(G + 1.01 * (off_g + m * moved));
     room = 0.99 * promise - moved;
-    /* at the end of e, h - e stands for h */
+    /* at the end of e, h - e replaces h */
     hh = footpoint_detail_either(end, hh, 2.0 * (ee + hh));
     most = 0.5 * (ee + hh + fabs(ee - hh)) * footpoint_detail_either(inside, 8.0, 2.0);
     other = 0.49 * promise * nn;
@@ -70,7 +72,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_sure(const REAL *const *x, REAL p
            footpoint_detail_infinite(room + other + out) | footpoint_detail_tri3_fast();
 }
 
-/* An answer with its proof, the square of the distance in at: FOOTPOINT_UNPROVED also if nodes may need another unit of length. */
+/* Finds an answer with its proof, the square of the distance in at.  FOOTPOINT_UNPROVED also if nodes may need another
+ * unit of length. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearby(const REAL *const *x, REAL promise, REAL least,
                                                 REAL at[3], int *region)
 {
@@ -81,7 +84,7 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearby(const REAL *const *x, REAL promi
     return FOOTPOINT_UNPROVED * open + status * (1 - open);
 }
 
-/* The same in a unit of length in which the triangle is about 1 long, with the distance in at. */
+/* Does the same in a unit of length in which the triangle is about 1 long, with the distance in at. */
 FOOTPOINT_COLD int footpoint_detail_tri3_proved_again(footpoint_detail_nearby *nearby,
                                                       const REAL *const *x, int scalable,
                                                       REAL promise, REAL at[3], int *region)
@@ -102,8 +105,8 @@ FOOTPOINT_COLD int footpoint_detail_tri3_proved_again(footpoint_detail_nearby *n
     return status;
 }
 
-/* A distance that no point of the triangle is nearer than: its square is convex, so that along the way to a corner it falls by
- * twice the slope at most. */
+/* Returns a lower bound on the distance of the triangle: its square is convex, so along the way to a corner it falls by
+ * at most twice the slope. */
 FOOTPOINT_COLD REAL footpoint_detail_tri3_none_nearer(const REAL *const *x, REAL promise,
                                                       int status, const REAL at[3])
 {
