@@ -18,7 +18,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *nam
     REAL g;
     int k;
     for (k = 0; k < 2 && !(footpoint_detail_KIND_strayed(loc, xi, eta) >> REAL_TOP); k++) {
-        const REAL_BITS doubt = footpoint_detail_KIND_from(x, promise, least, 3, &xi, &eta, &g);
+        const REAL_BITS doubt = footpoint_detail_KIND_from(x, promise, least, 2, &xi, &eta, &g);
         if (!((doubt | footpoint_detail_KIND_strayed(loc, xi, eta)) >> REAL_TOP)) {
             loc[0] = xi;
             loc[1] = eta;

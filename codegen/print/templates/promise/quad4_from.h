@@ -141,13 +141,13 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_q
     return (REAL_BITS)1 << REAL_TOP;
 }
 
-/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, otherwise more.
- * The highest bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the
- * answer, which is at most 2/3 away. Any start is allowed, also NaN.
+/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, 2 from the end of
+ * such a step, otherwise 3. The highest bit of the result is not set if a minimum of the distance is proved to lie
+ * within `promise` of the answer, which is at most 2/3 away. Any start is allowed, also NaN.
  *
  * Newton's step and a correction through the same matrix are proved together, with one quotient. Fine promises take a
- * step before, because they would need many corrections through the first matrix. If moves are large, that costs a loop
- * over arrays less than a full repetition.
+ * step before, except from nearby, because they would need many corrections through the first matrix. If moves are
+ * large, that costs a loop over arrays less than a full repetition.
  *
  * With the slopes F and M near H^-1, z + M F(z) contracts by q = |1 - M H(z)|.  A ball about the point that M is of,
  * in which q <= h <= 0.2, holds the iterates, a root within (q |x| + R) / (1 - q) of the last one, x being the last
@@ -205,7 +205,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
     footpoint_detail_cross(u, c, by_s);
     footpoint_detail_cross(c, v, by_t);
     mixed = footpoint_detail_dot(c, n);
-    if (promise < (stages > 1 ? 1e-6 : 1e-4)) {
+    if (stages != 2 && promise < (stages > 1 ? 1e-6 : 1e-4)) {
         const REAL per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
         footpoint_detail_quad4_near at;
         REAL before, ds, dt;
