@@ -122,6 +122,9 @@ of_quad4 'or fair Newton, if that is quicker' 'if (m ~ /^newton(_fair)?(_checked
 of_quad4 'checked' 'if (m ~ /(accurate|full|newton|newton_fair)_checked|locate/) holds = e < 1e-4 && d < 1e-9' 15
 of_quad4 'eight slave nodes over each segment' 'if (m ~ /(accurate|newton|newton_fair)_over/) holds = none == 0 && e < 1e-4 && d < 1e-9' 9
 of_quad4 'from the last answer' 'if (m ~ /full_from_|newton(_fair)?_from_1e-[23]/) holds = none == 0 && e < 1e-9 && d < 1e-9' 21
+awk -f tests/report/from_last.awk "$work/quad4.csv" > "$work/last"
+[ "$(grep -c '^<tr><td>quad4, random, footpoint_quad4_.*[0-9].*</td></tr>' "$work/last")" = 4 ]
+report $((! $?)) 'from the last answer: a row a function'
 of_quad4 'closest points' 'if (m ~ /(accurate|full)_closest|robust/) holds = e < 1e-4 && d < 1e-9' 8
 of_quad4 'four triangles are off where the face is warped, their points are not' \
     'if (m ~ /triangles/) holds = none == 0 && d > 1e-4 && d < 2e-2 && e < 0.2' 3

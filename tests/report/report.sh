@@ -1,7 +1,8 @@
 #!/bin/sh
 # report.sh FOLDER: one run of the bench as a page.  First the scene quad4, what its picture says, an index and a key to
-# the methods' names; then the hard cases; then each scene with pictures of time against error, tables, error maps and
-# the rivals that lie below our front.  BENCH_OPTIONS, say "--scene quad4", go to the bench.
+# the methods' names; then the hard cases and the searches from the last answer; then each scene with pictures of time
+# against error, tables, error maps and the rivals that lie below our front.  BENCH_OPTIONS, say "--scene quad4", go to
+# the bench.
 folder=$1 BIN=${BIN:-build}
 say() { echo "report: $*" >&2; }
 rm -rf "$folder" && mkdir -p "$folder/maps" || exit 3
@@ -114,7 +115,7 @@ END
     picture "$first" "$sample" batch mean
     echo '</div>'
     awk -f tests/report/says.awk -v scene="$first" -v sample="$sample" "$folder/bench.csv"
-    echo '<p>Contents: <a href="#names">names</a>, <a href="#hard">hard cases</a>; the scenes'
+    echo '<p>Contents: <a href="#names">names</a>, <a href="#hard">hard cases</a>, <a href="#last">from the last answer</a>; the scenes'
     for scene in $scenes; do
         echo "<a href=\"#$scene\">$scene</a>"
     done
@@ -142,6 +143,7 @@ $([ "$hard" = 0 ] && echo 'none of them was' || echo '<b>one of them was</b>') (
 END
     awk -f tests/report/hard.awk "$folder/hard.csv"
     echo '</div>'
+    awk -f tests/report/from_last.awk "$folder/bench.csv"
     scene_part "$first"
     for scene in $scenes; do
         [ "$scene" = "$first" ] || scene_part "$scene"
