@@ -7,11 +7,11 @@
 #include "../eval/frame_cost.h"
 #include "../fit/compose.h"
 #include "../samples/default_tiers.h"
-#include "../samples/samples.h"
 #include "../write/archive_write.h"
 #include "generations.h"
 #include "progress.h"
 #include "run_files.h"
+#include "run_samples.h"
 #include "run_verdict.h"
 
 #include <limits.h>
@@ -19,15 +19,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-struct run_samples {
-    struct sample_set training; /* empty after the table is computed */
-    struct columns validation;  /* on rank 0, as is: */
-    struct heldout heldout;
-    struct variation vary; /* of the training samples */
-    size_t real;           /* number of slave nodes of a mesh among them */
-    bool follows;          /* true if frame and tiers follow from that */
-};
 
 struct run {
     struct call call;
@@ -67,24 +58,12 @@ static bool load_archive(const struct evolve_options *o, const struct run_files 
            (!o->seeds || archive_read_seeds(p->archive, o->seeds, d));
 }
 
-static bool draw_training(const struct scene *scene, struct run_samples *s, struct diag *d)
-{
-    if (s->training.n > 0)
-        return true;
-    if (!scene_samples(scene, PART_TRAINING, &s->training, d) ||
-        (scene->lattice.random > 0 && !scene_samples(scene, PART_TRAINING_RANDOM, &s->training, d)))
-        return false;
-    s->vary = variation_measure(scene->segment, &s->training);
-    s->real = s->training.real;
-    return true;
-}
-
 /* Completes a scene without tiers by those that suit its segments. */
 static bool complete_scene(const char *root, struct scene *scene, struct run_samples *s, struct diag *d)
 {
     if (scene->tiers > 0)
         return true;
-    if (!draw_training(scene, s, d) || !scene_default_tiers(root, scene, s->vary.kind, d))
+    if (!run_draw_training(scene, s, d) || !scene_default_tiers(root, scene, s->vary.kind, d))
         return false;
     s->follows = true;
     return true;
@@ -133,71 +112,6 @@ static bool load(struct run *r, struct diag *d)
     r->problem.archive->knees = r->samples.follows && tiers_are_alike(scene);
     digest_frames(&r->problem, r->files.frames_sha256);
     return !resume || resume_suits_frames(resume, r->files.frames_sha256, d);
-}
-
-/* Checks a column: a value that is not finite would spoil every expression with it, silently. */
-static bool finite_column(const struct problem *p, const char *name, int line, size_t column, struct diag *d)
-{
-    const double *v = columns_at(&p->table, column);
-    size_t bad = 0;
-    for (size_t i = 0; i < p->table.n; i++)
-        bad += isfinite(v[i]) ? 0 : 1;
-    return bad == 0 || diag_at(d, p->scene->path, line, 0, "'%.64s' is not finite on %zu of %zu training samples", name,
-                               bad, p->table.n);
-}
-
-static bool finite_columns(const struct problem *p, struct diag *d)
-{
-    for (int k = 0; k < 2; k++)
-        if (!finite_column(p, frame_output[k], 0, frame_target(p->archive->program, k), d))
-            return false;
-    for (size_t i = 0; i < p->scene->tiers; i++) {
-        const struct tier *t = &p->scene->tier[i];
-        for (size_t k = 0; k < t->terminals; k++) {
-            const long symbol = genome_find_symbol(p->archive->program, t->terminal[k]);
-            if (symbol >= 0 && !finite_column(p, t->terminal[k], t->line, (size_t)symbol, d))
-                return false;
-        }
-    }
-    return true;
-}
-
-static struct columns table_of(const struct problem *p, const struct sample_set *set)
-{
-    struct columns table = frame_columns(p->archive->program, set->s, set->n);
-    if (p->scene->source != SOURCE_MESH)
-        return table;
-    table.band = new_array(set->n, sizeof *table.band);
-    for (size_t i = 0; i < set->n; i++)
-        table.band[i] = (unsigned char)sample_gap_band(&set->s[i], p->scene->segment->corners);
-    return table;
-}
-
-/* Draws samples to choose programs by, if any are bred. */
-static bool draw_validation(const struct problem *p, struct columns *validation, struct diag *d)
-{
-    struct sample_set set = {0};
-    bool programs = false, good = true;
-    for (size_t i = 0; i < p->scene->tiers; i++)
-        programs = programs || p->scene->tier[i].program;
-    if (programs && (good = scene_samples(p->scene, PART_VALIDATION, &set, d)))
-        *validation = table_of(p, &set);
-    sample_set_free(&set);
-    return good;
-}
-
-/* Computes the table of training samples and, on rank 0, the samples that islands do not see. */
-static bool sample(const struct call *call, struct problem *p, struct run_samples *s, struct diag *d)
-{
-    if (!draw_training(p->scene, s, d))
-        return false;
-    p->table = table_of(p, &s->training);
-    sample_set_free(&s->training);
-    if (!finite_columns(p, d))
-        return false;
-    const bool judged = call->options->generations > 0 || call->options->members > 0;
-    return call->team->rank > 0 ||
-           ((!judged || draw_validation(p, &s->validation, d)) && scene_heldout(p->scene, &s->heldout, d));
 }
 
 /* Returns the largest cost that a front must hold: the plan's limit, or the cost of the dearest terminal if that is higher. */
@@ -535,7 +449,10 @@ static bool conclude(const struct run *r, struct diag *d)
 {
     const struct problem *p = &r->problem;
     struct objective *judge = judge_new(p, &r->samples.validation);
-    struct archive *shipped = run_shipped(&r->call, p);
+    const bool compared = r->call.options->generations > 0 || r->call.options->page;
+    struct archive *shipped = compared ? run_shipped(&r->call, p) : NULL;
+    if (shipped)
+        run_measure_shipped(p, shipped);
     choose(&r->call, p, shipped, judge);
     const bool written = write_found(&r->call, p, r->files.output, shipped, &r->samples.heldout, judge, &r->outcome, d);
     archive_free(shipped);
@@ -574,7 +491,7 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
     bool good = team_agree(team, load(&r, d), d);
     if (good) {
         say(&r.call, "drawing samples ...");
-        good = team_agree(team, sample(&r.call, p, &r.samples, d), d);
+        good = team_agree(team, run_draw_samples(&r.call, p, &r.samples, d), d);
         say(&r.call, "");
     }
     if (good) {

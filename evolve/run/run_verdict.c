@@ -34,18 +34,18 @@ struct archive *run_shipped(const struct call *call, const struct problem *p)
 {
     char path[1024];
     struct diag d = {.code = EXIT_DONE};
-    const bool needed = call->options->generations > 0 || call->options->page;
-    if (!needed || !run_files_of_kind(call, p->scene, path))
+    if (!run_files_of_kind(call, p->scene, path))
         return NULL;
     struct genome_file *program = frame_program(call->options->root, p->scene, path, &d);
-    struct archive *shipped = program ? archive_new(p->scene, program, path, true, &d) : NULL;
-    if (!shipped)
-        return NULL;
+    return program ? archive_new(p->scene, program, path, true, &d) : NULL;
+}
+
+void run_measure_shipped(const struct problem *p, struct archive *shipped)
+{
     struct objective *training = objective_new(shipped->program, &p->table, p->scene->norm);
     training->decimal = true;
     archive_measure(shipped, &p->plan, training);
     objective_free(training);
-    return shipped;
 }
 
 static bool measure_beside(const struct problem *p, const struct heldout *heldout, struct beside *b, struct diag *d)

@@ -5,13 +5,14 @@
 #include "../samples/sampler.h"
 #include "run_parts.h"
 
-/** Returns the functions of the scene's kind of face, measured on the training samples.  Returns NULL if the kind has no genomes,
- *  they are the scene's own, or a run without generations writes no page. */
+/** Returns the functions of the scene's kind of face.  Returns NULL if the kind has no genomes, or they are the scene's own. */
 struct archive *run_shipped(const struct call *call, const struct problem *p);
+/** Measures them on the training samples. */
+void run_measure_shipped(const struct problem *p, struct archive *shipped);
 
 /** Prints the verdict on held-out samples, for any genomes from which the run began, and writes the page that the options ask for.
  *  Scenes with the name of their kind get neither, runs without generations get no verdict.  Returns false with *d filled.
- *  @param[in] shipped  from run_shipped(), or NULL */
+ *  @param[in] shipped  measured, or NULL */
 bool run_verdict(const struct call *call, const struct problem *p, const struct archive *shipped,
                  const struct heldout *heldout, struct diag *d);
 

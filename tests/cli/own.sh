@@ -56,10 +56,10 @@ grep -q '>footpoint_mine_\.\.\.<' "$work/mine.svg" && grep -q '>footpoint_quad4_
 report $((! $?)) 'the page has both, and the shapes of the faces'
 [ "$(grep -c '<rect [^>]*fill="hsl' "$work/mine.svg")" = $((4 * (members + 9))) ]; report $((! $?)) 'a cell for each function and band'
 
-# Prints errors on samples of another seed, from a run that only measures and writes: the training column of the table.
+# Prints errors on held-out samples of another seed, from a run that only measures and writes.
 for from in "$work/mine.gen" evolve/genomes/quad4.gen; do
-    bred --scene "$work/fresh.scene" --generations 0 --start "$from" -o "$work/again.gen" > "$work/table" 2> /dev/null
-    awk '$4 == "->" { print $1, $5 }' "$work/table" > "$work/errors.$(basename "$from")"
+    bred --scene "$work/fresh.scene" --generations 0 --start "$from" -o "$work/again.gen" > /dev/null 2>&1
+    awk '/^genome / { name = $2 } /^note heldout_both/ { print name, ($6 + $7) / 2 }' "$work/again.gen" > "$work/errors.$(basename "$from")"
     awk '/^genome / { name = $2 } /^note gaps_both/ { for (i = 8; i <= NF; i++) if ($i ~ /^[0-9.]+e-[0-9]+,?$/ && $(i - 1) != "to") print name, i, $i + 0 }' \
         "$work/again.gen" > "$work/bands.$(basename "$from")"
 done
