@@ -8,7 +8,7 @@ for source in tests/libraries/face.c tests/libraries/cases.c tests/libraries/lib
     $CC -std=c11 -D_DEFAULT_SOURCE -O1 -ffp-contract=off -c $source -o "$work/objects/$(basename $source .c).o" &
 done
 share='-std=c11 -D_DEFAULT_SOURCE -O0 -fPIC -shared -fvisibility=hidden'
-$CC $share '-DLIBRARY_VERSION="0"' tests/libraries/library_footpoint.c "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm \
+$CC $share $called '-DLIBRARY_VERSION="0"' tests/libraries/library_footpoint.c "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm \
     -o "$work/footpoint.so"
 $CC $share tests/libraries/library_planted.c -lm -o "$work/planted.so"
 wait

@@ -20,16 +20,18 @@ scene 's/starts = (\["p", "q"\]/starts = (["p"]/'; refused 'starts with one valu
 scene 's/max_length = 15;/max_length = 1; last = "place";/'; refused 'a value ends in nothing' "16: error: tier 'clamped': 'last' is for programs, of more operations than 1"
 
 cp tests/scenes/steps.scene "$work/"
-options="--scene $work/steps.scene --seed 3 --islands 3 --population 30 --quiet"
-"$evolve" $options --from-scratch --generations 6 -o "$work/one.gen" --front "$work/one.csv" > "$work/table"
+[ -n "$FOOTPOINT_LONG" ] && population=30 whole=6 || population=20 whole=4
+later 'programs: populations of 30, six generations'
+options="--scene $work/steps.scene --seed 3 --islands 3 --population $population --quiet"
+"$evolve" $options --from-scratch --generations $whole -o "$work/one.gen" --front "$work/one.csv" > "$work/table"
 grep -q '^both  *both  *- -> ' "$work/table" && grep -q '^clamped  *both ' "$work/table"; report $((! $?)) 'one line for both outputs'
 for ranks in 3; do
-    $mpirun -n $ranks "$evolve" $options --from-scratch --generations 6 -o "$work/more.gen" ${FOOTPOINT_LONG:+--front "$work/more.csv"} > /dev/null 2>&1
+    $mpirun -n $ranks "$evolve" $options --from-scratch --generations $whole -o "$work/more.gen" ${FOOTPOINT_LONG:+--front "$work/more.csv"} > /dev/null 2>&1
     same "$work/one.gen" "$work/more.gen" "$ranks ranks: the same genomes"
     [ -z "$FOOTPOINT_LONG" ] || same "$work/one.csv" "$work/more.csv" 'and the same front'
 done
-$mpirun -n 2 "$evolve" $options --from-scratch --generations 3 -o "$work/parts.gen" --checkpoint "$work/ck" > /dev/null 2>&1
-"$evolve" --resume "$work/ck" --generations 6 --quiet > /dev/null
+$mpirun -n 2 "$evolve" $options --from-scratch --generations $((whole / 2)) -o "$work/parts.gen" --checkpoint "$work/ck" > /dev/null 2>&1
+"$evolve" --resume "$work/ck" --generations $whole --quiet > /dev/null
 same "$work/one.gen" "$work/parts.gen" 'resumed: the same genomes'
 "$evolve" --scene "$work/steps.scene" --seed 3 --quiet --start "$work/one.gen" --generations 0 -o "$work/again.gen" > /dev/null
 same "$work/one.gen" "$work/again.gen" 'no generations: the same file again'

@@ -6,13 +6,13 @@ later 'replace: clang, optimised code, a device'
 [ -n "$FOOTPOINT_LONG" ] && level=-O1 || level=-O0
 for compiler in "$CXX" ${FOOTPOINT_LONG:+clang++}; do
     command -v "$compiler" > /dev/null || continue
-    "$compiler" -std=c++11 $level -Wall -Wextra -Wpedantic -Wshadow -Werror -Iruntime -Igenerated tests/replace/replace_main.cpp \
+    "$compiler" -std=c++11 $level -Wall -Wextra -Wpedantic -Wshadow -Werror $called -Iruntime -Igenerated tests/replace/replace_main.cpp \
         "$LIBRARY" -lm -o "$work/adapters"
     expect "Tribol, MOOSE, NimbleSM, ArborX: $compiler" 0 '' '' "$work/adapters"
 done
 for compiler in "${CC:-gcc}" ${FOOTPOINT_LONG:+clang}; do
     command -v "$compiler" > /dev/null || continue
-    "$compiler" -std=c11 $level -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Igenerated runtime/replace/sfepy.c \
+    "$compiler" -std=c11 $level -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror $called -Igenerated runtime/replace/sfepy.c \
         tests/replace/replace_sfepy_main.c -lm -o "$work/sfepy"
     expect "sfepy: $compiler" 0 '' '' "$work/sfepy"
 done

@@ -86,7 +86,7 @@ END
 sizes() {
     functions=$(sed -n 's/^FOOTPOINT_FN int \([a-z0-9_]*\)(const double xA.*/\1/p' "$1" | grep -v -e '^footpoint_detail_' -e '_closest$' -e '_along$' | paste -sd, -)
     # shellcheck disable=SC2086
-    ${CC:-gcc} $strict -DHEADER="\"$1\"" -DFUNCTIONS="$functions" -DEXPECTED="((const int[3]){$2})" "$work/sizes.c" -o "$work/sizes" -lm \
+    ${CC:-gcc} $strict $called -DHEADER="\"$1\"" -DFUNCTIONS="$functions" -DEXPECTED="((const int[3]){$2})" "$work/sizes.c" -o "$work/sizes" -lm \
         > "$work/log" 2>&1 && "$work/sizes" >> "$work/log" 2>&1
     good=$?
     [ $good -eq 0 ] || sed 's/^/# /' "$work/log"

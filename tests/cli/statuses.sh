@@ -73,7 +73,8 @@ for header in $HEADERS; do
             echo '}'
         done
     } > "$work/wide.cpp"
-    $CXX -std=gnu++17 ${FOOTPOINT_LONG:+-O1} -c "$work/wide.cpp" -o "$work/wide.o" || exit 1
+    # shellcheck disable=SC2086
+    $CXX -std=gnu++17 $called ${FOOTPOINT_LONG:+-O1} -c "$work/wide.cpp" -o "$work/wide.o" || exit 1
     for compiler in "$CC -std=gnu99 -Ofast" "clang++ -std=c++11 -Ofast" "$CC -std=c99 -O1" "$CC -std=c99 -O2" "clang -std=gnu99 -O2" \
                     "clang -std=c99 -Ofast" "$CXX -std=c++17 -Ofast" "$CC -std=gnu99 -O0 -ffast-math"; do
         case $compiler in
