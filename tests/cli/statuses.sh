@@ -83,7 +83,9 @@ for header in $HEADERS; do
         *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
         esac
         case $compiler in *fast*) exact= ;; *) exact=-DEXACT ;; esac
+        case $compiler in *-O0) exact="$exact $called" ;; esac
         case $compiler in *++*) source=use.cpp ;; *) source=use.c ;; esac
+        # shellcheck disable=SC2086
         $compiler $exact -ffp-contract=off "$work/$source" "$work/wide.o" -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
         good=$?
         [ $good -eq 0 ] || head -${LOG:-12} "$work/log" | sed 's/^/# /'
@@ -98,7 +100,8 @@ for compiler in "$CC -std=gnu11 -O0 -ffast-math" "$CC -std=gnu11 -O1 -ffast-math
                 "$CC -std=gnu11 -Ofast -march=native" "$CC -std=gnu11 -O2"; do
     case $compiler in *O0*) ;; *) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
     sources=$(for f in $quick; do echo "$PWD/runtime/$f.c"; done)
-    $compiler $step -I"$PWD" "$PWD/tests/runtime/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
+    # shellcheck disable=SC2086
+    $compiler $step $called -I"$PWD" "$PWD/tests/runtime/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
     good=$?
     [ $good -eq 0 ] || head -12 "$work/log" | sed 's/^/# /'
     report $((!good)) "the library, $compiler"
