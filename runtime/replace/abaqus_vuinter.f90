@@ -1,9 +1,9 @@
-! Abaqus/Explicit: VUINTER, the traction between a slave node and its master facet, as a penalty on the gap to the
-! bilinear facet itself: stress(1,i) = props(1) times the penetration, and no friction.  UINTER (Abaqus/Standard) is
-! given no master nodes, so that there is nothing to search.
+! Abaqus/Explicit: replaces VUINTER. Computes the traction between a slave node and its master facet as a penalty on the
+! gap to the bilinear facet: stress(1,i) = props(1) times the penetration, without friction. UINTER (Abaqus/Standard)
+! receives no master nodes, so there is nothing to search.
 !  jConMstid(nFacNod,nSlvNod)    the facet of each slave node, as positions in coordMst; three-node facets
 !                                repeat the third node, or have a zero
-! Declared in double, as Abaqus/Explicit is when it runs with double=both.
+! Declared in double, for Abaqus/Explicit with double=both.
 subroutine vuinter(sfd, scd, spd, svd, stress, fluxSlv, fluxMst, sed, statev, kStep, kInc, nFacNod, nSlvNod, nMstNod, &
                    nSurfDir, nDir, nStateVar, nProps, nTemp, nPred, numDefTfv, jSlvUid, jMstUid, jConMstid, timStep, &
                    timGlb, dTimCur, surfInt, surfSlv, surfMst, rdisp, drdisp, drot, stiffDflt, condDflt, shape, &

@@ -1,8 +1,7 @@
-// ArborX: a callback for BVH queries of slave nodes among boxes of four-node faces, that keeps the nearest face of
-// each slave node.  On a device, too: one thread has all candidates of a query.  Slave nodes are numbered by what is
-// attached to their predicates, faces by their place in the tree.  A face has an answer for slave nodes no farther from
-// it than its longest edge is long, others are passed over.  An answer that is not proved counts, too, with the nearest
-// point that was found: see `unproved`.
+// ArborX: a callback for BVH queries of slave nodes among boxes of four-node faces. It keeps the nearest face of each
+// slave node, also on a device: one thread has all candidates of a query. The number of a slave node is attached to its
+// predicate, the number of a face is its place in the tree. A face has an answer for slave nodes no farther away than
+// its longest edge; other faces are skipped. Unproved answers count, too, with the nearest point found: see `unproved`.
 #ifndef FOOTPOINT_REPLACE_ARBORX
 #define FOOTPOINT_REPLACE_ARBORX
 
@@ -16,11 +15,11 @@ struct footpoint_nearest_face {
     const double (*nodes)[3]; // coordinates; mesh length
     const int (*faces)[4];    // corners A, B, C, D
     const int *slaves;        // nodes
-    // Of each slave node; distance to be set to a search radius beforehand.
+    // Indexed by slave node; distance must be set to a search radius before.
     double *distance; // to the nearest face so far; mesh length, >= 0
-    int *face;        // its number; untouched where none with an answer is within that distance
+    int *face;        // its number; untouched if no face with an answer is that near
     double (*loc)[2]; // xi, eta, in [-1,1]
-    int *unproved;    // set to 1 where a face without proof may be the nearest; untouched otherwise; or null
+    int *unproved;    // set to 1 if a face without proof may be the nearest; otherwise untouched; or null
 
     template <class Query> KOKKOS_FUNCTION void operator()(const Query &query, int j) const
     {

@@ -1,11 +1,11 @@
-! Code_Aster: the projection of a point on a cell of contact, in place of the subroutine of that name, whose own is
-! renamed to mmnewt_newton and keeps the cells that are no four-node quadrilaterals.
+! Code_Aster: replaces the subroutine mmnewt, which projects a point on a cell of contact. Rename Code_Aster's own to
+! mmnewt_newton; it still serves cells other than four-node quadrilaterals.
 !  type_elem, nb_node, nb_dim    'QU4     ', 4, 3
-!  elem_coor(27), pt_coor(3)     nodes of the cell one after the other; the point
-!  iter_maxi, tole_maxi          not needed
+!  elem_coor(27), pt_coor(3)     nodes of the cell, node by node; the point
+!  iter_maxi, tole_maxi          not used
 !  ksi1, ksi2            [out]   local coordinates, not clamped to the cell
-!  tang_1, tang_2        [out]   tangents there
-!  error                 [out]   0 found, 1 none
+!  tang_1, tang_2        [out]   tangents at the projection
+!  error                 [out]   0 found, 1 not found
 subroutine mmnewt(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, tang_1, tang_2, &
                   error, l_reli_)
   use footpoint_unclamped

@@ -1,7 +1,7 @@
-! FrontISTR: the projection of a point on a surface element, in place of the subroutine of that name in
-! m_fstr_contact_geom, whose own is renamed to project_Point2Element_newton and keeps the elements that are no
-! four-node quadrilaterals.  The search starts from the position of the iteration before, ctpos, if there is one, and, as
-! the iteration that it replaces, answers with the minimum of the distance that this leads to.
+! FrontISTR: replaces the subroutine project_Point2Element of m_fstr_contact_geom, which projects a point on a surface
+! element. Rename FrontISTR's own to project_Point2Element_newton; it still serves elements other than four-node
+! quadrilaterals. The search starts from the last iteration's position, ctpos, if there is one. Like the iteration that
+! it replaces, it then returns the minimum of the distance to which this start leads.
 subroutine project_Point2Element(xyz, etype, nn, elemt, reflen, cstate, isin, distclr, ctpos, localclr)
   use hecmw, only: kreal
   use elementInfo, only: fe_quad4n

@@ -1,7 +1,6 @@
-// MOOSE: Moose::findContactPoint for four-node sides (libMesh's QUAD4), in place of the iteration in the function of
-// that name (framework/src/geomsearch/FindContactPoint.C).  Types are parameters, so that it compiles with those of
-// any version.  The function answers with the closest point, which a search from _closest_point_ref proves on no folded
-// side: the start is not used.
+// MOOSE: replaces the iteration in Moose::findContactPoint (framework/src/geomsearch/FindContactPoint.C) for four-node
+// sides (libMesh's QUAD4). Types are parameters, so it compiles with any version's types. The function returns the
+// closest point, which a search from _closest_point_ref does not prove on folded sides; so the start is not used.
 #ifndef FOOTPOINT_REPLACE_MOOSE
 #define FOOTPOINT_REPLACE_MOOSE
 
@@ -13,11 +12,11 @@
 namespace footpoint_moose
 {
 
-/** @param[in,out] p_info  of _side; gets _closest_point_ref, _closest_point, _normal, _distance (> 0: penetration),
+/** @param[in,out] p_info  of _side; receives _closest_point_ref, _closest_point, _normal, _distance (> 0: penetration),
  *                         _tangential_distance, _dxyzdxi, _dxyzdeta, _d2xyzdxideta, _side_phi, _side_grad_phi and
  *                         _off_edge_nodes
  *  @param[in] secondary_point       mesh length
- *  @param[in] tangential_tolerance  mesh length: how far beside the side a point still counts
+ *  @param[in] tangential_tolerance  mesh length: how far beside the side a point may be
  *  @param[out] contact_point_on_side, search_succeeded */
 template <class PenetrationInfo, class FEBase, class FEType, class Point>
 void findContactPoint(PenetrationInfo &p_info, FEBase * /*fe_elem*/, FEBase *fe_side, FEType & /*fe_side_type*/,
@@ -34,7 +33,7 @@ void findContactPoint(PenetrationInfo &p_info, FEBase * /*fe_elem*/, FEBase *fe_
     if (!search_succeeded)
         return;
 
-    // At a collapsed corner and at one of 180 degrees the normal is its limit, from the direction of the middle.
+    // At a collapsed or 180-degree corner, the normal is the limit from the middle.
     const double inward = 1 - 1. / 1024;
     std::vector<Point> points = {Point(inward * loc[0], inward * loc[1], 0)};
     fe_side->reinit(p_info._side, &points);
@@ -58,7 +57,7 @@ void findContactPoint(PenetrationInfo &p_info, FEBase * /*fe_elem*/, FEBase *fe_
     p_info._side_phi = fe_side->get_phi();
     p_info._side_grad_phi = fe_side->get_dphi();
 
-    // The nodes of the edge, or the corner, that a point beside the side is closest to.
+    // The nodes of the edge, or the corner, closest to a point beside the side.
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     p_info._off_edge_nodes.clear();
     for (unsigned i = 0; beside && i < 4; i++)

@@ -1,7 +1,7 @@
-// NimbleSM: ContactManager::Projection, of a node on a whole four-node face instead of four triangles about its
-// middle.  The answer has four weights in place of three barycentric coordinates, one for each corner: forces go to
-// them alone, and no node in the middle is needed.  An entity has coord_1_x_ and so on up to coord_4_z_; of a node,
-// coord_1_ is read.
+// NimbleSM: replaces ContactManager::Projection. Projects a node on a whole four-node face instead of four triangles
+// about its middle. The answer has four weights, one for each corner, instead of three barycentric coordinates: forces
+// act only on the corners, and no node in the middle is needed. An entity has members coord_1_x_ to coord_4_z_; for a
+// node, coord_1_ is read.
 #ifndef FOOTPOINT_REPLACE_NIMBLESM
 #define FOOTPOINT_REPLACE_NIMBLESM
 
@@ -10,7 +10,7 @@
 namespace nimble
 {
 
-/** @param[out] in      whether the node lies over the face, to `tol` in xi and eta, and has penetrated it (gap <= 0)
+/** @param[out] in      true if the node lies over the face, to `tol` in xi and eta, and has penetrated it (gap <= 0)
  *  @param[out] gap     along the normal; mesh length, < 0 penetrating
  *  @param[out] normal  of length 1, at the foot point
  *  @param[out] weights shape functions of the corners there; they add up to 1 */

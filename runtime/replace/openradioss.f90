@@ -1,12 +1,12 @@
-! OpenRadioss, surface-to-surface contact (engine/source/interfaces/ists): the point of a four-node primary segment
-! below a quadrature point of a secondary one, in place of the subroutine of that name.
-!  xupd(3,8)              nodes of the primary segment, then of the secondary one
-!  xi1, xi2       [out]   local coordinates on the primary segment; huge where there is no foot point, so that the
-!                         caller passes the pair over
+! OpenRadioss, surface-to-surface contact (engine/source/interfaces/ists): replaces the subroutine sts_project, which
+! finds the point of a four-node primary segment below a quadrature point of a secondary segment.
+!  xupd(3,8)              nodes of the primary segment, then of the secondary
+!  xi1, xi2       [out]   local coordinates on the primary segment; huge if there is no foot point, so that the
+!                         caller skips the pair
 !  eta1, eta2             of the quadrature point, on the secondary segment
-!  xi1_guess, xi2_guess   from the warm-start table if use_guess: the search starts there and, as the iteration that it
-!                         replaces, answers with the minimum of the distance that this leads to
-!  istat          [out]   0 found, 2 none
+!  xi1_guess, xi2_guess   from the warm-start table if use_guess: the search starts there and, like the iteration that it
+!                         replaces, returns the minimum of the distance to which it leads
+!  istat          [out]   0 found, 2 not found
 !  resid          [out]   0
 subroutine sts_project(xupd, xi1, xi2, eta1, eta2, xi1_guess, xi2_guess, use_guess, istat, resid)
   use footpoint_unclamped

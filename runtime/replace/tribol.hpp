@@ -1,6 +1,6 @@
-// Tribol: InvIso of src/tribol/integ/FE.hpp, the inverse isoparametric map, in place of the function of that name,
-// and with derivatives.  Tribol's nodes of a quadrilateral are (1,1), (-1,1), (-1,-1), (1,-1): ours from the third
-// one on.  To be included where Tribol's RealT (double) and SLIC_ERROR_IF are.
+// Tribol: replaces InvIso of src/tribol/integ/FE.hpp, the inverse isoparametric map, and adds derivatives. Tribol's
+// nodes of a quadrilateral are (1,1), (-1,1), (-1,-1), (1,-1): ours, starting with the third. Include it where Tribol's
+// RealT (double) and SLIC_ERROR_IF are defined.
 #ifndef FOOTPOINT_REPLACE_TRIBOL
 #define FOOTPOINT_REPLACE_TRIBOL
 
@@ -11,11 +11,11 @@
 namespace tribol
 {
 
-/** Parent coordinates of a point on or near a face.
+/** Computes parent coordinates of a point on or near a face.
  *  @param[in]  x           the point; mesh length
  *  @param[in]  xA, yA, zA  nodes' coordinates, stacked
  *  @param[in]  numNodes    3 or 4
- *  @param[out] xi          {xi, eta}; rounding beyond an edge is taken off; untouched where SLIC_ERROR_IF returns */
+ *  @param[out] xi          {xi, eta}; clamped if rounding exceeds an edge; untouched if SLIC_ERROR_IF returns */
 inline void InvIso(const RealT x[3], const RealT *xA, const RealT *yA, const RealT *zA, const int numNodes, RealT xi[2])
 {
     RealT node[4][3], gap = 0.;
@@ -34,10 +34,10 @@ inline void InvIso(const RealT x[3], const RealT *xA, const RealT *yA, const Rea
             xi[k] = xi[k] > 0. ? 1. : -1.;
 }
 
-/** The same of a quadrilateral, with shape functions and derivatives.
+/** Computes the same for a quadrilateral, with shape functions and derivatives.
  *  @param[out] phi    of Tribol's nodes
  *  @param[out] dxi    derivatives of xi, eta and gap by the coordinates of Tribol's nodes, then of x; 3 x 5 x 3
- *  @return false: there is no foot point, or none that depends smoothly on the nodes */
+ *  @return false if there is no foot point that depends smoothly on the nodes */
 inline bool InvIsoDerivatives(const RealT x[3], const RealT *xA, const RealT *yA, const RealT *zA, RealT xi[2],
                               RealT phi[4], RealT dxi[3][5][3])
 {

@@ -1,5 +1,5 @@
-! What an implicit code has before contact comes in: a mesh, forces of the elements and their tangent, a linear solver.
-! blocks.h in Fortran, which see, of hexahedra alone: of 8, 20 and 27 nodes, with faces of 4, 8 and 9.  Units: mm, N, MPa.
+! An implicit code without contact: a mesh, forces of the elements and their tangent, a linear solver. blocks.h in
+! Fortran, only for hexahedra of 8, 20 and 27 nodes, with faces of 4, 8 and 9. Units: mm, N, MPa.
 module blocks
   use footpoint, only: FOOTPOINT_QUAD4, FOOTPOINT_QUAD8, footpoint_face_nodes
   implicit none
@@ -8,7 +8,7 @@ module blocks
   real(dp), parameter :: LAMBDA = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
   real(dp), parameter :: MU = 0.5_dp * YOUNG / (1 + POISSON)
 
-  ! An element, in coordinates from 0 to 1: its nodes, and gradients of the shape functions at points of quadrature.
+  ! An element, in coordinates from 0 to 1: its nodes, and gradients of the shape functions at quadrature points.
   type :: solid
     integer :: nodes = 0, points = 0
     real(dp) :: place(3, 27), gradient(3, 27, 27), weight(27)
@@ -23,14 +23,14 @@ module blocks
     integer :: kind, face_nodes, nodes = 0, unknowns = 0, first_upper ! nodes behind first_upper are the upper block's
     type(solid) :: solid
     real(dp), allocatable :: X(:, :)
-    integer, allocatable :: unknown(:)              ! of each node's coordinates the first, less 1; -1: prescribed
+    integer, allocatable :: unknown(:)              ! first unknown of each node, minus 1; -1: prescribed
     integer, allocatable :: element(:, :)           ! nodes from 1
     integer, allocatable :: face(:, :), slave(:)    ! nodes from 0, as footpoint counts them
   end type
 
 contains
 
-  ! Solves A Z = B: Z in B, A overwritten; pivots by columns.
+  ! Solves A Z = B: Z replaces B, A is overwritten; pivots by columns.
   logical function solve(A, B) result(regular)
     real(dp), intent(inout) :: A(:, :), B(:, :)
     integer :: n, k, p, c
@@ -58,7 +58,7 @@ contains
     regular = .true.
   end function
 
-  ! Whether a kind's element has a node that many half steps from its first one.
+  ! Returns true if a kind's element has a node this many half steps from its first node.
   pure logical function has_node(kind, half)
     integer, intent(in) :: kind, half(3)
     has_node = kind /= FOOTPOINT_QUAD4 .and. kind /= FOOTPOINT_QUAD8 .or. &
@@ -82,7 +82,7 @@ contains
     order = merge(2, 3, kind == FOOTPOINT_QUAD4)
     gauss = merge([near, 1 - near, 0.0_dp], [far, 0.5_dp, 1 - far], order == 2)
     share = merge([0.5_dp, 0.5_dp, 0.0_dp], [5.0_dp, 8.0_dp, 5.0_dp] / 18, order == 2)
-    ! Shape function a is the sum over m of shape(m, a) times monomial m: 1 at node a, 0 at the others.
+    ! Shape function a is the sum over m of shape(m, a) times monomial m: 1 at node a, 0 at the other nodes.
     allocate (value(s%nodes, s%nodes), shape(s%nodes, s%nodes))
     do a = 1, s%nodes
       do m = 1, s%nodes
@@ -118,7 +118,7 @@ contains
          r(3) + b%wave * u(3) * sin(1.1_dp * r(1) + 0.4_dp) * cos(0.9_dp * r(2))]
   end function
 
-  ! Nodes layer by layer; the block's far side is prescribed.
+  ! Adds nodes layer by layer; the block's outer side is prescribed.
   subroutine add_block(m, b, lower)
     type(model), intent(inout) :: m
     type(block), intent(in) :: b
@@ -168,7 +168,7 @@ contains
     call add_block(m, block([2, 2, 1], [-0.8_dp, -0.8_dp, 0.05_dp], [1.6_dp, 1.6_dp, 0.8_dp], 0.3_dp, 0.0_dp), .false.)
   end function
 
-  ! Of two nodes: what a force on the one changes by when the other moves.
+  ! Adds the tangent between two nodes: the change of the force on one when the other moves.
   subroutine add_tangent(m, K, a, b, tangent)
     type(model), intent(in) :: m
     real(dp), intent(inout) :: K(:, :)
@@ -198,7 +198,7 @@ contains
     inv = inv / det
   end function
 
-  ! Forces of the elements on the nodes, and their tangent, -df/dx, of the unknowns: added.
+  ! Adds forces of the elements on the nodes, and their tangent -df/dx by the unknowns.
   subroutine add_elements(m, x, f, K)
     type(model), intent(in) :: m
     real(dp), intent(in) :: x(:, :)

@@ -1,24 +1,24 @@
-! Two elastic plates collide: impact.c in Fortran.  Explicit dynamics with penalty contact; slave nodes of the upper
-! plate meet master segments of the lower one.  Central differences; global search by buckets, local search by Newton's
-! iteration or by footpoint.  Two worlds advance side by side, one with each local search.
+! Two elastic plates collide: impact.c in Fortran. Explicit dynamics with penalty contact; slave nodes of the upper
+! plate meet master segments of the lower plate. Central differences; global search by buckets; local search by Newton's
+! iteration or by footpoint. Two worlds advance side by side, each with its own local search.
 !
 !     footpoint-codegen --allow-poles --language fortran evolve/genomes/quad4.gen -o footpoint_quad4.f90
 !     gfortran -O3 -march=native -flto footpoint_quad4.f90 plates.f90 impact.f90 -o impact
 !     ./impact                 both searches, a table
 !     ./impact 0.5 FOLDER      half the time step; VTK files in a folder that exists
 !
-! -flto puts the search into the loop over pairs, which is vectorised then.
+! -flto inlines the search into the loop over pairs, which then vectorises.
 program impact
   use plates
   use footpoint_quad4, only: footpoint_quad4_balanced_at
   implicit none
   real(dp), parameter :: FINAL = 0.03_dp                       ! ms
   real(dp), parameter :: VELOCITY(3) = [20d0, 5d0, -40d0]      ! of the upper plate, mm/ms
-  real(dp), parameter :: REACH = 0.3_dp, DEPTH = 0.5_dp        ! of global search, and of penetration at most; mm
+  real(dp), parameter :: REACH = 0.3_dp, DEPTH = 0.5_dp        ! range of the global search, and largest penetration; mm
   integer, parameter :: GLOBAL_EVERY = 10, BLOCK = 128, FRAMES = 20
   integer, parameter :: NEWTON = 1, FOOTPOINT = 2
 
-  ! A state in motion, with its contact pairs and its bill.
+  ! A moving state, with its contact pairs and the times of its searches.
   type :: world
     integer :: search
     real(dp), allocatable :: x(:, :), v(:, :), f(:, :)
@@ -27,10 +27,10 @@ program impact
     real(dp), allocatable :: xi(:), eta(:), distance(:)
     real(dp) :: strain, contact
     real(dp) :: global = 0, total = 0, searched = 0 ! seconds, seconds, pairs
-    real(dp), allocatable :: local(:)               ! seconds of local search for a pair, in each step
+    real(dp), allocatable :: local(:)               ! indexed by step: seconds of local search per pair
   end type
 
-  ! Where energy and momenta began, and how far they have been from it, at most; relative.
+  ! Initial energy and momenta, and their largest relative deviations.
   type :: balance
     real(dp) :: energy = 0, momentum(3) = 0, moment(3) = 0, worst(3) = 0
   end type
@@ -104,7 +104,7 @@ contains
 
   ! ---- global search ----
 
-  ! Pairs of a segment and the slave nodes within REACH of its box.  Slave nodes lie in buckets of 1 mm.
+  ! Finds pairs of a segment and the slave nodes within REACH of its box. Slave nodes lie in buckets of 1 mm.
   subroutine global_search(w)
     type(world), intent(inout) :: w
     real(dp) :: low(3), high(3), from(3), to(3)
@@ -163,7 +163,7 @@ contains
 
   ! ---- local search: xi and eta of all pairs ----
 
-  ! r = c0 + c1 xi + c2 eta + c3 xi eta; from the centre on r_xi . (S - r) = r_eta . (S - r) = 0.
+  ! Newton's iteration from the centre on r_xi . (S - r) = r_eta . (S - r) = 0, r = c0 + c1 xi + c2 eta + c3 xi eta.
   pure subroutine iterate(xA, xB, xC, xD, xS, xi, eta)
     real(dp), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3)
     real(dp), intent(out) :: xi, eta
@@ -203,7 +203,7 @@ contains
     end do
   end subroutine
 
-  ! The same by footpoint: coordinates go into columns, over which the loop vectorises.
+  ! Searches by footpoint: coordinates are copied into columns, over which the loop vectorises.
   subroutine search_footpoint(w)
     type(world), intent(inout) :: w
     real(dp) :: x(BLOCK, 3, 5), xi(BLOCK), eta(BLOCK)
@@ -234,7 +234,7 @@ contains
     cross = cshift(a, 1) * cshift(b, 2) - cshift(a, 2) * cshift(b, 1)
   end function
 
-  ! Shape functions, gap vector S - r and unit normal at (xi,eta).
+  ! Computes shape functions, gap vector S - r and unit normal at (xi,eta).
   pure subroutine foot(w, pair, xi, eta, phi, d, n)
     type(world), intent(in) :: w
     integer, intent(in) :: pair
@@ -258,7 +258,7 @@ contains
     n = n / sqrt(dot_product(n, n))
   end subroutine
 
-  ! Each slave node is held by the segment whose nearest point is the nearest of all.
+  ! Assigns each slave node to the segment with the nearest point.
   subroutine choose_segments(w)
     type(world), intent(inout) :: w
     real(dp) :: phi(4), d(3), n(3), distance
@@ -278,7 +278,7 @@ contains
     end do
   end subroutine
 
-  ! Penalty forces (10), (11) where the gap is negative; their energy.
+  ! Adds penalty forces (10), (11) for negative gaps, and their energy.
   real(dp) function contact_forces(w) result(energy)
     type(world), intent(inout) :: w
     real(dp) :: phi(4), d(3), n(3), gap
@@ -339,7 +339,7 @@ contains
     end do
   end subroutine
 
-  ! ---- what comes of it ----
+  ! ---- results ----
 
   pure real(dp) function kinetic(w)
     type(world), intent(in) :: w
@@ -363,7 +363,7 @@ contains
                             norm2(moment - b%moment) / norm2(b%moment)])
   end subroutine
 
-  ! Frame for ParaView or VisIt: the deformed plates with velocities.
+  ! Writes a frame for ParaView or VisIt: the deformed plates with velocities.
   subroutine write_vtk(w, frame)
     type(world), intent(in) :: w
     integer, intent(in) :: frame
@@ -385,7 +385,7 @@ contains
     close (unit)
   end subroutine
 
-  ! A step that something else interrupted does not count.
+  ! Returns the median over the steps, which excludes interrupted steps.
   pure real(dp) function median(x)
     real(dp), intent(in) :: x(:)
     integer :: i

@@ -1,12 +1,12 @@
-/* A batch of pairs on a GPU, the part to copy: the kernel search_pairs reads nodes, segments and slave nodes out of a mesh's
- * own arrays, one pair a thread, and writes xi, eta, gap and status; nothing else is needed than generated/footpoint_quad4.h.
- * Every thread takes the same path, whatever its pair; what is out of the ordinary is searched again by the header itself.
- * The search is a parameter of the kernel: the foot point, the closest point, where a ray meets the segment.
+/* A batch of pairs on a GPU, the part to copy. The kernel search_pairs reads nodes, segments and slave nodes from a
+ * mesh's own arrays, one pair per thread, and writes xi, eta, gap and status. It needs only
+ * generated/footpoint_quad4.h. Every thread takes the same path for ordinary pairs; the header repeats unusual
+ * searches. The search is a parameter of the kernel: foot point, closest point, or intersection with a ray.
  *
  *     nvcc -O3 -arch=native -I generated tests/example/pairs.cu -o pairs && ./pairs
  *
- * A wavy surface of 1000 x 1000 segments and a slave node over each: answers as the host's, to the bit under -fmad=false,
- * and times of a pair beside that of a kernel that reads and writes as much and computes nothing. */
+ * A wavy surface of 1000 x 1000 segments with a slave node over each. Compares the answers with the host's, to the bit
+ * under -fmad=false, and the time per pair with a kernel that reads and writes as much but computes nothing. */
 #include "footpoint_quad4.h"
 
 #include <cmath>
@@ -48,7 +48,7 @@ template <search find> __global__ void search_pairs(const struct pairs p, const 
         search_pair<find>(p, i, a);
 }
 
-/* The same traffic: what no search is quicker than. */
+/* The same memory traffic, a lower bound of the time of any search. */
 __global__ void only_gather(const struct pairs p, const struct answers a)
 {
     const size_t i = blockIdx.x * (size_t)blockDim.x + threadIdx.x;
@@ -105,7 +105,7 @@ static double wave(double x, double y)
     return 0.3 * std::sin(0.07 * x) * std::cos(0.05 * y);
 }
 
-/* Seconds of a kernel, the least of some rounds. */
+/* Returns the least seconds of a kernel over some rounds. */
 template <typename Kernel> static double seconds(Kernel kernel, const struct pairs &p, const struct answers &a)
 {
     double least = HUGE_VAL;

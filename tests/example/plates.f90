@@ -1,5 +1,5 @@
-! What an explicit code has before contact comes in: a mesh, lumped masses, and forces of the elements.  plates.h in
-! Fortran, which see for the element; units: mm, ms, g, N, MPa.
+! An explicit code without contact: a mesh, lumped masses, and forces of the elements. plates.h in Fortran, where the
+! element is described. Units: mm, ms, g, N, MPa.
 module plates
   implicit none
   integer, parameter :: dp = kind(1d0)
@@ -19,7 +19,7 @@ module plates
   type :: plate
     integer :: n(3)
     real(dp) :: low(3), size(3), turn ! about z, radians
-    logical :: above                  ! where its contact side is
+    logical :: above                  ! contact side: above or below
   end type
 
   type :: model
@@ -32,7 +32,7 @@ module plates
 
 contains
 
-  ! Height of a plate's contact side: waves on the lower one, a bowl below the upper one.
+  ! Returns the height of a plate's contact side: waves on the lower plate, a bowl below the upper plate.
   pure real(dp) function height(p, x, y)
     type(plate), intent(in) :: p
     real(dp), intent(in) :: x, y
@@ -43,7 +43,7 @@ contains
     end if
   end function
 
-  ! Node (i,j,k): a brick, its inner nodes moved in the plane, one side curved, turned about z.
+  ! Places node (i,j,k) of a brick: inner nodes are moved in the plane, one side is curved, the brick is turned about z.
   pure function place_node(p, i, j, k) result(position)
     type(plate), intent(in) :: p
     integer, intent(in) :: i, j, k
@@ -58,7 +58,7 @@ contains
     position(3) = r(3) + height(p, position(1), position(2)) * merge(u(3), 1 - u(3), p%above)
   end function
 
-  ! Nodes and elements of a plate from m%x(:,node+1) and m%hex(:,e+1) on.
+  ! Adds nodes and elements of a plate from m%x(:,node+1) and m%hex(:,e+1) on.
   subroutine add_plate(m, p, node, e)
     type(model), intent(inout) :: m
     type(plate), intent(in) :: p
@@ -100,7 +100,7 @@ contains
     inverse = inverse / det
   end subroutine
 
-  ! Gradients at the centre, hourglass shapes h less their linear part, and the element's share in masses and dt.
+  ! Computes gradients at the centre, hourglass shapes minus their linear part, and the element's share in masses and dt.
   subroutine prepare_element(m, e)
     type(model), intent(inout) :: m
     integer, intent(in) :: e
@@ -125,7 +125,7 @@ contains
     m%dt = min(m%dt, 2 * COURANT * sqrt(DENSITY / (LAMBDA + 2 * MU) / bb))
   end subroutine
 
-  ! Forces of the elements onto f; strain energy, hourglasses included.
+  ! Adds forces of the elements to f; computes the strain energy, including hourglasses.
   real(dp) function internal_forces(m, x, f) result(energy)
     type(model), intent(in) :: m
     real(dp), intent(in) :: x(:, :)

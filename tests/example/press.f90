@@ -1,5 +1,5 @@
-! An elastic block is pressed onto another and then drawn along it, with Coulomb friction or without: press.c in Fortran,
-! which see, on faces of four, eight or nine nodes.
+! An elastic block is pressed onto another and then drawn along it, with or without Coulomb friction: press.c in
+! Fortran, on faces of four, eight or nine nodes.
 !
 !     press KIND FRICTION          KIND: quad4, quad8, quad9
 !
@@ -13,8 +13,8 @@ module friction
   real(dp), parameter :: PENALTY = 4000, TANGENTIAL = 2000 ! N/mm
   integer, parameter :: MOST_FACE = 9, MOST = 3 * (MOST_FACE + 1)
 
-  ! Of a slave node, between steps: its face, where on it the node would stand without friction's force (xi, eta), and how
-  ! far it is from there, on the face.  Of the state at hand: the pressing force, and whether it slides.
+  ! State of a slave node. Between steps: its face, the place (xi, eta) on the face that it would take without
+  ! friction's force, and its distance from there along the face. At present: the pressing force, and whether it slides.
   type :: touch
     integer :: face = 0
     real(dp) :: stick(2) = 0, stretch(3) = 0, pressure = 0
@@ -39,8 +39,8 @@ contains
     call check(footpoint_face_place(kind, y, at%loc, at%phi, at%r_xi, at%r_eta, at%normal, at%gap))
   end subroutine
 
-  ! Before a step: each slave node's nearest face, which it keeps until the step is done.  Where it would stand on that
-  ! face without friction's force is as far from its foot point as before, whichever the face.
+  ! Chooses each slave node's nearest face before a step; the node keeps it during the step. The place that it would
+  ! take without friction's force keeps its distance from the foot point, whichever the face.
   subroutine choose_faces(m, x, touches)
     type(model), intent(in) :: m
     real(dp), intent(in) :: x(:, :)
@@ -67,7 +67,7 @@ contains
     end do
   end subroutine
 
-  ! Forces of contact on the nodes and their tangent, -df/dx: added.  The slave nodes' sum, in `force`.
+  ! Adds contact forces on the nodes, their tangent -df/dx, and the sum over slave nodes to `force`.
   subroutine add_contact(m, x, coefficient, touches, f, K, force)
     type(model), intent(in) :: m
     real(dp), intent(in) :: x(:, :), coefficient
@@ -99,7 +99,7 @@ contains
         if (coefficient > 0) then
           stick%loc = t%stick
           call place(m%kind, y, stick)
-          ! a matrix in rows, as C has it
+          ! a matrix by rows, as in C
           call check(footpoint_element_friction(m%face_nodes, y, stick%phi, at%r_xi, at%r_eta, at%normal, d_gap, d_normal, &
                                                 t%pressure, PENALTY, coefficient, TANGENTIAL, slip, drag, tangent))
           tangent = transpose(tangent)
@@ -163,7 +163,7 @@ program press
 
 contains
 
-  ! The upper block's top, moved; to begin with, the block is sheared and pressed evenly, and its underside stays.
+  ! Moves the upper block's top. To begin with, the block is sheared and pressed evenly, and its underside stays.
   subroutine move()
     integer :: i
     associate (low => m%X(3, m%first_upper + 1), high => m%X(3, m%nodes))
@@ -173,7 +173,7 @@ contains
     end associate
   end subroutine
 
-  ! Forces and tangent of all that there is; returns the residual.
+  ! Adds all forces and tangents; returns the residual.
   real(dp) function assemble()
     real(dp) :: free, held
     integer :: i
@@ -202,8 +202,8 @@ contains
     end do
   end subroutine
 
-  ! Newton's iteration: how many residuals there are is returned.  A step that makes the residual larger is halved, a few
-  ! times: what touches and what slides changes along it.
+  ! Runs Newton's iteration and returns the number of residuals. A step that increases the residual is halved a few
+  ! times, because contact and slip change along it.
   integer function equilibrium() result(n)
     real(dp) :: change(m%unknowns), part
     integer :: half
