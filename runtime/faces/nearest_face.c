@@ -1,30 +1,30 @@
 /* The nearest of many faces, at any distance; see footpoint_face_select.
  *
- * A face lies in a sphere.  About c, the mean of its corners, the bilinear (or linear) interpolation of these is no farther
- * away than the farthest corner.  Middles of edges add their distances from the middles of chords times shape functions
- * >= 0, which add up to 4/3 at most (tri6) or 2 (quad8: 2 - xi^2 - eta^2).  The middle of a quad9 face adds its distance
- * from that of the quad8 face, times (1 - xi^2) (1 - eta^2).  A face whose sphere is farther away than an answer is passed
- * over.  The face with the nearest node comes first, so that most are. */
+ * A face lies in a sphere. About c, the mean of its corners, their bilinear (or linear) interpolation is no farther
+ * away than the farthest corner. Mid-side nodes add their distances from the middles of chords times shape functions >=
+ * 0, which add up to at most 4/3 (tri6) or 2 (quad8: 2 - xi^2 - eta^2). The middle of a quad9 face adds its distance
+ * from the quad8 face, times (1 - xi^2) (1 - eta^2). A face whose sphere is farther away than an answer is skipped. The
+ * face with the nearest node comes first, so that most faces are skipped. */
 #include "../footpoint_face.h"
 #include "../geometry/vector.h"
 #include "face_table.h"
 
 #include <float.h>
 
-/* Coordinates are differences from xS, each right to rounding.  All that follows from them adds up to less than 220 rounding
- * errors (of 2^-53) of the largest one. */
+/* Coordinates are differences from xS, each right to rounding. All quantities derived from them add less than 220
+ * rounding errors (of 2^-53) of the largest. */
 #define SPHERE_ERROR (256.0 * DBL_EPSILON)
-/* Errors of distances, as parts of that, with a reserve: footpoint_face_robust promises 1e-10. */
+/* Errors of distances, relative to that, with a reserve: footpoint_face_robust promises 1e-10. */
 #define DISTANCE_ERROR 1e-9
 
 struct candidate {
     size_t which;
     double loc[2], distance;
     int region, status;
-    double least, size; /* no point of the face is nearer to xS; the largest difference of coordinates */
+    double least, size; /* lower bound on the distance from xS; largest difference of coordinates */
 };
 
-/* Nodes of one of the candidates. */
+/* Returns the nodes of one of the candidates. */
 static struct rows candidate_of(const struct face *f, const double *xyz, const int *seg, size_t which,
                                 const double xS[3])
 {
@@ -44,7 +44,7 @@ static int is_finite(const struct rows *r, int nodes)
     return finite;
 }
 
-/* Nodes as seen from xS; returns the largest coordinate. */
+/* Computes the nodes relative to xS; returns the largest coordinate. */
 static double seen_from(const struct rows *r, int nodes, double (*y)[3])
 {
     double size = 0.0;
@@ -63,7 +63,7 @@ static double distance_of(const double a[3], const double b[3])
     return sqrt(vector_dot(d, d));
 }
 
-/* By how much nodes that are no corners make the radius greater. */
+/* Returns by how much nodes other than corners increase the radius. */
 static double bulge_of(const double (*y)[3], int nodes, int corners)
 {
     double most = 0.0, at[3], middle[3] = {0.0, 0.0, 0.0};
@@ -77,7 +77,8 @@ static double bulge_of(const double (*y)[3], int nodes, int corners)
     return (corners == 3 ? 4.0 / 3.0 : 2.0) * most + (nodes == 9 ? distance_of(y[8], middle) : 0.0);
 }
 
-/* What no point of the face is nearer than, y being its nodes as seen from xS; 0 where squares leave their range. */
+/* Returns a lower bound on the distance of the face, y being its nodes relative to xS; 0 if squares overflow or
+ * underflow. */
 static double least_distance(const double (*y)[3], int nodes, double size)
 {
     const int corners = nodes == 3 || nodes == 6 ? 3 : 4;
@@ -95,7 +96,7 @@ static double least_distance(const double (*y)[3], int nodes, double size)
     return distance_of(centre, origin) - radius - SPHERE_ERROR * size;
 }
 
-/* The candidate with the node that is nearest to xS. */
+/* Returns the candidate with the node nearest to xS. */
 static size_t with_nearest_node(const struct face *f, const double *xyz, size_t candidates, const int *seg,
                                 const double xS[3])
 {
@@ -116,7 +117,7 @@ static size_t with_nearest_node(const struct face *f, const double *xyz, size_t 
 
 /* ---- answers ---- */
 
-/* The closest point of one face: of the header, or, if that proves none, the certain one. */
+/* Finds the closest point of one face: the header's, or, without a proof, the certain one. */
 static void find_closest(enum footpoint_face face, const struct face *f, const struct rows *r, struct candidate *c)
 {
     double x[3 * PAIRS_MOST_VECTORS], loc[2], distance;
@@ -136,8 +137,8 @@ static void find_closest(enum footpoint_face face, const struct face *f, const s
     c->status = status == FOOTPOINT_OUTSIDE ? FOOTPOINT_OK : status;
 }
 
-/* Which of two answers is nearer, where rounding hides that: as the header's search for both finds.  Returns true if that is c,
- * with the more accurate answer in *c; otherwise that is in *best. */
+/* Decides which of two answers is nearer if rounding hides that, by the header's search for both. Returns true if c
+ * wins, with the more accurate answer in *c; otherwise it is in *best. */
 static int wins(const struct face *f, const double *xyz, const int *seg, const double xS[3], struct candidate *best,
                 struct candidate *c)
 {
@@ -164,7 +165,7 @@ static int wins(const struct face *f, const double *xyz, const int *seg, const d
     return which == 1;
 }
 
-/* Whether xS lies behind the surface that all candidates make at loc, on an edge or a corner of one of them. */
+/* Returns 1 if xS lies behind the surface of all candidates at loc, on an edge or a corner of one of them. */
 static int is_behind_all(const struct face *f, const double *xyz, size_t candidates, const int *seg, const double xS[3],
                          const struct candidate *best)
 {
@@ -180,7 +181,7 @@ static int is_behind_all(const struct face *f, const double *xyz, size_t candida
 
 /* ---- the search ---- */
 
-/* The best answer so far, and what no unproved answer is nearer than. */
+/* The best answer so far, and a lower bound on the distances of unproved answers. */
 struct search {
     enum footpoint_face face;
     const struct face *f;
@@ -197,7 +198,7 @@ static void visit(struct search *s, const double *xyz, const int *seg, const dou
     struct candidate c = {.which = which};
     if (is_finite(&r, nodes)) {
         c.size = seen_from(&r, nodes, y);
-        /* z of edges does not count: none is passed over */
+        /* z of edges does not count: no edge is skipped */
         c.least = s->f->robust ? 0.0 : least_distance((const double(*)[3])y, nodes, c.size);
     }
     if (found && c.least > fabs(s->best.distance) + DISTANCE_ERROR * s->best.size)

@@ -13,7 +13,7 @@
 struct edge_kind {
     const char *name, *function;
     size_t nodes;
-    const char *promise[2];   /* of xi, by precision */
+    const char *promise[2];   /* largest error of xi, by precision */
     const char *templates[5]; /* ended by NULL */
 };
 
@@ -30,7 +30,7 @@ const struct edge_kind *edge_find(const char *name)
     return NULL;
 }
 
-/* "BEFOREaAFTER, BEFOREbAFTER, ..." of vectors; of the slave node, the last, "S" or its number. */
+/* Returns "BEFOREaAFTER, BEFOREbAFTER, ..." for the vectors; the slave node, the last, is "S" or its number. */
 static char *list_text(size_t vectors, const char *before, bool letters, const char *after)
 {
     struct memory *m = memory_open();

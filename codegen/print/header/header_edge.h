@@ -1,5 +1,5 @@
-/* Headers of edges, for contact in the plane: one unknown, xi, and nodes of two coordinates.  Foot points are roots of
- * polynomials, in closed form or by steps, so that these headers are templates: there is no genome. */
+/* Headers of edges, for contact in the plane: one unknown, xi, and nodes of two coordinates. Foot points are roots of
+ * polynomials, in closed form or by steps, so these headers consist of templates, without a genome. */
 #ifndef FOOTPOINT_HEADER_EDGE_H
 #define FOOTPOINT_HEADER_EDGE_H
 

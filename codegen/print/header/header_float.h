@@ -7,7 +7,7 @@
 /** Prints the scale of a segment. */
 void single_print_helpers(const struct unit *u, FILE *out);
 
-/** Prints the coordinates of single_inputs(), before the statements of a function: those of node A as yA. */
+/** Prints the coordinates of single_inputs(), before the statements of a function; node A's are named yA. */
 void single_print_inputs(const struct unit *u, const struct function *f, FILE *out);
 
 #endif

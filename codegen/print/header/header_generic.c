@@ -1,4 +1,5 @@
-/* Templates of C++; see header_generic.h.  Their text is that of C in double, with T for double and T(0.5) for 0.5. */
+/* Templates of C++; see header_generic.h. Their text is the text of C in double, with T for double and T(0.5) for
+ * 0.5. */
 #include "header_generic.h"
 
 #include "../../base/text.h"
@@ -43,7 +44,7 @@ static const char *const beginning =
 
 /* ---- words ---- */
 
-/* "const T xA[3], ..., const T xS[3]" */
+/* Returns "const T xA[3], ..., const T xS[3]". */
 static char *parameters_text(const struct unit *u, const char *type)
 {
     struct memory *m = memory_open();
@@ -60,7 +61,7 @@ static void add(struct words *w, const char *word, const char *text)
     words_add(w, word, new_text(text, strlen(text)));
 }
 
-/* The words that make templates of C text. */
+/* Returns the words that turn C text into templates. */
 static struct words type_words(void)
 {
     struct words w = {NULL, 0, 0};
@@ -75,7 +76,7 @@ static struct words type_words(void)
     return w;
 }
 
-/* The words about a kind, and about a function unless it is NULL. */
+/* Adds the words about a kind, and about a function unless it is NULL. */
 static void add_kind(struct words *w, const struct unit *u, const struct function *f)
 {
     add(w, "KIND", u->file->segment->name);
@@ -95,7 +96,7 @@ static void print_templates(const struct unit *u, const struct function *f, cons
 
 /* ---- statements ---- */
 
-/* A statement as one line, without the variable `zero`. */
+/* Returns a statement as one line, without the variable `zero`. */
 static char *statement_text(const struct c_statement *s)
 {
     const char *sign = s->zero && s->value[strlen("zero ")] == '-' ? "-" : "";
@@ -123,7 +124,7 @@ static void print_statement(const struct c_statement *s, FILE *out)
     words_clear(&w);
 }
 
-/* The body of NAME_at, or of a function of scalars. */
+/* Prints the body of NAME_at, or of a function of scalars. */
 static void print_body(const struct unit *u, const struct function *f, FILE *out)
 {
     struct c_code code = c_code_new(u->file, f->genome, f->program, &c_double);
@@ -137,7 +138,7 @@ static void print_body(const struct unit *u, const struct function *f, FILE *out
 
 /* ---- functions ---- */
 
-/* "(T in_x, T in_y, T *out_r)" */
+/* Returns "(T in_x, T in_y, T *out_r)". */
 static char *scalars_text(const struct unit *u, const struct function *f)
 {
     struct memory *m = memory_open();
@@ -159,7 +160,7 @@ static void print_head(const struct unit *u, const struct function *f, FILE *out
     free(head);
 }
 
-/* NAME for float, by that of the C header in double. */
+/* Prints NAME for float, which calls the C header's in double. */
 static void print_float(const struct unit *u, const struct function *f, FILE *out)
 {
     struct words w = {NULL, 0, 0};
@@ -173,7 +174,7 @@ static void print_float(const struct unit *u, const struct function *f, FILE *ou
     words_clear(&w);
 }
 
-/* Whether there is NAME, which needs the surface of the kind. */
+/* Returns true if NAME exists, which needs the surface of the kind. */
 static bool has_gap(const struct unit *u)
 {
     return u->file->segment && closest_exists(u);
@@ -228,7 +229,7 @@ static void print_banner(const struct unit *u, FILE *out)
     fputs(" */\n", out);
 }
 
-/* The surface of a kind. */
+/* Prints the surface of a kind. */
 static void print_helpers(const struct unit *u, FILE *out)
 {
     const struct segment_kind *k = u->file->segment;

@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-/* The promise down to which single precision serves. */
+/* Promises below this need double. */
 #define ROUGH 0.99e-3
 
 static bool is_single(const struct unit *u, const struct function *f)
@@ -16,7 +16,7 @@ static bool is_single(const struct unit *u, const struct function *f)
     return promise_of(u, f) > ROUGH;
 }
 
-/* Words of a precision. */
+/* Returns the words of a precision. */
 static struct words lanes_words(const struct unit *u, bool single)
 {
     const char *const kind = u->file->segment->name, *const f = single ? "f_" : "";

@@ -1,4 +1,4 @@
-/* Loops over arrays of patches: pairs side by side, of rough promises in single precision. */
+/* Loops over arrays of patches: pairs side by side, in single precision for rough promises. */
 #ifndef FOOTPOINT_HEADER_LANES_H
 #define FOOTPOINT_HEADER_LANES_H
 
@@ -7,10 +7,11 @@
 /** Prints the searches' steps, proofs and loops, in both precisions. */
 void lanes_print_helpers(const struct unit *u, FILE *out);
 
-/** Returns `f` with a name of its own in single precision; the caller frees the name. */
+/** Returns `f` renamed for single precision; the caller must free the name. */
 struct function lanes_single(const struct function *f);
 
-/** Prints where searches of pairs side by side begin, if functions begin with f; in single precision lanes_single(f). */
+/** Prints the start of searches of pairs side by side, if functions start with f; in single precision
+ * lanes_single(f). */
 void lanes_print_begin(const struct unit *u, const struct function *f, bool single, FILE *out);
 
 /** Prints NAME_checked_n and NAME_over_n. */
