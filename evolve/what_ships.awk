@@ -1,6 +1,6 @@
-# The main job's table, a line a function: what_ships.awk -v before=FOLDER HEADER...  Scene, function, whether evolution bred it
-# or it was derived by hand, operations, the error behind FOOTPOINT_OK, the mean error of xi on held-out samples, how it is
-# proved equal to its genome, and what changed since the header of the same name in FOLDER.
+# Prints the main job's table, a line per function: what_ships.awk -v before=FOLDER HEADER... Columns: scene, function,
+# bred or derived by hand, operations, the error behind FOOTPOINT_OK, the mean error of xi on held-out samples, how
+# equality with its genome is proved, and what changed since the header of the same name in FOLDER.
 function base(path) { sub(/.*\//, "", path); return path }
 
 # Reads the banners of a header into of[key, function]; returns the functions, separated by blanks.

@@ -1,7 +1,8 @@
-# Chooses the members of a front to ship as tiers, from `footpoint-bench --validation --csv` of them and the shipped functions;
-# prints a table and lines for the scene file.  A member replaces a tier's function if it is slower neither in independent calls
-# nor over arrays, has no larger error (mean, 99 %, worst), and is better by one in ten in error or in both times.  A member is
-# new if no function is more accurate and no slower in either mode.  id: the scene in names of functions.
+# Chooses the members of a front to ship as tiers, from `footpoint-bench --validation --csv` of them and of the shipped
+# functions. Prints a table and lines for the scene file. A member replaces a tier's function if it is slower neither in
+# independent calls nor over arrays, has no larger error (mean, 99 %, worst), and is better by a tenth in error or in
+# both times. A member is new if no function is more accurate and no slower in either mode. id: the scene in names of
+# functions.
 BEGIN { FS = ","; noise = 1.01; worth = 0.9 }
 function larger(a, b) { return a + 0 > b + 0 ? a + 0 : b + 0 }
 $4 == 1 {

@@ -1,9 +1,9 @@
-// What the adapters of runtime/replace/ take beside our own equivalents of the searches in whose place they stand, written
-// from what those codes publish, with their starts, steps and tolerances, and without what is around them (finite element
-// objects, lists, messages).  Four-node segments, as tests/hard/draw.h draws ordinary ones, gap 0.2 of the shortest edge at
-// most; one call at a time, interleaved in one run.  Prints lines
+// Times the adapters of runtime/replace/ beside our equivalents of the searches that they replace. These are written
+// from the published codes, with their starts, steps and tolerances, without the surrounding finite element objects,
+// lists and messages. Four-node segments are drawn as ordinary ones by tests/hard/draw.h, with gaps up to 0.2 of the
+// shortest edge; calls are single and interleaved in one run. Prints lines
 //     code,theirs,ours,ratio,off_theirs,off_ours    ns a call; theirs over ours; worst error of xi, eta over the cases
-// The adapters in Fortran are measured by the calls of the library that they make.  tests/timed/replace_times.sh runs it.
+// The adapters in Fortran are measured by their library calls. tests/timed/replace_times.sh runs this program.
 #include "../../runtime/footpoint.h"
 #include "../rivals/four_triangles.h"
 extern "C" {
@@ -36,8 +36,8 @@ static int faces[CASES][4], slaves[CASES];
 
 struct newton {
     int least_squares;   // steps without second derivatives, from the middle
-    double until;        // such steps end at an update of that length
-    int most;            // steps in all
+    double until;        // these steps end at an update of this length
+    int most;            // most steps
     double tolerance;    // of an update
     bool sum, shortened; // the update is |du| + |dv|; steps that lead farther away are shortened
 };
@@ -47,7 +47,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The way from r(u, v) to the slave node, and the tangents there, from shape functions.
+// Computes the vector from r(u, v) to the slave node, and the tangents there, from shape functions.
 static void place(const double x[5][3], double u, double v, double way[3], double tu[3], double tv[3])
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};

@@ -1,6 +1,6 @@
-# What callers get of the generated headers, as CHECKED(scene, kind, name), CLOSEST(...) and ALONG(...); OVER(...) of two
-# searches of each kind, FROM(...) of some; and DERIVATIVES(scene, kind, KIND, name) of the searches that derivatives are
-# worth while behind.  Read from their text.
+# Prints the functions for callers in the generated headers, read from their text: CHECKED(scene, kind, name),
+# CLOSEST(...) and ALONG(...); OVER(...) for two searches of each kind, FROM(...) for some; and DERIVATIVES(scene, kind,
+# KIND, name) for the searches after which derivatives make sense.
 FNR == 1 { scene = "" }
 /^ \* scene: / && scene == "" { scene = $3 }
 /^#define FOOTPOINT_[A-Z0-9]+_SEARCH$/ { split(tolower($2), part, "_"); kind = part[2] }

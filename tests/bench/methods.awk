@@ -1,4 +1,4 @@
-# The functions of generated headers as METHOD(scene, kind, function, mul, div, add, sqrt, promise), read from their text.
+# Prints the functions of generated headers, read from their text, as METHOD(scene, kind, function, mul, div, add, sqrt, promise).
 FNR == 1 { scene = "" }
 /^ \* scene: / && scene == "" { scene = $3 }
 /^#define FOOTPOINT_[A-Z0-9]+_SEARCH$/ { split(tolower($2), part, "_"); kind = part[2] }

@@ -1,5 +1,6 @@
-# Operations of the functions of scalars, or of a segment, in a generated header, counted from its text alone: a line
-# mul,div,add,sqrt,compare for each, of NAME_detail of a segment, of others of the first body behind the banner.  A minus that begins an expression is a sign, a quotient of two numbers a number.
+# Counts the operations of the functions of scalars, or of a segment, in the text of a generated header. Prints a line
+# mul,div,add,sqrt,compare for each: for a segment NAME_detail, otherwise the first body after the banner. A minus that
+# begins an expression is a sign, and a quotient of two numbers a number.
 /^ \*   operations:/ { told = 1 }
 /^FOOTPOINT_(FN|PART)/ { body = ""; reading = 0; bare = / [a-z0-9_]+_detail\(/; searches = searches || bare }
 /^FOOTPOINT_PART void/ { helper = 1 } # gives xi and eta back in the order of the corners

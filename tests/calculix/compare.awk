@@ -1,6 +1,7 @@
-# Results of two runs of CalculiX, .dat or .frd: awk -f compare.awk FIRST SECOND
-# A line for each quantity: name, values compared, values that only one run has, the largest difference over the largest
-# value.  Tangential quantities count as what they are added to: slip as gap, friction as stress of the contact.
+# Compares the results of two runs of CalculiX, .dat or .frd: awk -f compare.awk FIRST SECOND
+# Prints a line for each quantity: name, values compared, values that only one run has, the largest difference over the
+# largest value. Tangential quantities are normalised by their counterparts: slip by the gap, friction by the contact
+# stress.
 function known(name) {
     if (name ~ /^ *displacements|^DISP$/) return "displacement"
     if (name ~ /^ *contact stress/) return "pressure"

@@ -1,10 +1,10 @@
-# Contact models for CalculiX: awk -v model=NAME -f models.awk > NAME.inp
-# Two bodies of bricks or wedges, nodes of the upper one against faces of the lower one, N, mm, t, s.
+# Writes contact models for CalculiX: awk -v model=NAME -f models.awk > NAME.inp
+# Two bodies of bricks or wedges, nodes of the upper against faces of the lower; N, mm, t, s.
 
-# Lattice point (i,j,k) of the block being built, i to 2 nx and so on; even ones are corners of elements.
+# Lattice point (i,j,k) of the block being built, i up to 2 nx and so on; even points are corners of elements.
 function point(i, j, k) { return base + 1 + i + (2 * nx + 1) * (j + (2 * ny + 1) * k) }
 
-# How far a corner inside is moved, in elements; midside nodes go half way with their neighbours.
+# Displacement of an inner corner, in elements; midside nodes move by half of their neighbours'.
 function moved(way, i, j) {
     if (i % 2) return (moved(way, i - 1, j) + moved(way, i + 1, j)) / 2
     if (j % 2) return (moved(way, i, j - 1) + moved(way, i, j + 1)) / 2
@@ -12,7 +12,7 @@ function moved(way, i, j) {
     return distort * (way == "x" ? sin(3 * i + 5 * j) : cos(4 * i + 2 * j))
 }
 
-# Out of a regular block: moved nodes and curved surfaces, u, v, w in [0,1] over the block.
+# Maps a regular block to moved nodes and curved surfaces, u, v, w in [0,1] over the block.
 function shape(i, j, k,    u, v, w, x, y, z) {
     u = i / (2 * nx); v = j / (2 * ny); w = k / (2 * nz)
     x = x0 + u * lx + moved("x", i, j) * lx / nx
@@ -23,7 +23,7 @@ function shape(i, j, k,    u, v, w, x, y, z) {
     return sprintf("%d,%.9g,%.9g,%.9g", point(i, j, k), x, y, z)
 }
 
-# Nodes of an element, from places "ijk ijk ..." relative to the lower corner (a,b,c) of its cell.
+# Returns the nodes of an element, from places "ijk ijk ..." relative to the lower corner (a,b,c) of its cell.
 function nodes(places,    n, m, p, s, t) {
     n = split(places, p, " ")
     for (m = 1; m <= n; m++) {
@@ -34,8 +34,8 @@ function nodes(places,    n, m, p, s, t) {
     return s
 }
 
-# The block: elements NAME and their top layer NAMEtop, nodes NAMEnodes, those of its upper and lower face NAMEupper and
-# NAMElower.
+# Writes the block: elements NAME and their top layer NAMEtop, nodes NAMEnodes, and nodes NAMEupper and NAMElower of its
+# upper and lower face.
 function block(name,    i, j, k, e, split_cells, list, n, m) {
     split("", used)
     list["C3D8"] = "000 200 220 020 002 202 222 022"
@@ -85,7 +85,7 @@ function output() {
     print "*NODE FILE\nU\n*EL FILE\nS\n*END STEP"
 }
 
-# The upper block's upper face moves to (x, y, z).
+# Moves the upper block's upper face to (x, y, z).
 function press(increment, x, y, z) {
     print "*STEP,NLGEOM,INC=1000\n*STATIC\n" increment ",1."
     print "*BOUNDARY\nupperupper,1,1," x "\nupperupper,2,2," y "\nupperupper,3,3," z

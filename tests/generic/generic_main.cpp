@@ -1,7 +1,7 @@
 /* Compares templates of C++ for double, float, long double and a dual number of the caller's own with the C header, on
- * faces with moved nodes.  The compiler includes the headers and defines NAME, AT and GRADIENTS, functions of
- * one kind of face, NODES, of how many nodes that is, COUNT, how many faces to try, and NEAR, how near to
- * the foot point C and templates come. */
+ * faces with moved nodes. The compiler includes the headers and defines NAME, AT and GRADIENTS, functions of one kind
+ * of face; NODES, the kind's number of nodes; COUNT, the number of faces; and NEAR, the allowed distance of C's and
+ * templates' foot points. */
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 enum { ALL = 3 * (NODES + 1) };
 
-/* v + d e with e^2 = 0.  No conversions but those that the headers ask for. */
+/* v + d e with e^2 = 0.  Only the conversions that the headers need. */
 struct dual {
     double v, d;
     dual() = default;
@@ -112,7 +112,7 @@ static void check_float(const double *x, const double loc[2], double gap)
     near_to("gap in float", (double)height, gap, 1e-5);
 }
 
-/* (xS - r) . r_xi is 0 to the rounding of long double, by differences of the distance's square. */
+/* Checks that (xS - r) . r_xi is 0 to the rounding of long double, by differences of the squared distance. */
 static void check_long_double(const double *x, const double loc[2], double gap)
 {
     long double y[ALL], at[2], height;
@@ -137,7 +137,7 @@ static void check_long_double(const double *x, const double loc[2], double gap)
 #endif
 }
 
-/* The derivative along a direction of all coordinates is the sum of the analytic ones. */
+/* Checks that the derivative along a direction of all coordinates is the sum of the analytic derivatives. */
 static void check_dual(const double *x, const double loc[2], double gap)
 {
     double phi[NODES], u[3], v[3], n[3], height, slope[3][ALL];

@@ -1,6 +1,6 @@
-# A picture of who is wrong where, as SVG, from what libraries_main prints: a row for each search on one kind of face,
-# in order of their time on ordinary faces, a column for each family.  A cell: how many in % have no right answer; its
-# shade: how many are wrong without saying so.
+# Draws the shares of wrong answers as SVG, from the output of libraries_main: a row for each search on one kind of
+# face, ordered by time on ordinary faces; a column for each family. A cell contains the percentage of cases without a
+# right answer; its shade shows how many of them are wrong without a status.
 #     awk -f libraries_map.awk -v kind=quad4 rivals.csv > FILE.svg
 BEGIN { FS = ","; left = 300; wide = 74; high = 22; top = 64 }
 $1 == "family" && $3 == kind {

@@ -1,5 +1,5 @@
-# The table of `make rivals` from what libraries_main prints: for each kind of face and family, searches in order of
-# their time.  -v absent=NAMES -v machine=TEXT
+# Prints the table of `make rivals` from the output of libraries_main: for each kind of face and family, searches
+# ordered by time. -v absent=NAMES -v machine=TEXT
 BEGIN {
     FS = ","
     what["foot"] = "foot point, on the face or beside it"

@@ -1,4 +1,4 @@
-// ADOL-C: the Jacobian of a last Newton step, taped once for all faces (it has no branch).
+// ADOL-C: the Jacobian of a last Newton step, taped once for all faces, because it has no branch.
 #include "library.h"
 
 #include "last_step.h"
@@ -9,7 +9,7 @@ namespace
 {
 enum { TAPE = 1, INPUTS = 17 };
 
-// Inputs: 15 coordinates, xi and eta of the search.
+// Inputs: 15 coordinates, and the search's xi and eta.
 void record(const double *x)
 {
     adouble y[INPUTS], out[3];

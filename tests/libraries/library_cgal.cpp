@@ -1,5 +1,5 @@
-// CGAL: the AABB tree's closest point of a four-node face that is split into triangles, four about the centre or 2 x
-// 32 x 32.
+// CGAL: the AABB tree's closest point of a four-node face that is split into triangles, either four about the centre or
+// 2 x 32 x 32.
 #include "library.h"
 
 #include <CGAL/AABB_traits.h>

@@ -1,4 +1,4 @@
-// dune-geometry: MultiLinearGeometry::local, Gauss-Newton iteration from the centre, without a limit on its number.
+// dune-geometry: MultiLinearGeometry::local, Gauss-Newton iteration from the centre, without a limit on the number of steps.
 #include "library.h"
 
 #include <array>

@@ -1,6 +1,6 @@
-// Intrepid2: CellTools::mapToReferenceFrame, for cells of the dimension of the space alone: here the hexahedron
-// that a face makes when it is moved along the normal of its centre.  A point of the face has its
-// local coordinates there; a slave node off the face is projected along that normal, which is another question.
+// Intrepid2: CellTools::mapToReferenceFrame, only for cells with the dimension of the space: here the hexahedron that a
+// face sweeps along the normal of its centre. A point of the face has its local coordinates in this cell. A slave node
+// off the face is projected along that normal, which is another question.
 #include "library.h"
 
 #include <Intrepid2_CellTools.hpp>

@@ -1,5 +1,6 @@
-// Open CASCADE: four-, eight- and nine-node faces as Bezier surfaces.  GeomAPI_ProjectPointOnSurf finds where xS - r is
-// normal to the surface, inside alone; BRepExtrema_DistShapeShape the closest point, edges and corners included.
+// Open CASCADE: four-, eight- and nine-node faces as Bezier surfaces. GeomAPI_ProjectPointOnSurf finds points inside at
+// which xS - r is normal to the surface. BRepExtrema_DistShapeShape finds the closest point, including edges and
+// corners.
 #include "library.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -36,7 +37,7 @@ gp_Pnt node(const double *x, int i)
     return gp_Pnt(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
 }
 
-// c with c/4 sum of weights: the control point in the middle of three.
+// Returns the middle control point of three.
 gp_XYZ middle(const gp_XYZ &a, const gp_XYZ &m, const gp_XYZ &b)
 {
     return m * 2 - (a + b) * 0.5;

@@ -1,6 +1,6 @@
-// VTK: EvaluatePosition of the cells, which gives local coordinates inside and the closest point outside.  A vtkQuad is
-// taken for plane (that of its first three points); quadratic cells for four vtkQuad or triangles, whose local
-// coordinates are then those of the cell.
+// VTK: EvaluatePosition of the cells, which returns local coordinates inside and the closest point outside. VTK treats
+// a vtkQuad as plane (the plane of its first three points), and quadratic cells as four vtkQuad or triangles, but
+// returns local coordinates of the cell.
 #include "library.h"
 
 #include <vtkBiQuadraticQuad.h>

@@ -1,4 +1,4 @@
-// The adapters in C++ of runtime/replace/: Tribol, MOOSE, NimbleSM, ArborX, with the little that they need of those
+// Tests the adapters in C++ of runtime/replace/: Tribol, MOOSE, NimbleSM, ArborX, with minimal stand-ins for those
 // codes.
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@ static void check(const char *name, bool good)
 static double face[4][3] = {{0, 0, 0}, {2, 0, 0.1}, {2.2, 1.5, 0}, {0, 1.2, 0.1}};
 static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
-// r, r_xi, r_eta and the normal.
+// Computes r, r_xi, r_eta and the normal.
 static void frame(const double loc[2], double r[4][3])
 {
     double length = 0;

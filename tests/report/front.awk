@@ -1,9 +1,11 @@
-# Rivals below our front.  Reads what `footpoint-bench --csv` prints; for each scene, sample, mode, question (bare search,
-# checked, closest point, along a direction, derivatives) and for the mean and the 99 % error lists the rivals that no function of ours matches: none of ours is as accurate and, but for the noise,
-# as fast.  Of those it prints the ones that no other rival leaves behind, and ends with "N rivals below the front".
+# Lists rivals below our front from the output of `footpoint-bench --csv`: for each scene, sample, mode, question (bare
+# search, checked, closest point, along a direction, derivatives), and for the mean and the 99 % error. A rival is
+# listed if none of our functions is as accurate and, within the noise, as fast, and if no other rival beats it. The
+# last line is "N rivals below the front".
 #
-# An error is the larger of those of xi and eta, of closest points and along a direction that of the distance; below `rounding` all are alike, and 1 or more is no answer.  The noise
-# of two methods is the sum of theirs, 1 % at least.  A function of ours that fails on a sample does not count.
+# An error is the larger of xi's and eta's; for closest points and along a direction, the distance's. Errors below
+# `rounding` are equal, and an error of 1 or more is no answer. The noise of two methods is the sum of theirs, at least
+# 1 %. A function of ours that fails on a sample does not count.
 #
 # Columns are found by their names.  -v rounding=1e-14 -v least_noise=0.01
 BEGIN {

@@ -1,7 +1,7 @@
-# The table "Which function" of README.md:
+# Prints the table "Which function" of README.md:
 #     awk -f front_page.awk generated/footpoint_quad4.h evolve/genomes/quad4.gen MACHINE.csv...
-# Promises are those of the header, errors those of the genome, times those that `make bench-record` measured: how many times
-# quicker than the faster of two Newton iterations (a closest point: than four triangles), with the range over machines.
+# Promises come from the header, errors from the genome, times from `make bench-record`: how many times faster than the
+# faster of two Newton iterations (closest points: than four triangles), with the range over machines.
 BEGIN {
     names = split("balanced fine precise accurate full", name, " ")
     use["balanced"] = "explicit codes, penalty forces"

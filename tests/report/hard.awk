@@ -1,6 +1,6 @@
-# A table in HTML of what the program of the hard cases prints (tests/hard/hard_main.c): a row for each family; for each
-# method how many cases it answers, how many it leaves with another status, how many answers or statuses are wrong, and
-# the worst error of an answer.
+# Prints a table in HTML from the output of the hard cases (tests/hard/hard_main.c): a row for each family; for each
+# method the number of cases with an answer, with another status, and with a wrong answer or status, and the worst
+# error.
 #     awk -f hard.awk hard.csv
 BEGIN { FS = "," }
 /^#/ { next }

@@ -1,4 +1,4 @@
-# Maps of the mean error of xi over the segment as a gnuplot script, from the VTK files of `footpoint-bench --map`:
+# Draws maps of the mean error of xi over the segment by a gnuplot script, from the VTK files of `footpoint-bench --map`:
 #     awk -f map.awk -v title=quad4 -v out=FILE SCENE-*.vtk | gnuplot
 # writes FILE.svg and FILE.png: a panel for each function, all with the same colours.
 FNR == 1 { panel++; reading = "" }

@@ -1,10 +1,10 @@
-# A picture of time against error of bare searches as a gnuplot script, from what `footpoint-bench --csv` prints:
+# Draws time against error of bare searches by a gnuplot script, from `footpoint-bench --csv`:
 #     awk -f picture.awk -v scene=quad4 -v sample=random -v mode=scalar -v norm=mean -v out=FILE bench.csv | gnuplot
-# writes FILE.svg and FILE.png.  Filled squares and the staircase: ours.  Open circles: rivals; those are named that no
-# other rival beats in both time and error, and those that are no truncated iteration.
+# writes FILE.svg and FILE.png. Filled squares and the staircase: ours. Open circles: rivals. Rivals are named if no
+# other rival beats them in both time and error, or if they are not truncated iterations.
 #
-# An error is the larger of those of xi and eta; -v error= says otherwise, -v others= what rivals are.  Names are placed
-# where they cover nothing, as near to their point as that allows; a name for which there is no room is left out.
+# An error is the larger of xi's and eta's, unless set by -v error=; -v others= names the rivals. Names are placed near
+# their points without covering anything; a name without room is omitted.
 BEGIN {
     FS = ","
     width = 1000; height = 680; left = 92; right = 20; top = 62; bottom = 58 # pixels
@@ -40,7 +40,7 @@ END {
 
 function log10(v) { return log(v) / log(10) }
 
-# Whole steps of 1, 1.5, 2, 3, 5, 7 around the times, whole decades around the errors.
+# Axes: whole steps of 1, 1.5, 2, 3, 5, 7 around the times, whole decades around the errors.
 function ranges(    i) {
     x0 = y0 = 1e300
     for (i = 1; i <= n; i++) {
@@ -56,7 +56,7 @@ function pixel_y(v) { return bottom + (height - top - bottom) * log(v / y0) / lo
 function time_at(p) { return x0 * exp((p - left) / (width - left - right) * log(x1 / x0)) }
 function error_at(p) { return y0 * exp((p - bottom) / (height - top - bottom) * log(y1 / y0)) }
 
-# No other of ours is as fast and as accurate; of rivals that lie close together one stands for all.
+# Keeps our functions that no other function of ours beats, and one of each group of close rivals.
 function best(i,    j, near) {
     near = ours[i] ? 1 : 1.04
     for (j = 1; j <= n; j++)
@@ -91,7 +91,7 @@ function steps(    i, j, k, last) {
     if (count) stairs = stairs sprintf("%g %g\n", x1, y[at[count]])
 }
 
-# The name of point i at its nearest free place: a gnuplot command, with a thin line where it stands off.
+# The name of point i at its nearest free place: a gnuplot command, with a thin line if it is far away.
 function label(i,    text, w, r, k, dx, dy, a, b, c, d, place, far) {
     text = name[i]
     sub("^footpoint_" under "_", "", text)

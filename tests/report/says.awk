@@ -1,4 +1,4 @@
-# What the pictures of a scene say, in some sentences of HTML, from what `footpoint-bench --csv` prints:
+# Describes the pictures of a scene in HTML, from `footpoint-bench --csv`:
 #     awk -f says.awk -v scene=quad4 -v sample=random bench.csv
 BEGIN { FS = "," }
 NR == 1 {
@@ -14,7 +14,7 @@ $column["scene"] == scene && $column["sample"] == sample && $column["question"] 
     if (m ~ /^((tri|quad)[0-9]+_)?newton$/) newton = m
     if (m ~ /newton_fair$/) fair = m
 }
-# Newton's time in a mode: converged or fair, the quicker.
+# Newton's time in a mode: converged or fair, whichever is faster.
 function quicker(mode) { return fair && ns[fair, mode] < ns[newton, mode] ? ns[fair, mode] : ns[newton, mode] }
 function short(m) { sub(/^footpoint_/, "", m); return "<code>" m "</code>" }
 END {
@@ -22,7 +22,7 @@ END {
         if (!fast || ns[m, "scalar"] < ns[fast, "scalar"]) fast = m
         if (!exact || mean[m] < mean[exact]) exact = m
     }
-    # The truncated iteration that stands nearest to three decimal digits, and ours that is as accurate and quickest.
+    # The truncated iteration nearest to three decimal digits, and our fastest function that is as accurate.
     for (m in truncated)
         if (mean[m] > 0 && mean[m] < 1 && (!rival || (log(mean[m]) + 6.9) ^ 2 < (log(mean[rival]) + 6.9) ^ 2)) rival = m
     for (m in ours)

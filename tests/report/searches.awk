@@ -1,10 +1,10 @@
-# The times of README.md's table "Which function", from what `footpoint-bench --scene quad4 --csv` prints for one or several
+# Prints the times of README.md's table "Which function", from `footpoint-bench --scene quad4 --csv` for one or several
 # instruction sets:
 #     awk -f searches.awk FILE...
-# For each search how many times quicker it is than Newton, converged or fair, the quicker in that mode, asked the same, and
-# closest points than four triangles: bare, checked, closest point, each in dependent calls, in independent calls and over
-# arrays.  Then the time of checked searches over that of bare ones, and the functions that are not one of each search.
-# Figures of several files stand in one cell.
+# For each search: how many times faster it is than Newton for the same question, converged or fair, whichever is faster
+# in that mode, and closest points than four triangles: bare, checked, closest point, each in dependent calls, in
+# independent calls and over arrays. Then the time of checked over bare searches, and the functions that not every
+# search has. Figures of several files share a cell.
 BEGIN { FS = "," }
 FNR == 1 {
     for (i = 1; i <= NF; i++) c[$i] = i
@@ -25,7 +25,7 @@ function quickest(f, rivals, mode,    i, k, name, least) {
         if ((f, name[i], mode) in ns && (least == "" || ns[f, name[i], mode] < least)) least = ns[f, name[i], mode]
     return least
 }
-# the time of the quickest rival over ours, of all files
+# the time of the fastest rival over ours, for all files
 function cell(ours, rivals, mode,    f, text) {
     for (f = 1; f <= files; f++)
         if ((f, ours, mode) in ns)

@@ -1,4 +1,4 @@
-# A table in HTML of what `footpoint-bench --csv` prints: the methods on a scene's samples, in order of their time in independent calls.
+# Prints the methods of `footpoint-bench --csv` on a scene's samples as a table in HTML, ordered by time in independent calls.
 #     awk -f table.awk -v scene=quad4 -v sample=random -v question=bare bench.csv
 BEGIN { FS = "," }
 NR == 1 {

@@ -1,7 +1,7 @@
-// Counts the operations of every rival by running it with a scalar that counts, and prints them for C:
+// Counts the operations of every rival by running it with a counting scalar, and prints them for C:
 //     #define OPS_name {mul, div, add, sqrt}
-// Of an iteration until it stands OPS are its set-up with the first step, and STEP_name those of each later step.
-// Comparisons and changes of sign are free.
+// For an iteration that converges, OPS is its set-up with the first step, and STEP_name each later step. Comparisons
+// and changes of sign are free.
 #include <cmath>
 #include <cstdio>
 
@@ -72,7 +72,7 @@ static bool operator<=(Real a, Real b)
 static const Real xA[3] = {0.0, 0.0, 0.0}, xB[3] = {1.0, 0.1, 0.0}, xC[3] = {1.2, 0.9, 0.2}, xD[3] = {-0.1, 1.0, 0.0};
 static const Real xS[3] = {0.3, 0.6, 0.4};
 
-// A face of any kind, as far as counting goes.
+// A face of any kind; counting does not depend on its nodes.
 static const Real face[10][3] = {{0.0, 0.0, 0.0}, {1.0, 0.1, 0.0}, {1.2, 0.9, 0.2}, {-0.1, 1.0, 0.0}, {0.6, 0.0, 0.1},
                                  {1.1, 0.4, 0.2}, {0.5, 1.0, 0.0}, {0.0, 0.6, 0.1}, {0.5, 0.5, 0.1},  {0.3, 0.6, 0.4}};
 
@@ -89,7 +89,7 @@ template <typename Search> static Counts count(Search search)
     return counts;
 }
 
-// An iteration that never stands: search(steps, &xi, &eta).
+// An iteration that never converges: search(steps, &xi, &eta).
 template <typename Search> static void count_steps(const char *name, Search search)
 {
     const Counts one = count([&](Real *xi, Real *eta) { search(1, xi, eta); });

@@ -1,6 +1,6 @@
-# The library and the headers, which take a C compiler alone: a copy of this file is packages/footpoint/package.py of a
-# Spack repository.  It looks for the archive that `make dist` makes in the folder where spack is called.  That archive
-# holds this file, so its checksum has to be added to the copy: `spack checksum`, or `spack install --no-checksum`.
+# The library and the headers, which need only a C compiler. Copy this file to packages/footpoint/package.py of a Spack
+# repository. It expects the archive of `make dist` in the folder from which spack is called. The archive contains this
+# file, so add its checksum to the copy with `spack checksum`, or use `spack install --no-checksum`.
 import os
 
 from spack.package import *
