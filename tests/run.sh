@@ -1,8 +1,8 @@
 #!/bin/sh
-# Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), JOBS= at a time, else one more than there are
-# processors, as some wait; those after the word --alone one by one.  A program that prints no plan, or dies, fails.
-# Prints what a test skips or warns of, and a line for each, "n of m": how long it took and the processor time in that.  Closes with both of all of them and
-# "N passed, N failed"; exits 1 if anything failed.
+# Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), JOBS= at a time, by default one more than
+# there are processors, because some wait; those after the word --alone one by one. A program that prints no plan, or
+# dies, fails. Prints skipped checks and warnings, and a line "n of m" for each test with its time and processor time.
+# The last lines are the totals and "N passed, N failed". Exits 1 if anything failed.
 if [ "$1" = --one ]; then # prints the result of one test of so many, and adds "passed failed seconds" to a file of counts
     tests=$2 counts=$3 test=$4
     out=$(mktemp) || exit 3

@@ -1,5 +1,5 @@
-# footpoint-bench: usage and diagnostics; a CSV that is whole; what callers get, right in each of its rows; the rivals below
-# the front of made-up figures; maps.
+# Checks footpoint-bench: usage and diagnostics; a complete CSV; functions for callers, right in each of its rows; the
+# rivals below the front of invented figures; maps.
 . tests/cli/expect.inc
 bench=$BIN/footpoint-bench
 scene=tests/scenes/small.scene

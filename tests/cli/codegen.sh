@@ -1,4 +1,4 @@
-# footpoint-codegen: usage, diagnostics, exit statuses, and that nothing is half-written.
+# Checks footpoint-codegen: usage, diagnostics, exit statuses; no file is half-written.
 . tests/cli/expect.inc
 # None of these expressions is hard.
 codegen=$work/codegen

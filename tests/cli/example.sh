@@ -1,6 +1,7 @@
-# The examples to copy.  Impact: it compiles alone, keeps momentum to rounding and energy nearly, and both
-# searches agree.  Slide: contact with Gregory patches makes forces smoother, and is never lost.  Press: Newton's residuals
-# fall quadratically, on every kind of face, without friction and with it, and in Fortran it is the same.  Grid: nearest faces of a large sheet.
+# Checks the examples to copy. Impact compiles alone, keeps momentum to rounding and energy nearly, and both searches
+# agree. Slide: contact with Gregory patches makes forces smoother and is never lost. Press: Newton's residuals fall
+# quadratically on every kind of face, with and without friction, and equally in Fortran. Grid: nearest faces of a large
+# sheet.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'

@@ -1,5 +1,5 @@
-# From a scene in float to its header: `precision = "float"`, samples whose coordinates are floats, a banner that tells the
-# errors of the float code, and code that computes nothing in double.
+# Checks the way from a scene in float to its header: `precision = "float"`, samples whose coordinates are floats, a
+# banner with the errors of the float code, and code that computes nothing in double.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 export OMPI_MCA_btl_base_warn_component_unused=0

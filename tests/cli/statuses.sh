@@ -1,6 +1,6 @@
-# Statuses of the functions of generated headers, as C and C++ and where -ffast-math lets a compiler forget NaN: see
-# tests/generated/statuses.h.  With FOOTPOINT_LONG all functions of every header with every compiler, else two of quad4,
-# tri3 and quad8 each with a C compiler as it is, and those of quad4 and tri3 with a C++ compiler that forgets.
+# Checks statuses of the functions of generated headers, as C and C++, also if -ffast-math lets a compiler ignore NaN:
+# see tests/generated/statuses.h. With FOOTPOINT_LONG all functions of every header with every compiler; otherwise two
+# of quad4, tri3 and quad8 with a C compiler, and those of quad4 and tri3 with a C++ compiler under -ffast-math.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
 HEADERS=${HEADERS:-$(ls "$PWD"/generated/*.h | grep -v -e _derivatives -e _edge)}

@@ -1,7 +1,7 @@
 #!/bin/sh
-# picture.sh FOLDER [slide]: what the examples do as pictures, with the data that they are made of.  FOLDER/impact.svg:
-# energies of both worlds over time, and what local search of a pair takes with each function of the header;
-# FOLDER/slide.svg, made alone if asked for: contact forces over the distance slid.
+# picture.sh FOLDER [slide]: draws the examples' results, with their data. FOLDER/impact.svg: energies of both worlds
+# over time, and the time of local search per pair for each function of the header. FOLDER/slide.svg, or only this one:
+# contact forces over the distance slid.
 here=$(dirname "$0") folder=$1 CC=${CC:-gcc}
 [ -d "$folder" ] || { echo 'usage: picture.sh FOLDER [slide]' >&2; exit 2; }
 $CC -O3 -march=native "$here/slide.c" "$here/../../runtime/geometry/gregory.c" "$here/../../runtime/geometry/bezier.c" \

@@ -1,5 +1,6 @@
-# Templates of C++ (--language c++): tests/generic/generic_main.cpp compares them, for four types of numbers, with the C header.
-# With FOOTPOINT_LONG all kinds of faces beside the headers of generated/.  Device code: languages.sh.
+# Checks templates of C++ (--language c++): tests/generic/generic_main.cpp compares them, for four types of numbers,
+# with the C header. With FOOTPOINT_LONG all kinds of faces, against the headers of generated/. Device code:
+# languages.sh.
 . tests/cli/expect.inc
 CXX=${CXX:-g++}
 codegen() { "$BIN/footpoint-codegen" --quiet --allow-poles "$@"; }

@@ -1,5 +1,5 @@
-# Loops over arrays of patches vectorise whatever arrays their callers have, without flags or pragmas: static, allocated ones and
-# parameters.  Told by the instructions of the functions that do the work: packed ones, and next to no scalar arithmetic.
+# Checks that loops over arrays of patches vectorise without flags or pragmas, for static and allocated arrays and for
+# parameters: their functions must have packed instructions, and almost no scalar arithmetic.
 . tests/cli/expect.inc
 headers='bezier'
 [ -z "$FOOTPOINT_LONG" ] || headers='bezier gregory paper_gregory'

@@ -1,7 +1,7 @@
 #!/bin/sh
-# rivals.sh FOLDER: searches of other libraries beside ours, on the same faces and slave nodes: a table on stdout,
-# FOLDER/index.html with pictures, FOLDER/rivals.csv.  Libraries that are not installed are named as absent.  CASES=
-# of each family and kind of face.
+# rivals.sh FOLDER: compares searches of other libraries with ours on the same faces and slave nodes. Prints a table,
+# and writes FOLDER/index.html with pictures and FOLDER/rivals.csv. Missing libraries are named as absent. CASES=: cases
+# for each family and kind of face.
 #
 # Adapters and headers are compiled alike for this machine; what a library has compiled is as its package compiled it,
 # and so is ours in libfootpoint.

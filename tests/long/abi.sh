@@ -1,4 +1,4 @@
-# `make abi` lets pass what leaves programs running that were built before, and nothing else.
+# Checks that `make abi` accepts exactly the changes after which old programs still run.
 . tests/cli/expect.inc
 unset MAKEFLAGS MAKELEVEL MFLAGS
 CC=${CC:-gcc}

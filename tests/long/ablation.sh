@@ -1,6 +1,6 @@
-# What each pass of codegen is worth: operations, in the throughput model, of functions that are compiled with all passes and
-# with one left out.  Takes short expressions; with FOOTPOINT_ABLATION=all all of them and the shipped genomes, which takes
-# hours.  FOOTPOINT_EFFORT is the search's (200): without any effort, some passes are not tried at all.
+# Measures the worth of each pass of codegen: operations, in the throughput model, of functions compiled with all passes
+# and with one left out. Uses short expressions; FOOTPOINT_ABLATION=all uses all of them and the shipped genomes, which
+# takes hours. FOOTPOINT_EFFORT is the search's (200): without any effort, some passes are not tried.
 . tests/cli/expect.inc
 if [ "$FOOTPOINT_ABLATION" = all ]; then
     files="$(ls tests/expressions/*.gen) $(ls evolve/genomes/*.gen codegen/derivatives/*.gen)"

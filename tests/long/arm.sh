@@ -1,5 +1,5 @@
-# The runtime library on 64-bit Arm: compiles without a warning, and under emulation batches give the bits of single
-# searches.  Skipped without gcc-aarch64-linux-gnu, libc6-dev-arm64-cross, qemu-user.
+# Checks the runtime library on 64-bit Arm: it compiles without a warning, and under emulation batches return the bits
+# of single searches. Skipped without gcc-aarch64-linux-gnu, libc6-dev-arm64-cross, qemu-user.
 . tests/cli/expect.inc
 command -v aarch64-linux-gnu-gcc > /dev/null || { report 1 'skipped: no compiler for Arm'; exit 0; }
 aarch64-linux-gnu-gcc -std=c11 -D_DEFAULT_SOURCE -O3 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror \

@@ -1,7 +1,7 @@
-# CalculiX 2.20 with our search in place of its own: same displacements and contact stresses, on models of ours and on
-# all those with contact that come with its tests; a warning if a call is not 20 times faster.  Fetches
-# sources and libraries of Debian 12, from where this machine's packages come, into a scratch folder (CALCULIX=FOLDER keeps
-# them and what is built between runs) and installs nothing.  A table goes to $BIN/calculix.csv.  Ten minutes; MODELS='punch impact' runs just these.
+# Compares CalculiX 2.20 with our search and with its own: displacements and contact stresses must agree, on our models
+# and on all contact models of its tests; a warning if a call is not 20 times faster. Fetches sources and libraries of
+# Debian 12 from this machine's package source into a scratch folder (CALCULIX=FOLDER keeps them and the build between
+# runs) and installs nothing. A table goes to $BIN/calculix.csv. Ten minutes; MODELS='punch impact' runs only these.
 . tests/cli/expect.inc
 . tests/calculix/sources.inc
 here=$PWD

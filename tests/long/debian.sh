@@ -1,5 +1,5 @@
-# Debian's packages, out of the archive of `make dist`: they build, lintian finds no error, and a program compiles and
-# runs with what is in them.  Installs nothing.
+# Checks Debian's packages made from the archive of `make dist`: they build, lintian finds no error, and a program
+# compiles and runs with their contents. Installs nothing.
 . tests/cli/expect.inc
 unset MAKEFLAGS MAKELEVEL MFLAGS
 CC=${CC:-gcc}

@@ -1,6 +1,6 @@
-# The contact decks that come with CalculiX's tests in Debian: each is read, or refused for what its master faces lie on;
-# none for an element, a surface or a keyword that contact does not need.  A scene for each, without a kind of segment,
-# has it found out.  DECKS=FOLDER keeps them between runs.
+# Reads the contact decks of CalculiX's tests in Debian. Each is read, or refused for its master faces; none is refused
+# for an element, a surface or a keyword that contact does not need. A scene for each, without a kind of segment, must
+# detect the kind. DECKS=FOLDER keeps them between runs.
 . tests/cli/expect.inc
 folder=${DECKS:-$work/decks}
 skip() { echo "ok 1 - # skip $1"; exit 0; }

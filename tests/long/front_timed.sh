@@ -1,4 +1,5 @@
-# make front on a small scene: members of its front bred, emitted, proved, and timed beside each other on validation samples.
+# Checks make front on a small scene: members of its front are bred, emitted, proved, and timed together on validation
+# samples.
 . tests/cli/expect.inc
 unset MAKEFLAGS MFLAGS
 make SCENE=tests/scenes/steps.scene GENERATIONS=2 RANKS=1 MEMBERS=2 front > "$work/table" 2> "$work/err" || sed 's/^/# /' "$work/err"

@@ -1,5 +1,5 @@
-# The proved rounding bounds beside those that Gappa proves for the same statements, each operation rounded: ours, which
-# hold with fused operations as well, are at most twice as wide.
+# Compares the proved rounding bounds with Gappa's for the same statements, each operation rounded. Ours, which hold
+# with fused operations as well, must be at most twice as wide.
 . tests/cli/expect.inc
 command -v gappa > /dev/null || { report 1 'skipped: no gappa'; exit 0; }
 

@@ -1,5 +1,5 @@
-# Enormous, deep and broken genomes end in code or in one line, within limits of memory and of processor time, which is
-# the same on a loaded machine; the limit of time by the clock is for what waits for ever.
+# Checks that enormous, deep and broken genomes end in code or in one line, within limits of memory and of processor
+# time, which does not depend on other load; a limit by the clock stops endless waits.
 . tests/cli/expect.inc
 codegen=$BIN/footpoint-codegen
 seconds=60 kilobytes=4000000

@@ -1,5 +1,5 @@
-# Three network namespaces as separate hosts, with names and addresses of their own and a slow wire between them: the same
-# genomes and log as on one; a host that goes dark costs no more than the work since the last checkpoint.
+# Runs three network namespaces as separate hosts, with their own names and addresses and a slow link. Genomes and log
+# must be the same as on one host; a lost host costs only the work since the last checkpoint.
 . tests/cli/expect.inc
 evolve=$(cd "$BIN" && pwd)/footpoint-evolve
 id=fp$$ net=10.$((100 + $$ % 100)).$(($$ / 100 % 250))

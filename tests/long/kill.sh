@@ -1,5 +1,5 @@
-# Jobs killed with kill -9 at 20 random moments, whole or a single rank of them, and resumed on other numbers of ranks until
-# they are done: the same genomes and the same log as without; hostile checkpoints on the way.
+# Kills jobs with kill -9 at 20 random moments, whole or a single rank, and resumes them on other numbers of ranks until
+# they are done. Genomes and log must be the same as without; hostile checkpoints are tried on the way.
 . tests/cli/expect.inc
 evolve=$BIN/footpoint-evolve
 export OMPI_MCA_btl_base_warn_component_unused=0

@@ -1,5 +1,5 @@
-# Outside projects against an installed copy that was staged and moved, to a name with a blank, too: CMake in C, C++17
-# and Fortran, pkg-config in C++, a header alone, the Fortran module from source.
+# Builds outside projects against an installed copy that was staged and moved, also to a name with a blank: CMake in C,
+# C++17 and Fortran, pkg-config in C++, a header alone, the Fortran module from source.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
 logged() { # logged NAME COMMAND...: as `report`, with what the command says where it fails

@@ -1,6 +1,6 @@
-# The main job's search, run on what is committed, makes no error on held-out samples (mean, 99 %, worst, of xi or eta, of
-# any function) worse by more than 2 %.  Headers are not emitted: they are what the genomes say.  Scenes are done as
-# `make regenerate` does them, two at a time; GENERATIONS= as there, SCENES= for some of them.
+# Runs the main job's search on the committed genomes: no error on held-out samples (mean, 99 %, worst, of xi or eta, of
+# any function) may grow by more than 2 %. Headers are not emitted. Scenes are done like in `make regenerate`, two at a
+# time; GENERATIONS= as there, SCENES= for some of them.
 . tests/cli/expect.inc
 export OMPI_MCA_btl_base_warn_component_unused=0
 GENERATIONS=${GENERATIONS:-1}

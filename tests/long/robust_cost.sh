@@ -1,6 +1,5 @@
-# What searches cost in instructions (gcc 12 -O3).
-# What footpoint_robust costs on ordinary segments, inside and all around: no more than when
-# its last resort was a list that nothing proved complete.
+# Counts the instructions of searches (gcc 12 -O3). On ordinary segments, inside and all around, footpoint_robust must
+# cost no more than when its last resort was a list that nothing proved complete.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 if ! command -v valgrind > /dev/null; then

@@ -1,5 +1,5 @@
-# The study of `make paper` at a very small size, on a coarse lattice: run twice, once with interruptions, it leaves the
-# same tables, times apart; a folder with runs of another size is refused.
+# Runs the study of `make paper` at a very small size, on a coarse lattice. Run twice, once with interruptions, it must
+# write the same tables except for times; a folder with runs of another size is refused.
 . tests/cli/expect.inc
 export OMPI_MCA_btl_base_warn_component_unused=0
 export SEEDS='1 2' PGA_GENERATIONS=10 GP_GENERATIONS=6 GROUP_GENERATIONS=3 TIMED_GENERATIONS=3 RANKS=2 BIN

@@ -1,4 +1,4 @@
-# Batches with OpenMP: the bits of single searches on any number of threads, and no data race.
+# Checks batches with OpenMP: the bits of single searches on any number of threads, and no data race.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 flags='-std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -fno-math-errno -fno-trapping-math -fopenmp'

@@ -1,6 +1,6 @@
-# The loops over arrays vectorise: their packed operations are counted in the machine code, for gcc and clang with AVX2 in
-# double, for gcc, which vectorises less, with SSE2, there two functions of a scene in float, too; their results are those
-# of the function for one point, bit for bit.
+# Checks that loops over arrays vectorise, by their packed operations in the machine code: for gcc and clang with AVX2
+# in double; for gcc, which vectorises less, with SSE2, including two functions of a scene in float. Their results must
+# equal the function for one point, bit for bit.
 . tests/cli/expect.inc
 codegen() { "$BIN/footpoint-codegen" --effort 10 "$@"; } # how the search ends is no matter here
 command -v objdump > /dev/null || { report 1 'skipped: no objdump'; exit 0; }

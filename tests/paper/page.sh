@@ -1,5 +1,5 @@
-# page.sh: from the runs in $runs the tables, figures and CSV files of $folder/index.html.  Called by tests/paper/paper.sh,
-# whose variables it reads.  Nothing here is typed in but what the paper says, marked as the paper's.
+# page.sh: makes the tables, figures and CSV files of $folder/index.html from the runs in $runs. tests/paper/paper.sh
+# calls it with its variables. All figures are computed, except the paper's, which are marked.
 page=$folder/index.html
 here=tests/paper
 

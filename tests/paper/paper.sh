@@ -1,9 +1,10 @@
 #!/bin/sh
-# paper.sh FOLDER: the study of Oishi and Yoshimura (2008), run by run, and a page of its tables and figures.
+# paper.sh FOLDER: repeats the study of Oishi and Yoshimura (2008), run by run, and makes a page of its tables and
+# figures.
 #
-# Every run leaves a file in FOLDER/runs that is not made again: an interrupted study goes on where it was, long runs
-# from their checkpoint.  FULL=1: the paper's own size, in a folder of its own (FOLDER/full).  All results but times
-# depend on the seeds alone.
+# Every run writes a file to FOLDER/runs and is not repeated. An interrupted study continues there, long runs from their
+# checkpoint. FULL=1: the paper's own size, in its own folder (FOLDER/full). All results except times depend only on the
+# seeds.
 folder=$1
 BIN=${BIN:-build} RANKS=${RANKS:-2} MPIRUN=${MPIRUN:-mpirun --oversubscribe --bind-to none -n $RANKS}
 if [ "$FULL" = 1 ]; then

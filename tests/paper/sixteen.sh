@@ -1,6 +1,5 @@
-# sixteen.sh: the paper's second study, section 7.2, expressions in sixteen inputs on Gregory patches: the tables and
-# pictures of Figures 18 to 20 and what they are compared with.  Read by tests/paper/page.sh, whose variables and
-# functions it uses.
+# sixteen.sh: the paper's second study, section 7.2, expressions in sixteen inputs on Gregory patches: tables and
+# pictures of Figures 18 to 20, and their comparisons. tests/paper/page.sh reads it with its variables and functions.
 sixteen='xc yc zc xd yd xs ys zs nxA nyA nxB nyB nxC nyC nxD nyD'
 held='mean,99 %,worst,off the lattice: mean,99 %,worst'
 

@@ -1,5 +1,5 @@
-# The public set of queries: read by a program of 30 lines that includes nothing of footpoint's; a judge that knows right from
-# wrong and refused; all of it made again, the same bytes, when FOOTPOINT_LONG is set.
+# Checks the public set of queries: a program of 30 lines that includes nothing of footpoint's reads it; the judge
+# distinguishes right, wrong and refused answers; with FOOTPOINT_LONG the set is made again, to the same bytes.
 . tests/cli/expect.inc
 CC=${CC:-gcc} queries=tests/queries
 gzip -dc $queries/queries.txt.gz > "$work/queries.txt"; report $((! $?)) 'unpacks'

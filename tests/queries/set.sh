@@ -1,8 +1,8 @@
 #!/bin/sh
-# set.sh make SEED COUNT: queries on standard output, COUNT of each kind of face and family.
-# set.sh set SEED COUNT: the same in build/queries/queries.txt.
-# set.sh score QUERIES: judges our searches, their rivals, and the libraries that `make rivals` has built: a table.
-# set.sh fill: puts that table of queries.txt.gz into README.md.
+# set.sh make SEED COUNT: prints queries, COUNT for each kind of face and family.
+# set.sh set SEED COUNT: writes them to build/queries/queries.txt.
+# set.sh score QUERIES: judges our searches, their rivals, and the libraries built by `make rivals`; prints a table.
+# set.sh fill: puts the table for queries.txt.gz into README.md.
 here=tests/queries BIN=${BIN:-build} CC=${CC:-gcc}
 built=$BIN/queries
 flags='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -O1 -ffp-contract=off'

@@ -1,5 +1,5 @@
-# Writes what footpoint-bench measures of quad4 on this machine to tests/report/machines, a file for each instruction set:
-# record.sh BENCH ISA...  The first line names processor, compiler and date.
+# record.sh BENCH ISA...: writes footpoint-bench's measurements of quad4 on this machine to tests/report/machines, a
+# file for each instruction set. The first line names processor, compiler and date.
 bench=$1 folder=tests/report/machines
 shift
 model() { sed -n "s/^$1[[:space:]]*: //p" /proc/cpuinfo | head -1; }

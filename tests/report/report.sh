@@ -1,8 +1,8 @@
 #!/bin/sh
-# report.sh FOLDER: one run of the bench as a page.  First the scene quad4, what its picture says, an index and a key to
-# the methods' names; then the hard cases and the searches from the last answer; then each scene with pictures of time
-# against error, tables, error maps and the rivals that lie below our front.  BENCH_OPTIONS, say "--scene quad4", go to
-# the bench.
+# report.sh FOLDER: makes a page from one run of the bench. First the scene quad4, a description of its picture, an
+# index and a key to the methods' names; then the hard cases and the searches from the last answer; then each scene
+# with pictures of time against error, tables, error maps and the rivals below our front. BENCH_OPTIONS, for example
+# "--scene quad4", go to the bench.
 folder=$1 BIN=${BIN:-build}
 say() { echo "report: $*" >&2; }
 rm -rf "$folder" && mkdir -p "$folder/maps" || exit 3

@@ -1,5 +1,5 @@
-# Hand-written searches on Gregory patches: builds for this machine, shows speed and error, and checks that converged
-# Newton finds every foot point of the smooth bodies and nearly every one of the paper's.
+# Times hand-written searches on Gregory patches, built for this machine, with their errors. Checks that converged
+# Newton finds every foot point of the smooth bodies and nearly every foot point of the paper's.
 . tests/cli/expect.inc
 FAST='-ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only'
 parts="tests/support/error_stats.c $(ls codegen/base/*.c codegen/genome/*.c runtime/geometry/*.c evolve/*/*.c | grep -vE '_main\.c$|/mpi/|/run/')"

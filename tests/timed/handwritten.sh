@@ -1,6 +1,7 @@
-# The emitted code of the shipped scenes is no slower than the same formulas written by hand and compiled alike, in one
-# run, by more than noise: 5 %.  A run that says otherwise is repeated, TRIES in all, and the best of each line counts; if
-# that is slower, too, there is a warning for gcc.  Asserts that the formulas agree.  clang's figures are shown (it makes more of a clamp written as `?:`, of which gcc makes jumps).
+# Checks that the emitted code of the shipped scenes is no slower than the same formulas written by hand and compiled
+# alike, in one run, within a noise of 5 %. A slower run is repeated, TRIES in all, and the best of each line counts; if
+# that is slower, too, there is a warning for gcc. Asserts that the formulas agree. clang's figures are only shown,
+# because clang compiles a clamp written as `?:` better than gcc, which uses jumps.
 . tests/cli/expect.inc
 TRIES=3
 gcc -std=c11 -D_DEFAULT_SOURCE tests/rivals/as_written_main.c codegen/base/*.c codegen/genome/*.c $(pkg-config --libs libmd) -lm -o "$work/as_written" &&

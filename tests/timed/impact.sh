@@ -1,5 +1,6 @@
-# The example to copy, in full: the energy error is of second order in the time step with either search, C and Fortran
-# agree, and a warning if local search is less than five times faster with footpoint than with Newton's iteration in each run.
+# Runs the example to copy in full: the energy error is of second order in the time step with either search, and C and
+# Fortran agree. Warns if local search is less than five times faster with footpoint than with Newton's iteration in
+# each run.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 value() { awk -v what="$1" 'index($0, what) == 1 { print $'"$2"' }' "$work/table"; }

@@ -1,7 +1,7 @@
-# Batches of pairs out of arrays far larger than the caches: the fast search costs at most 1.5 times a loop that only
-# gathers the same coordinates and stores two doubles, in one run, in the order of the mesh and in random order, out of
-# nodes x 3 and out of columns.  A run that says otherwise is repeated, TRIES in all, and the best ratio of each line
-# counts; if that is more, too, there is a warning.  Asserts that every pair has an answer.
+# Checks batches of pairs from arrays far larger than the caches: the fast search costs at most 1.5 times a loop that
+# only gathers the same coordinates and stores two doubles, in one run, in the order of the mesh and in random order,
+# from nodes x 3 and from columns. A slower run is repeated, TRIES in all, and the best ratio of each line counts; if
+# that is more, too, there is a warning. Asserts that every pair has an answer.
 . tests/cli/expect.inc
 CC=${CC:-gcc} TRIES=3
 free=$(awk '$1 == "MemAvailable:" { print int($2 / 1024) }' /proc/meminfo 2> /dev/null)

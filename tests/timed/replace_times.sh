@@ -1,5 +1,5 @@
-# What the adapters of runtime/replace/ take beside our own equivalents of the searches that they stand in for, the table of
-# runtime/README.md; the answers of both agree.
+# Times the adapters of runtime/replace/ beside our equivalents of the searches that they replace, for the table of
+# runtime/README.md. Their answers must agree.
 . tests/cli/expect.inc
 CXX=${CXX:-g++} CC=${CC:-gcc}
 for file in hard draw wild; do

@@ -1,6 +1,6 @@
-# Two ranks on two free cores take little more than half the time of one rank with the same islands, else the test prints a
-# warning. They must write the same bytes.
-# Runs at a moment when nobody else uses the machine; skipped if there is none.
+# Checks that two ranks on two free cores take little more than half the time of one rank with the same islands;
+# otherwise warns. They must write the same bytes.
+# Runs only while the machine is otherwise idle, and is skipped if it never is.
 #
 # More ranks: on an Intel Xeon with 16 cores, `mpirun -n P footpoint-evolve --scene quad4 --islands 4 --generations 10` (28
 # islands, for the seven tiers of the time) took 60.6 s with one rank, 36.2 with 2, 23.2 with 4, 21.1 with 8 and 18.6 with 16.

@@ -1,5 +1,5 @@
-# Commits since the rule have an imperative subject of at most 72 characters, without a full stop; authors' dates decide, which
-# a rebase keeps.  Archives have no history.
+# Checks that commits since the rule have an imperative subject of at most 72 characters, without a full stop. Authors'
+# dates decide, which a rebase keeps. Archives have no history.
 . tests/cli/expect.inc
 since=2026-11-28
 

@@ -1,6 +1,6 @@
-# Comments and READMEs read like English.  Words that translations overuse are counted per 1,000 words of C comments and of
-# prose, as h3, p4est, FFTW and libCEED have few of them.  They are a symptom: rewrite the sentence, do not swap the word.
-# READMEs and comments of all rooms, except emitted files, must keep the limits.
+# Checks that comments and READMEs read like English. Words that translations overuse are counted per 1,000 words of C
+# comments and of prose; h3, p4est, FFTW and libCEED use few of them. They are a symptom: rewrite the sentence, do not
+# swap the word. READMEs and comments of all rooms, except emitted files, must keep the limits.
 . tests/cli/expect.inc
 emitted='tests/bench/footpoint_perceptron.h tests/generated/points'
 rooms='evolve codegen runtime tests'

@@ -1,5 +1,5 @@
-# footpoint-perceptron: usage, diagnostics, its page; same seed, same bytes; what it writes goes through codegen.  The pinball
-# test's table.
+# Checks footpoint-perceptron: usage, diagnostics, its page; same seed, same bytes; its output compiles with codegen.
+# And the pinball test's table.
 . tests/cli/expect.inc
 perceptron=$BIN/footpoint-perceptron
 scene=tests/scenes/small.scene

@@ -1,4 +1,5 @@
-# footpoint-pga: usage, diagnostics, its page; same bytes on any number of ranks; what it writes goes through codegen.
+# Checks footpoint-pga: usage, diagnostics, its page; same bytes on any number of ranks; its output compiles with
+# codegen.
 . tests/cli/expect.inc
 pga=$BIN/footpoint-pga
 export OMPI_MCA_btl_base_warn_component_unused=0
