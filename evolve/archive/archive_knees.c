@@ -65,11 +65,16 @@ static void offer(struct choice *c, const struct quest *q, const struct member *
         kept->origin = m->origin;
 }
 
-static void offer_all(struct choice *c, const struct quest *q, const struct front *f, double part)
+/* Offers all champions first. */
+static void offer_all(struct choice *c, const struct archive *a)
 {
-    for (size_t k = 0; k <= f->limit; k++)
-        if (f->member[k].genes.length > 0)
-            offer(c, q, &f->member[k], part);
+    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        if (q->champion.genes.length > 0)
+            offer(c, q, &(struct member){.genes = q->champion.genes, .cost = q->champion.cost}, 1);
+    for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
+        for (size_t k = 0; k <= q->front->limit; k++)
+            if (q->front->member[k].genes.length > 0)
+                offer(c, q, &q->front->member[k], worth);
 }
 
 /* Returns the area between the steps that a member adds: its drop of error, up to the cost of the next member. */
@@ -118,10 +123,7 @@ void archive_choose_knees(struct archive *a, const struct archive *shipped, stru
     const struct front *any = a->quest[0].front;
     judge_rivals(&c, shipped);
     c.front = front_new(any->limit, any->max_length);
-    for (size_t i = 0; i < a->quests; i++)
-        offer_all(&c, &a->quest[i], a->quest[i].old, 1);
-    for (size_t i = 0; i < a->quests; i++)
-        offer_all(&c, &a->quest[i], a->quest[i].front, worth);
+    offer_all(&c, a);
     const struct member **m = new_array(any->limit + 1, sizeof *m);
     const size_t n = front_count(c.front);
     for (size_t i = 0; i < n; i++)
