@@ -2,7 +2,7 @@
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 flags='-std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -fno-math-errno -fno-trapping-math -fopenmp'
-sources="tests/runtime/test_batch.c tests/support/ordinary_quad.c evolve/common/stream.c $(ls runtime/*/*.c | grep -v /replace/)"
+sources="tests/runtime/test_batch.c tests/support/ordinary_quad.c evolve/common/stream.c $(ls runtime/geometry/*.c runtime/search/*.c runtime/certain/*.c runtime/batch/*.c)"
 libraries=$(pkg-config --libs cmocka gsl)
 # shellcheck disable=SC2086
 $CC $flags -O3 $sources $libraries -lm -o "$work/threads" > "$work/log" 2>&1
