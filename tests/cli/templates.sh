@@ -2,14 +2,20 @@
 . tests/cli/expect.inc
 folder=codegen/print/templates
 strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
+template() { # template NAME: includes it, from any folder
+    for path in "$PWD/$folder/$1.h" "$PWD/$folder"/*/"$1.h"; do
+        [ ! -e "$path" ] || echo "#include \"$path\""
+    done
+}
+named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u)
 {
     echo '#include <math.h>'
     echo '#ifdef SINGLE'
     for function in atan2 copysign fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
-    for name in macros bits power patch_powers scale products weighted relative height bounds; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
-    for name in again side corner lesser closest edge curve along curved_domain place place_slopes place_bends; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in macros bits power patch_powers scale products weighted relative height bounds; do template "$name"; done
+    for name in again side corner lesser closest edge curve along curved_domain place place_slopes place_bends; do template "$name"; done
     for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8: bezier_lanes:4:8: gregory_lanes:4:8: face:4:4:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
         columns= rows= names= parameters= segment=
@@ -27,11 +33,8 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
             '#define REACH_TO_GROWTH (reach * reach)' '#define LEAST_SIZE 1e-20' \
             "#define VECTOR_ROWS $(echo "$rows" | sed 's/p/x/g')"
-        for name in $(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u); do
-            is=$(echo "$name" | sed "s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/")
-            echo "#define $name $is"
-            words="$words $name"
-        done
+        printf '%s\n' $named | sed "h; s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/; H; x; s/\n/ /; s/^/#define /"
+        words="$words $named"
         closest="inward ${nearest}_nearest fan closest_again closest_arrays closest_surface closest_of"
         [ "$kind" != quad4 ] || closest="quad4_surface inward fan closest_surface corners"
         [ "$kind" != tri3 ] || closest="inward tri3_nearest fan closest_surface tri3_sure proved_closest_arrays"
@@ -116,9 +119,9 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         for name in $files $calls; do
             case $name in
             *:double) echo '#ifndef SINGLE' ;;
-            *:*) printf '%s\n' '#ifdef SINGLE' "#include \"$(find "$PWD/$folder" -name "${name#*:}.h")\"" '#else' ;;
+            *:*) echo '#ifdef SINGLE' && template "${name#*:}" && echo '#else' ;;
             esac
-            echo "#include \"$(find "$PWD/$folder" -name "${name%:*}.h")\""
+            template "${name%:*}"
             case $name in *:*) echo '#endif' ;; esac
         done
         for name in $words; do echo "#undef $name"; done
@@ -143,7 +146,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         for name in $files; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract_edge contract_edge_place contract_edge_along contract_edge_turns contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in contract_edge contract_edge_place contract_edge_along contract_edge_turns contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do template "$name"; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
