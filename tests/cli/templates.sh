@@ -35,9 +35,9 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
             "#define VECTOR_ROWS $(echo "$rows" | sed 's/p/x/g')"
         printf '%s\n' $named | sed "h; s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/; H; x; s/\n/ /; s/^/#define /"
         words="$words $named"
-        closest="inward ${nearest}_nearest fan closest_again closest_arrays closest_surface closest_of"
-        [ "$kind" != quad4 ] || closest="quad4_surface inward fan closest_surface corners"
-        [ "$kind" != tri3 ] || closest="inward tri3_nearest fan closest_surface tri3_sure proved_closest_arrays"
+        closest="inward fan closest_surface"
+        [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
+        [ "$kind" != tri3 ] || closest="$closest tri3_nearest tri3_sure proved_closest_arrays"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
         [ "$kind" != tri3 ] || files="tri3 tri3_over gap"
@@ -54,7 +54,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         case $nearest in
         '') ;;
         curved*)
-            files="$files $closest curved_anchor curved_sole curved_close curved_split curved_seek proved_closest_arrays"
+            files="$files $closest curved_anchor curved_slopes:single_slopes curved_at curved_sole curved_close curved_split curved_seek proved_closest_arrays"
             files="$files ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls"
             ;;
         *) files="$files $closest ${nearest}_along along_again along_calls" ;;
@@ -81,7 +81,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
             files="$files quad4_sole quad4_here:quad4_vector_here quad4_close quad4_repair_closest proved_closest_arrays"
             calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby:quad4_vector_nearby proved_closest_calls quad4_closest_from"
             ;;
-        curved*) calls="$calls from_calls curved_nearby:closest_calls proved_closest_calls:contract_closest" ;; # in float those without proof
+        curved*) calls="$calls from_calls curved_nearby proved_closest_calls" ;;
         tri3) calls="$calls tri3_nearby proved_closest_calls" ;;
         esac
         if [ $kind = face ]; then # functions at a place of it
@@ -146,12 +146,12 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         for name in $files; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract_edge contract_edge_place contract_edge_along contract_edge_turns contract contract_closest contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do template "$name"; done
+    for name in contract_edge contract_edge_place contract_edge_along contract_edge_turns contract contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do template "$name"; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
-double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_WEAK=1e-6 -DREAL_CRAMER=1e-8 -DREAL_TURN=1e-12 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625 -DREAL_ROOT=0x5fe6eb50c7b537a9ull -DREAL_ALONG=1e-9'
-float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_WEAK=1.2e-3f -DREAL_CRAMER=1.5e-3f -DREAL_TURN=1e-6f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f -DREAL_ROOT=0x5f3759dfu -DREAL_ALONG=1e-3f'
+double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_UNIT=1e-16 -DREAL_ORDINARY=32 -DREAL_CLOSE=1e-9 -DREAL_WITHIN=1e-9 -DREAL_NEAR=4e-10 -DREAL_EDGE=1e-15 -DREAL_STEP=2.3e-16 -DREAL_STILL=1e-9 -DREAL_FAINT=1e-300 -DREAL_WEAK=1e-6 -DREAL_CRAMER=1e-8 -DREAL_TURN=1e-12 -DREAL_FINE=1e-11 -DREAL_APART=1e-6 -DREAL_TIE=1e-10 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16 -DREAL_ANGLE=1e-24 -DREAL_SMALL=1e-29 -DREAL_INWARD=0.0009765625 -DREAL_ROOT=0x5fe6eb50c7b537a9ull -DREAL_ALONG=1e-9'
+float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_UNIT=6e-8f -DREAL_ORDINARY=12 -DREAL_CLOSE=3e-4f -DREAL_WITHIN=1e-4f -DREAL_NEAR=4e-6f -DREAL_EDGE=4e-7f -DREAL_STEP=1.2e-7f -DREAL_STILL=1e-5f -DREAL_FAINT=5e-26f -DREAL_WEAK=1.2e-3f -DREAL_CRAMER=1.5e-3f -DREAL_TURN=1e-6f -DREAL_FINE=1e-3f -DREAL_APART=1e-3f -DREAL_TIE=3e-5f -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f -DREAL_ANGLE=1e-12f -DREAL_SMALL=1e-12f -DREAL_INWARD=0.03125f -DREAL_ROOT=0x5f3759dfu -DREAL_ALONG=1e-3f'
 float="$float -fsingle-precision-constant -DSINGLE"
 later 'templates: half of the compilers and precisions'
 for compiler in 'gcc -std=c99' 'clang -std=c99' 'g++ -std=c++11' 'clang++ -std=c++11'; do

@@ -3,10 +3,12 @@
  * FOOTPOINT_NOT_UNIQUE means that no point is nearer by more than 1e-10 of the longest edge, and another is as near.
  * The judge bounds distances over parts of the face (tests/support/curved_face.h), then takes Newton's steps in
  * quadruple precision, and shares no code with the judged functions. Some of each kind and group; a million with
- * FOOTPOINT_LONG, which prints how many are proved. */
+ * FOOTPOINT_LONG, which prints how many are proved. test_single_closest.c includes this for headers in float. */
+#ifndef SINGLE
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_tri6.h"
+#endif
 #include "../hard/draw.h"
 #include "../support/curved_face.h"
 #include "../support/long_cases.h"
@@ -24,8 +26,7 @@
 
 #include <cmocka.h>
 
-enum { CASES = 120, CASES_LONG = 1000000, STEPS = 80, PAIRS = 100, SEVERAL = 3, ANSWERS = 6, FUNCTIONS = 9 };
-#define BORDER 1e-9  /* in xi and eta: within this of a border, both regions are right */
+enum { CASES = 120, STEPS = 80, PAIRS = 100, SEVERAL = 3, ANSWERS = 6 };
 #define NOT_HERE 7.0 /* initial value of outputs */
 
 /* ---- functions ---- */
@@ -38,6 +39,16 @@ typedef int of_many(size_t n, const double *const *x, const double *xs, double l
 #define X6 x[0], x[1], x[2], x[3], x[4], x[5]
 #define X8 X6, x[6], x[7]
 #define X9 X8, x[8]
+#ifdef SINGLE
+#include "../single/single_closest.h"
+#else
+enum { CASES_LONG = 1000000, FUNCTIONS = 9 };
+#define BORDER 1e-9     /* of xi and eta: nearer than this to the border of a region, either is right */
+#define TIE 1.001e-10   /* distances this much apart, over the longest edge, are equal */
+#define ROUNDING 1e-12  /* of distances */
+#define ON_EDGE 2.3e-16 /* of xi and eta */
+#define OVER 0          /* what the sum of xi and eta may exceed 1 by */
+#define ROUND(f) (void)(f)
 #define ALL(F)                                                                                                         \
     F(6, tri6, coarse, TRI6_COARSE)                                                                                    \
     F(6, tri6, precise, TRI6_PRECISE)                                                                                  \
@@ -61,6 +72,7 @@ ALL(WRAP)
      one_##kind##_##tier,                                                                                              \
      footpoint_##kind##_##tier##_closest_n,                                                                            \
      footpoint_##kind##_##tier##_closest_of},
+#endif
 static const struct function {
     const char *name;
     int nodes;
@@ -261,12 +273,12 @@ static const char *fault(struct judged *j, double promise, int status, const dou
     const double low = k->corners == 4 ? -1 : 0;
     wide g[2], H[3], z[2] = {loc[0], loc[1]};
     if (!(loc[0] >= low && loc[1] >= low && loc[0] <= 1 && loc[1] <= 1 && dist < HUGE_VAL && dist > -HUGE_VAL) ||
-        (k->corners == 3 && loc[0] + loc[1] > 1))
+        (k->corners == 3 && loc[0] + loc[1] > 1 + OVER))
         return "no point of the face";
-    if (region != region_of(k, z, k->corners == 4 ? 0 : 2.3e-16))
+    if (region != region_of(k, z, k->corners == 4 ? 0 : ON_EDGE))
         return "another region than xi and eta";
     const double here = sqrt(2 * (double)curved_half(&j->powers[0], z, g, H)), scale = j->longest + here;
-    if (fabs(fabs(dist) / j->unit - here) > 1e-12 * scale)
+    if (fabs(fabs(dist) / j->unit - here) > ROUNDING * scale)
         return "the distance is another";
     if (status == FOOTPOINT_UNPROVED)
         return NULL;
@@ -277,8 +289,7 @@ static const char *fault(struct judged *j, double promise, int status, const dou
         return NULL;
     const wide near = settle(j, z); /* a place at least as far as the judge's */
     if (status == FOOTPOINT_NOT_UNIQUE)
-        return here <= sqrt(2 * (double)j->least) + 1.001e-10 * j->longest ? NULL
-                                                                           : "a tie, and another point is nearer";
+        return here <= sqrt(2 * (double)j->least) + TIE * j->longest ? NULL : "a tie, and another point is nearer";
     if (size_of(near - j->least) > 1e-28 * scale * scale && j->least < near && apart(j, z, j->at) > 1e-40)
         memcpy(z, j->at, sizeof z); /* another valley */
     if (size_of(z[0] - loc[0]) > promise || size_of(z[1] - loc[1]) > promise)
@@ -343,6 +354,7 @@ static void draw(uint64_t *stream, int group, struct curved_case *f)
 {
     if (group == TIES) {
         draw_tie(stream, f);
+        ROUND(f);
         return;
     }
     curved_draw(stream, group == OFFSET || group == FAR ? ORDINARY : (enum curved_group)group, f);
@@ -351,6 +363,7 @@ static void draw(uint64_t *stream, int group, struct curved_case *f)
     for (int k = 0; group == OFFSET && k <= f->kind->nodes; k++)
         for (int i = 0; i < 3; i++)
             f->x[k][i] += 1e6 * (i + 1);
+    ROUND(f);
 }
 
 /* Judges the answers of all functions of a kind to one case; counts statuses, indexed by function. */
@@ -480,8 +493,8 @@ static void the_nearest_of_several_faces_is_proved(void **state)
                     find_nearest(&j[k]);
                 /* up to the effect of the promise on the chosen face's distance */
                 const double least = sqrt(2 * (double)j[k].least) * j[k].unit;
-                const double off =
-                    1e-13 * (j[k].unit + fabs(dist)) + 8 * functions[f].promise * j[which].longest * j[which].unit;
+                const double off = 0.1 * ROUNDING * (j[k].unit + fabs(dist)) +
+                                   8 * functions[f].promise * j[which].longest * j[which].unit;
                 if (least < fabs(dist) - off)
                     fail_msg("%s, case %d: face %zu at %.17g, %zu is nearer", functions[f].name, i, which, dist, k);
             }

@@ -26,17 +26,17 @@ static void scale(struct curved_case *f, double factor, double shift)
 
 void single_draw(uint64_t *stream, enum single_family family, struct curved_case *f)
 {
-    curved_draw(stream, family < OFFSET ? (enum curved_group)family : ORDINARY, f);
-    if (family == OFFSET)
+    curved_draw(stream, family < SINGLE_OFFSET ? (enum curved_group)family : ORDINARY, f);
+    if (family == SINGLE_OFFSET)
         scale(f, 1, draw_power(stream, 0, 7));
-    if (family == TINY)
+    if (family == SINGLE_TINY)
         scale(f, draw_power(stream, -45, -8), 0);
-    if (family == HUGE)
+    if (family == SINGLE_HUGE)
         scale(f, draw_power(stream, 8, 38), 0);
-    if (family == FAR)
+    if (family == SINGLE_FAR)
         for (int i = 0; i < 3; i++)
             f->x[f->kind->nodes][i] += draw_power(stream, 0, 6) * draw_flat(stream, -1, 1);
-    if (family == MIXED)
+    if (family == SINGLE_MIXED)
         draw_mixed(stream, f);
     for (int k = 0; k <= f->kind->nodes; k++)
         for (int i = 0; i < 3; i++)

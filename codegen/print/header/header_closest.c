@@ -31,9 +31,18 @@ static void print_proved(const struct unit *u, FILE *out)
                                     "quad4_repair_closest",
                                     "proved_closest_arrays",
                                     NULL};
-    static const char *const curved[] = {
-        "inward",       "fan",          "closest_surface", "curved_anchor",         "curved_sole",
-        "curved_close", "curved_split", "curved_seek",     "proved_closest_arrays", NULL};
+    const char *const curved[] = {"inward",
+                                  "fan",
+                                  "closest_surface",
+                                  "curved_anchor",
+                                  single ? "single_slopes" : "curved_slopes",
+                                  "curved_at",
+                                  "curved_sole",
+                                  "curved_close",
+                                  "curved_split",
+                                  "curved_seek",
+                                  "proved_closest_arrays",
+                                  NULL};
     static const char *const linear[] = {
         "inward", "fan", "closest_surface", "tri3_nearest", "tri3_sure", "proved_closest_arrays", NULL};
     const enum precision precision = u->options.precision;
@@ -47,39 +56,18 @@ static void print_proved(const struct unit *u, FILE *out)
     lines_print_templates(u, "NEAREST", is_curved ? curved : is_linear ? linear : bilinear, out);
 }
 
-/* Prints closest points without a proof: curved faces in float. */
-static void print_nearest(const struct unit *u, FILE *out)
-{
-    const char *const own = u->file->segment->triangle ? "curved_triangle_nearest" : "curved_quad_nearest";
-    templates_print("FOOTPOINT_DETAIL_CURVE", (const char *const[]){"curve", NULL}, u->options.precision, NULL, out);
-    lines_print_templates(u, "NEAREST",
-                          (const char *const[]){"inward", own, "fan", "closest_again", "closest_arrays",
-                                                "closest_surface", "closest_of", NULL},
-                          out);
-}
-
-/* Returns true if answers are proved. */
-static bool is_proved(const struct unit *u)
-{
-    const enum promise_kind kind = promise_kind_of(u);
-    return kind == PROMISE_BILINEAR || kind == PROMISE_LINEAR ||
-           (kind == PROMISE_CURVED && u->options.precision == PRECISION_DOUBLE);
-}
-
 void closest_print_helpers(const struct unit *u, FILE *out)
 {
     templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"side", "corner", "lesser", "closest", NULL},
                     u->options.precision, NULL, out);
     if (u->file->segment->bilinear)
         lines_print_templates(u, "SURFACE", (const char *const[]){"quad4_surface", NULL}, out);
-    (is_proved(u) ? print_proved : print_nearest)(u, out);
+    print_proved(u, out);
 }
 
 void closest_print_contract(const struct unit *u, FILE *out)
 {
-    const char *name = promise_kind_of(u) == PROMISE_LINEAR ? "contract_closest_linear"
-                       : is_proved(u)                       ? "contract_closest_promise"
-                                                            : "contract_closest";
+    const char *name = promise_kind_of(u) == PROMISE_LINEAR ? "contract_closest_linear" : "contract_closest_promise";
     lines_print_templates(u, NULL, (const char *const[]){name, NULL}, out);
 }
 
@@ -87,21 +75,16 @@ void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
     static const char *const curved[] = {"curved_nearby", "proved_closest_calls", NULL};
     static const char *const linear[] = {"tri3_nearby", "proved_closest_calls", NULL};
-    static const char *const other[] = {"closest_calls", NULL};
     const enum promise_kind kind = promise_kind_of(u);
     struct words w = promise_words(u, f);
     const bool single = u->options.precision == PRECISION_FLOAT;
-    if (!is_proved(u))
-        words_set(&w, "PROMISE", new_format("%s", single ? "-1.0f" : "0.0"));
     const char *const nearby = single ? "quad4_vector_nearby" : "quad4_nearby";
     const char *const bilinear[] = {nearby, "proved_closest_calls", single ? NULL : "quad4_closest_from", NULL};
     words_add(&w, "SCALED_ROWS", lines_rows(u, "y"));
     templates_print(NULL,
                     kind == PROMISE_BILINEAR ? bilinear
-                    : !is_proved(u)          ? other
                     : kind == PROMISE_CURVED ? curved
-                    : kind == PROMISE_LINEAR ? linear
-                                             : other,
+                                             : linear,
                     u->options.precision, w.word, out);
     words_clear(&w);
 }

@@ -36,9 +36,6 @@ FOOTPOINT_PART REAL footpoint_detail_signed_root(REAL dd)
 typedef int footpoint_detail_nearby(const REAL *const *x, int lanes, REAL zero, REAL at[3],
                                     int *region);
 
-/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
-typedef int footpoint_detail_nearest(const REAL *const *x, REAL zero, REAL at[3], int *region);
-
 /* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const REAL at[3], int where,
                                                    REAL loc[2], REAL *dist, int *region)

@@ -30,26 +30,6 @@ FOOTPOINT_PART REAL footpoint_detail_triangle_middle(void)
     return 1.0 / 3.0;
 }
 
-/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
-FOOTPOINT_PART void footpoint_detail_square_clamp(const REAL at[2], REAL to[2])
-{
-    int i;
-    for (i = 0; i < 2; i++) {
-        const REAL least = 0.1 * (1.0 + at[i]) - 1.0, most = 1.0 - 0.1 * (1.0 - at[i]);
-        to[i] = to[i] < least ? least : to[i] > most ? most : to[i];
-    }
-}
-
-FOOTPOINT_PART void footpoint_detail_triangle_clamp(const REAL at[2], REAL to[2])
-{
-    const REAL over = 0.5 * (to[0] + to[1] - 1.0 + 0.1 * (1.0 - at[0] - at[1]));
-    int i;
-    for (i = 0; i < 2; i++) {
-        to[i] -= over > 0.0 ? over : 0.0;
-        to[i] = to[i] < 0.1 * at[i] ? 0.1 * at[i] : to[i];
-    }
-}
-
 /* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
 FOOTPOINT_PART void footpoint_detail_square_bisect(const REAL *const *x, REAL at[2])
 {

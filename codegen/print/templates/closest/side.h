@@ -13,19 +13,6 @@ FOOTPOINT_PART REAL footpoint_detail_either(REAL step, REAL a, REAL b)
     return (1.0 - step) * a + step * b;
 }
 
-/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
- * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
- * Otherwise no foot point lies there, and dd must be less by as much. */
-FOOTPOINT_PART REAL footpoint_detail_leeway(const REAL u[3], const REAL v[3], const REAL d[3],
-                                            REAL dd, REAL size)
-{
-    const REAL ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
-    const REAL tilt = REAL_MARGIN * dd + REAL_SMALL * size;
-    const REAL over = tilt * footpoint_detail_dot(u, u) - ud * ud;
-    const REAL other = tilt * footpoint_detail_dot(v, v) - vd * vd;
-    return copysign(REAL_MARGIN * (dd + size), other < over ? other : over);
-}
-
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
  * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products

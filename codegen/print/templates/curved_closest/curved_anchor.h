@@ -5,10 +5,12 @@
  * between it and the next if the point is on an edge, and s, t >= 0 if it is a corner. held: for s and for t, -1 if the
  * face lies at >= 0, 1 if at <= 0, otherwise 0. r: derivatives by s and t, d = xS - r; uuv, uvv, k: r_sst, r_stt,
  * r_sstt. f, g: slopes r_s . d and r_t . d, off by off_f and off_g; dd = d . d; a, b, c: r_ss . d, r_st . d, r_tt . d.
- * far bounds all vectors. */
+ * far bounds all vectors. By rounding, entries of the matrix M are off by `off`, d by off_d, dd and its changes by
+ * off_dd. Within h of the point, slopes differ from their linear part by at most bent h^2 and change by stiff h. */
 typedef struct {
     footpoint_detail_local r;
-    REAL at[2], uuv[3], uvv[3], k[3], f, g, dd, a, b, c, off_f, off_g, far;
+    REAL at[2], uuv[3], uvv[3], k[3], f, g, dd, a, b, c, off_f, off_g, far, off, off_d, off_dd,
+        bent, stiff;
     REAL held[2];
     int turn;
 } footpoint_detail_KIND_anchor;
@@ -18,7 +20,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_region(const REAL at[2])
 {
     if (CORNERS == 3) {
         const int below = at[1] <= 0.0, left = at[0] <= 0.0;
-        const int over = fabs(1.0 - at[0] - at[1]) < 2.3e-16;
+        const int over = fabs(1.0 - at[0] - at[1]) < REAL_STEP;
         return below & left ? 4 : below & over ? 5 : left & over ? 6 : below + 2 * over + 3 * left;
     } else {
         const int left = at[0] <= -1.0, right = at[0] >= 1.0;
@@ -49,50 +51,4 @@ FOOTPOINT_PART void footpoint_detail_KIND_way(const footpoint_detail_KIND_anchor
     const REAL x = to[0] - z->at[0], y = to[1] - z->at[1];
     h[0] = CORNERS == 4 || z->turn == 0 ? x : z->turn == 1 ? y : -(x + y);
     h[1] = CORNERS == 4 || z->turn == 0 ? y : z->turn == 1 ? -(x + y) : x;
-}
-
-/* Computes slopes. Rounding, u = 1.12e-16, as in footpoint_detail_KIND_step: tangents are off by 10 u growth size, d by
- * 20 u spread size + 7 u |d|. (xi,eta) of a triangle, minus the middle's, is off by u itself, which adds 3.6 u growth
- * size to tangents, and turned tangents are off by twice as much; and u (|r_xi| + |r_eta|) to d. */
-FOOTPOINT_PART void footpoint_detail_KIND_slopes(const footpoint_detail_KIND_terms *of, REAL p,
-                                                 REAL q, footpoint_detail_KIND_anchor *z)
-{
-    const REAL unit = 1.12e-16, x = fabs(p), y = fabs(q);
-    const REAL d = footpoint_detail_sum(z->r.d),
-               grown = footpoint_detail_KIND_growth(x, y) * of->size;
-    const REAL u = sqrt(footpoint_detail_dot(z->r.u, z->r.u));
-    const REAL v = sqrt(footpoint_detail_dot(z->r.v, z->r.v));
-    const REAL place = 20.0 * footpoint_detail_KIND_spread(x, y) * of->size + 15.0 * d +
-                       (CORNERS == 3 ? 2.0 * (u + v) : 0.0);
-    const REAL turn = (CORNERS == 3 ? 28.0 : 10.0) * grown * d;
-    z->f = footpoint_detail_dot(z->r.u, z->r.d);
-    z->g = footpoint_detail_dot(z->r.v, z->r.d);
-    z->off_f = unit * (place * u + turn);
-    z->off_g = unit * (place * v + turn);
-    z->far = d + (CORNERS == 3 ? 2.0 * footpoint_detail_KIND_growth(0.5, 0.5)
-                               : footpoint_detail_KIND_growth(1.0, 1.0)) *
-                     of->size;
-}
-
-FOOTPOINT_PART void footpoint_detail_KIND_anchor_at(const footpoint_detail_KIND_terms *of,
-                                                    const REAL at[2], int region,
-                                                    footpoint_detail_KIND_anchor *z)
-{
-    const REAL middle = footpoint_detail_KIND_middle(), p = at[0] - middle, q = at[1] - middle;
-    z->at[0] = at[0];
-    z->at[1] = at[1];
-    z->turn = CORNERS == 4 || region == 0 ? 0 : (region - 1) % CORNERS;
-    z->held[0] =
-        CORNERS == 4 ? (REAL)((at[0] >= 1.0) - (at[0] <= -1.0)) : (REAL) - (region > CORNERS);
-    z->held[1] = CORNERS == 4 ? (REAL)((at[1] >= 1.0) - (at[1] <= -1.0)) : (REAL) - (region > 0);
-    footpoint_detail_KIND_local(of, p, q, &z->r);
-    if (CORNERS == 4)
-        footpoint_detail_KIND_mixed(of, p, q, z->uuv, z->uvv, z->k);
-    else if (z->turn > 0)
-        footpoint_detail_KIND_turned(z->turn, &z->r);
-    footpoint_detail_KIND_slopes(of, p, q, z);
-    z->dd = footpoint_detail_dot(z->r.d, z->r.d);
-    z->a = footpoint_detail_dot(z->r.uu, z->r.d);
-    z->b = footpoint_detail_dot(z->r.uv, z->r.d);
-    z->c = footpoint_detail_dot(z->r.vv, z->r.d);
 }

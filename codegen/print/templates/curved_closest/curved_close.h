@@ -88,13 +88,13 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_sole_of(const footpoint_detail_KI
     return footpoint_detail_KIND_sole(z, h, promise);
 }
 
-/* Returns the promise to prove for the whole face: the caller's, if FOOTPOINT_DETAIL_CLOSE does not suffice. */
+/* Returns the promise to prove for the whole face: the caller's, if REAL_WITHIN does not suffice. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_needed(const footpoint_detail_KIND_anchor *z,
                                                  REAL promise)
 {
-    return promise < FOOTPOINT_DETAIL_CLOSE &&
-                   !(footpoint_detail_KIND_within(z, FOOTPOINT_DETAIL_CLOSE, promise) >> REAL_TOP)
-               ? FOOTPOINT_DETAIL_CLOSE
+    return promise < REAL_WITHIN &&
+                   !(footpoint_detail_KIND_within(z, REAL_WITHIN, promise) >> REAL_TOP)
+               ? REAL_WITHIN
                : promise;
 }
 
@@ -104,7 +104,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_is_inside(const REAL at[2])
     const REAL third = 1.0 - at[0] - at[1], low = footpoint_detail_least(at[0], at[1]);
     const REAL room = CORNERS == 3 ? footpoint_detail_least(low, third)
                                    : 1.0 - footpoint_detail_greater(fabs(at[0]), fabs(at[1]));
-    return !(footpoint_detail_bits(room - 1e-15) >> REAL_TOP);
+    return !(footpoint_detail_bits(room - REAL_EDGE) >> REAL_TOP);
 }
 
 /* Proves (xi,eta), which is inside. The highest bit of the result is not set if the closest point of the face is proved

@@ -1,16 +1,11 @@
 /* Constants and functions for closest points of all curved faces. */
 
-/* The promise proved for the whole face if the caller's is finer. */
-#define FOOTPOINT_DETAIL_CLOSE 1e-9
-
-/* Results of such a proof: FAR, or another point from which to continue. */
-enum {
-    FOOTPOINT_DETAIL_FAR,
-    FOOTPOINT_DETAIL_NEARER,
-    FOOTPOINT_DETAIL_DOUBT,
-    FOOTPOINT_DETAIL_PARTS = 400, /* most parts that are examined */
-    FOOTPOINT_DETAIL_DEPTH = 60
-};
+/* Results of a proof of the whole face: FAR, or another point from which to continue. */
+#define FOOTPOINT_DETAIL_FAR 0
+#define FOOTPOINT_DETAIL_NEARER 1
+#define FOOTPOINT_DETAIL_DOUBT 2
+#define FOOTPOINT_DETAIL_PARTS 400 /* most parts that are examined */
+#define FOOTPOINT_DETAIL_DEPTH 60
 
 /* Returns the quadratic -2 f.k + k.M k, M = [m11 m12; m12 m22], at k, and computes its slopes. */
 FOOTPOINT_COLD REAL footpoint_detail_bowl(const REAL f[2], const REAL m[3], const REAL k[2],
@@ -29,7 +24,7 @@ FOOTPOINT_COLD REAL footpoint_detail_convex(REAL m[3], REAL a, REAL b)
     REAL most, over;
     m[0] += p;
     m[2] += q;
-    most = (1.0 - 1e-12) * sqrt(m[0] * m[2]);
+    most = (1.0 - 16.0 * REAL_UNIT) * sqrt(m[0] * m[2]);
     over = footpoint_detail_greater(fabs(m[1]) - most, 0.0);
     m[1] = fabs(m[1]) > most ? copysign(most, m[1]) : m[1];
     return p * (a * a) + q * (b * b) + 2.0 * over * (a * b);

@@ -19,8 +19,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_free_step(const footpoint_detail_KIND_
     h[1] = held[1] ? 0.0 : held[0] ? g / h22 : (h11 * g - h12 * f) / det;
 }
 
-/* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within 1e-15 of an edge
- * becomes the edge's. */
+/* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within REAL_EDGE of an
+ * edge becomes the edge's. */
 FOOTPOINT_COLD void footpoint_detail_KIND_along_way(const footpoint_detail_KIND_anchor *z,
                                                     const REAL h[2], REAL to[2])
 {
@@ -40,9 +40,9 @@ FOOTPOINT_COLD void footpoint_detail_KIND_along_way(const footpoint_detail_KIND_
         part = footpoint_detail_greater(third, 0.0) / (x + y);
     for (i = 0; i < 2; i++) {
         to[i] = z->at[i] + part * way[i];
-        to[i] = to[i] - low < 1e-15 ? low : to[i] > 1.0 - 1e-15 ? 1.0 : to[i];
+        to[i] = to[i] - low < REAL_EDGE ? low : to[i] > 1.0 - REAL_EDGE ? 1.0 : to[i];
     }
-    if (CORNERS == 3 && 1.0 - to[0] - to[1] < 1e-15) {
+    if (CORNERS == 3 && 1.0 - to[0] - to[1] < REAL_EDGE) {
         to[0] = to[0] > 0.5 ? to[0] : 1.0 - to[1];
         to[1] = 1.0 - to[0];
     }
@@ -74,10 +74,10 @@ FOOTPOINT_COLD void footpoint_detail_KIND_downhill(const footpoint_detail_KIND_t
         footpoint_detail_KIND_step_on(z, h);
         footpoint_detail_KIND_along_way(z, h, to);
         moved = fabs(to[0] - z->at[0]) + fabs(to[1] - z->at[1]);
-        if (!(moved > 0.0) || (moved < 1e-9 && moved >= 0.5 * before))
+        if (!(moved > 0.0) || (moved < REAL_STILL && moved >= 0.5 * before))
             return;
         footpoint_detail_KIND_anchor_at(of, to, footpoint_detail_KIND_region(to), &next);
-        while (moved > 1e-6 && !(next.dd < z->dd)) {
+        while (moved > REAL_APART && !(next.dd < z->dd)) {
             h[0] *= 0.25;
             h[1] *= 0.25;
             footpoint_detail_KIND_along_way(z, h, to);
@@ -95,12 +95,12 @@ FOOTPOINT_COLD int footpoint_detail_KIND_is_tie(const footpoint_detail_KIND_anch
 {
     REAL e[3];
     footpoint_detail_from(z[0].r.d, z[1].r.d, e);
-    return footpoint_detail_dot(e, e) > 1e-12 * longest * longest &&
-           fabs(sqrt(z[1].dd) - sqrt(z[0].dd)) <= 1e-10 * longest;
+    return footpoint_detail_dot(e, e) > REAL_APART * REAL_APART * longest * longest &&
+           fabs(sqrt(z[1].dd) - sqrt(z[0].dd)) + z[0].off_d + z[1].off_d <= REAL_TIE * longest;
 }
 
 /* Finds the nearest point by descents, as z[0]; returns its status. A tie is proved, too: no point is nearer by more
- * than 1e-10 of the longest edge, and another, elsewhere in space, is not farther by more. */
+ * than REAL_TIE of the longest edge, and another, elsewhere in space, is not farther by more. */
 FOOTPOINT_COLD int footpoint_detail_KIND_seek(const footpoint_detail_KIND_terms *of, REAL promise,
                                               REAL longest, footpoint_detail_KIND_anchor z[2])
 {
@@ -118,8 +118,9 @@ FOOTPOINT_COLD int footpoint_detail_KIND_seek(const footpoint_detail_KIND_terms 
             continue;
         }
         return footpoint_detail_KIND_is_tie(z, longest) && !(footpoint_detail_fast() >> REAL_TOP) &&
-                       footpoint_detail_KIND_split(of, z, 2, promise, 1e-10 * longest, start) ==
-                           FOOTPOINT_DETAIL_FAR
+                       footpoint_detail_KIND_split(of, z, 2, promise,
+                                                   REAL_TIE * longest - z[0].off_d,
+                                                   start) == FOOTPOINT_DETAIL_FAR
                    ? FOOTPOINT_NOT_UNIQUE
                    : FOOTPOINT_UNPROVED;
     }
@@ -152,7 +153,7 @@ FOOTPOINT_COLD REAL footpoint_detail_KIND_none_within(const REAL *const *x)
     }
     middle = footpoint_detail_length(of.d);
     most = sqrt(most);
-    return footpoint_detail_greater(middle - most - 1e-13 * (middle + most), 0.0);
+    return footpoint_detail_greater(middle - most - 900.0 * REAL_UNIT * (middle + most), 0.0);
 }
 
 /* Answers after the quick way has proved nothing and ended in `at`: again in a unit of length in which the face is

@@ -28,14 +28,13 @@ FOOTPOINT_PART void footpoint_detail_KIND_grows(REAL held, REAL f, REAL off, REA
  * linear in s and in t, so that it is a mean of its values at corners.  At an edge s has one sign, s f = -|s| grow, and |s| >= s^2 /
  * most |s|.
  *
- * Rounding: with u = 1.12e-16, entries are off by 4000 u far^2; see footpoint_detail_KIND_slopes, tangents being off by 14 u G, second
- * derivatives by 18 u G, and |s|, |t| <= 2. */
+ * By rounding entries are off by z->off; see footpoint_detail_KIND_slopes. */
 FOOTPOINT_PART void footpoint_detail_KIND_form_over(const footpoint_detail_KIND_anchor *z,
                                                     REAL h[CORNERS][2], const REAL grow[2],
                                                     footpoint_detail_KIND_form *m)
 {
     const footpoint_detail_local *const r = &z->r;
-    const REAL off = 4000.0 * 1.12e-16 * (z->far * z->far);
+    const REAL off = z->off;
     REAL a[3], b[3], x[6] = {0}, y[6] = {0}, s, t, st, aa, ab, bb, most_s = 0.0, most_t = 0.0;
     REAL duuv = 0.0, duvv = 0.0, dk = 0.0, ak = 0.0, bk = 0.0, half_s = 0.0, half_t = 0.0, mixed,
          across = 0.0;
@@ -115,11 +114,11 @@ FOOTPOINT_PART void footpoint_detail_KIND_form_over(const footpoint_detail_KIND_
 }
 
 /* Computes how far from z, in s and in t, a point may be: promise, half of it for turned coordinates; and within the
- * region, or 4e-10. */
+ * region, or REAL_NEAR. */
 FOOTPOINT_PART void footpoint_detail_KIND_reach_of(const footpoint_detail_KIND_anchor *z,
                                                    REAL promise, REAL reach[2])
 {
-    const REAL least = 4e-10, p = CORNERS == 3 ? 0.5 * promise : promise;
+    const REAL least = REAL_NEAR, p = CORNERS == 3 ? 0.5 * promise : promise;
     REAL room = 1.0 - fabs(z->at[0]), other = 1.0 - fabs(z->at[1]);
     if (CORNERS == 3) { /* two of the three coordinates on an edge */
         const REAL l[3] = {1.0 - z->at[0] - z->at[1], z->at[0], z->at[1]};
@@ -136,12 +135,13 @@ FOOTPOINT_PART void footpoint_detail_KIND_reach_of(const footpoint_detail_KIND_a
 }
 
 /* The highest bit of the result is not set if no point of the part is as near as z but within `promise` of it, and in its region
- * unless it is within 1e-9 of that region's border.
+ * unless it is within REAL_CLOSE of that region's border.
  *
  * If det M >= Q > 0 all over the part, with high >= m22 and wide >= m11, then M exceeds the diagonal matrix of Q / (2 high) and Q / (2
  * wide).  So with X = Q / (4 high), Y = Q / (4 wide), f and g what half the square of the distance may fall by, less half of what
  * it grows by, phi(s,t) - phi(z) >= (X s^2 - |s| f) + (Y t^2 - |t| g), which is > 0 for all |s| > p if p (X p - f) > g^2 / (4 Y), and
- * likewise for |t|.  0.999 leaves for what follows more than it can lose. */
+ * likewise for |t|.  0.999 leaves for what follows more than it can lose, but
+ * for what underflows, less than REAL_FAINT. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_sole(const footpoint_detail_KIND_anchor *z,
                                                     REAL h[CORNERS][2], REAL promise)
 {
@@ -157,25 +157,25 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_sole(const footpoint_detail_KIND_
     other = reach[1] * m.det;
     s = room * (0.999 * room - 4.0 * m.high * (f - grow[0])) - 4.0 * (m.wide * m.high) * (g * g);
     t = other * (0.999 * other - 4.0 * m.wide * (g - grow[1])) - 4.0 * (m.wide * m.high) * (f * f);
-    return footpoint_detail_bits(m.det) | footpoint_detail_bits(m.low) | footpoint_detail_bits(s) |
-           footpoint_detail_bits(t) | footpoint_detail_infinite(s + t) | footpoint_detail_fast();
+    return footpoint_detail_bits(m.det) | footpoint_detail_bits(m.low) |
+           footpoint_detail_bits(s - REAL_FAINT) | footpoint_detail_bits(t - REAL_FAINT) |
+           footpoint_detail_infinite(s + t) | footpoint_detail_fast();
 }
 
 /* The highest bit of the result is not set if the closest point, known to be within `close` of z, in s and in t, is within promise:
  * inside, both slopes vanish there, and have changed by the Hessian at z and at most half the third derivatives times close^2.  On an
- * edge where the slope outwards keeps its sign, the slope along it vanishes.  Third derivatives of half the square of the distance, by
- * both coordinates twice, are less than 40 far^2, and second derivatives 8 far^2. */
+ * edge where the slope outwards keeps its sign, the slope along it vanishes. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_within(const footpoint_detail_KIND_anchor *z,
                                                       REAL close, REAL promise)
 {
-    const REAL square = z->far * z->far, bend = 40.0 * square * (close * close);
-    const REAL off = 4000.0 * 1.12e-16 * square, p = CORNERS == 3 ? 0.5 * promise : promise;
+    const REAL bend = z->bent * (close * close), off = z->off,
+               p = CORNERS == 3 ? 0.5 * promise : promise;
     const REAL f = fabs(z->f) + z->off_f + bend, g = fabs(z->g) + z->off_g + bend;
     const REAL h11 = footpoint_detail_dot(z->r.u, z->r.u) - z->a;
     const REAL h12 = footpoint_detail_dot(z->r.u, z->r.v) - z->b;
     const REAL h22 = footpoint_detail_dot(z->r.v, z->r.v) - z->c;
     const REAL det = h11 * h22 - h12 * h12 - 4.0 * off * (fabs(h11) + fabs(h22));
-    const REAL turn = fabs(h12) + off, kept = 20.0 * square * close;
+    const REAL turn = fabs(h12) + off, kept = z->stiff * close;
     const REAL both =
         p * det - 1.05 * footpoint_detail_greater(h22 * f + turn * g, h11 * g + turn * f);
     const REAL of_s =

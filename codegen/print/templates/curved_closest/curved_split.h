@@ -36,11 +36,11 @@ FOOTPOINT_COLD void footpoint_detail_KIND_lowest(const REAL f[2], const REAL m[3
  * squared distance from z is a mean of quadratics, with the matrices at corners. Each, made convex, lies above its
  * tangent plane near its least point, and the plane is least at a corner.
  *
- * Rounding: coordinates of d are off by 26 u far, its square by 60 u far^2; M as in footpoint_detail_KIND_form_over. */
+ * Rounding: see footpoint_detail_KIND_slopes. */
 FOOTPOINT_COLD REAL footpoint_detail_KIND_least_of(const footpoint_detail_KIND_anchor *z,
                                                    REAL h[CORNERS][2])
 {
-    const REAL none[2] = {0.0, 0.0}, far2 = 1.12e-16 * (z->far * z->far), f[2] = {z->f, z->g};
+    const REAL none[2] = {0.0, 0.0}, f[2] = {z->f, z->g};
     REAL a = 0.0, b = 0.0, least = 0.0, mean[3] = {0.0, 0.0, 0.0}, k[2], slope[2];
     footpoint_detail_KIND_form form;
     int i, j;
@@ -67,7 +67,7 @@ FOOTPOINT_COLD REAL footpoint_detail_KIND_least_of(const footpoint_detail_KIND_a
         least = i ? footpoint_detail_least(least, here + down) : here + down;
     }
     return z->dd + least - 2.0 * (a * z->off_f + b * z->off_g) -
-           far2 * (200.0 + 8000.0 * (a * a + b * b));
+           (z->off_dd + 2.0 * z->off * (a * a + b * b));
 }
 
 /* Parts of the face, by their corners (xi,eta). */
@@ -128,8 +128,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_about(const footpoint_detail_KIND_ancho
         for (k = 0; k < CORNERS; k++)
             footpoint_detail_KIND_way(&z[i], part->at[k], h[k]);
         footpoint_detail_KIND_form_over(&z[i], h, grow, &m);
-        fall = 2.02 * (m.high * f * f + m.wide * g * g) / m.det +
-               100.0 * 1.12e-16 * (z[i].far * z[i].far);
+        fall = 2.02 * (m.high * f * f + m.wide * g * g) / m.det + z[i].off_dd;
         if (m.det > 0.0 && m.low > 0.0 && z[i].dd - fall >= most)
             return 1;
     }
@@ -172,7 +171,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_split(const footpoint_detail_KIND_terms
             top--;
             continue;
         }
-        if (slack <= 0.0 && c.dd < z->dd - 200.0 * 1.12e-16 * (c.far * c.far))
+        if (slack <= 0.0 && c.dd < z->dd - c.off_dd)
             return FOOTPOINT_DETAIL_NEARER;
         if (parts >= FOOTPOINT_DETAIL_PARTS || width < 1e-4 || top >= FOOTPOINT_DETAIL_DEPTH)
             return FOOTPOINT_DETAIL_DOUBT;

@@ -20,15 +20,10 @@ FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
 #endif
 }
 
-/* Returns the sum of the absolute values; the largest absolute value. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART REAL footpoint_detail_sum(const REAL a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
-}
-
-FOOTPOINT_PART REAL footpoint_detail_most(const REAL a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
 }
 
 /* Returns the scalar product of a, >= 0, and |b|. */

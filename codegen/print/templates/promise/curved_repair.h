@@ -61,7 +61,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_steps(const footpoint_detail_KIND_terms
             at[1] = to[1];
         } else if (!footpoint_detail_KIND_nearer(of, to, at, &apart))
             return 2;
-        if (moved < 0.01 * promise && moved < 1e-9)
+        if (moved < 0.01 * promise && moved < REAL_STILL)
             return 1;
     }
     return 2;
