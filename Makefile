@@ -158,7 +158,7 @@ FORCE:
 
 # Templates of headers, as a table that codegen is compiled with.
 CFLAGS_templates := -I$(OBJ)
-$(foreach test,curved tri3 edges,$(eval CFLAGS_test_single_$(test) := -I$(OBJ)/float))
+$(foreach test,closest curved edges tri3,$(eval CFLAGS_test_single_$(test) := -I$(OBJ)/float))
 $(OBJ)/codegen/print/templates.o: $(OBJ)/templates.inc
 $(OBJ)/templates.inc: codegen/print/templates.awk $(wildcard codegen/print/templates/*.h codegen/print/templates/*/*.h)
 	@mkdir -p $(@D)
@@ -424,9 +424,10 @@ $(BIN)/tests/test_along_gradients $(BIN)/tests/test_along_hessian: $(OBJ)/tests/
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_single_curved: $(patsubst %,$(OBJ)/tests/%.o,single/single_cases generated/curved_cases generated/judged_faces hard/draw)
+$(BIN)/tests/test_single_closest: $(patsubst %,$(OBJ)/tests/%.o,single/single_cases generated/curved_cases hard/draw)
 $(BIN)/tests/test_single_tri3: $(patsubst %,$(OBJ)/tests/%.o,single/single_cases generated/curved_cases hard/draw)
 $(BIN)/tests/test_single_edges: $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)
-$(OBJ)/tests/single/test_single_curved.o: $(patsubst %,$(OBJ)/float/footpoint_%_float.h,quad8 quad9 tri6)
+$(OBJ)/tests/single/test_single_curved.o $(OBJ)/tests/single/test_single_closest.o: $(patsubst %,$(OBJ)/float/footpoint_%_float.h,quad8 quad9 tri6)
 $(OBJ)/tests/single/test_single_tri3.o: $(OBJ)/float/footpoint_tri3_float.h
 $(OBJ)/tests/single/test_single_edges.o: $(patsubst %,$(OBJ)/float/footpoint_%_float.h,edge2 edge3)
 $(BIN)/tests/test_queries: $(OBJ)/tests/queries/query_text.o

@@ -3,8 +3,9 @@
  * FOOTPOINT_NOT_UNIQUE means that no point is nearer by more than 1e-10 of the longest edge, and another is as near.
  * The judge bounds distances over parts of the face (tests/support/curved_face.h), then takes Newton's steps in
  * quadruple precision, and shares no code with the judged functions. Some of each kind and group; a million with
- * FOOTPOINT_LONG, which prints how many are proved. test_single_closest.c includes this for headers in float. */
-#ifndef SINGLE
+ * FOOTPOINT_LONG, which prints how many are proved. A file that defines CLOSEST_FUNCTIONS may include this for other
+ * headers. */
+#ifndef CLOSEST_FUNCTIONS
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_tri6.h"
@@ -39,8 +40,8 @@ typedef int of_many(size_t n, const double *const *x, const double *xs, double l
 #define X6 x[0], x[1], x[2], x[3], x[4], x[5]
 #define X8 X6, x[6], x[7]
 #define X9 X8, x[8]
-#ifdef SINGLE
-#include "../single/single_closest.h"
+#ifdef CLOSEST_FUNCTIONS
+#include CLOSEST_FUNCTIONS
 #else
 enum { CASES_LONG = 1000000, FUNCTIONS = 9 };
 #define BORDER 1e-9     /* of xi and eta: nearer than this to the border of a region, either is right */
@@ -49,6 +50,12 @@ enum { CASES_LONG = 1000000, FUNCTIONS = 9 };
 #define ON_EDGE 2.3e-16 /* of xi and eta */
 #define OVER 0          /* what the sum of xi and eta may exceed 1 by */
 #define ROUND(f) (void)(f)
+/* % that must be proved, by group, of promises above COARSE */
+#define COARSE 1e-8
+#define PROVED_LEAST                                                                                                   \
+    {                                                                                                                  \
+        99, 85, 50, 0, 0, 90, 0                                                                                        \
+    }
 #define ALL(F)                                                                                                         \
     F(6, tri6, coarse, TRI6_COARSE)                                                                                    \
     F(6, tri6, precise, TRI6_PRECISE)                                                                                  \
@@ -348,7 +355,7 @@ enum { TIES = CURVED_GROUPS, OFFSET, FAR, KINDS_OF_CASES };
 static const char *const names[KINDS_OF_CASES] = {"ordinary", "strongly curved", "sliver", "wild",
                                                   "ties",     "offset",          "far"};
 /* percentage that must be proved to 1e-7 or more coarsely */
-static const double proved_least[KINDS_OF_CASES] = {99, 85, 50, 0, 0, 90, 0};
+static const double proved_least[KINDS_OF_CASES] = PROVED_LEAST;
 
 static void draw(uint64_t *stream, int group, struct curved_case *f)
 {
@@ -407,7 +414,7 @@ static void closest_points_keep_the_promise(void **state)
                 print_message("%-14s %-15s OK %8.4f %% of %ld, ties %ld, unproved %ld, errors %ld\n", functions[i].name,
                               names[group], proved, answers, c[FOOTPOINT_NOT_UNIQUE], c[FOOTPOINT_UNPROVED],
                               c[ANSWERS - 1]);
-            else if (functions[i].promise > 1e-8 && proved < proved_least[group])
+            else if (functions[i].promise > COARSE && proved < proved_least[group])
                 fail_msg("%s, %s: %ld of %ld proved", functions[i].name, names[group], c[0], answers);
         }
     }

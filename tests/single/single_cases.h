@@ -8,7 +8,14 @@
 
 /** The groups of curved_cases.h, ordinary faces far from the origin, of any size, with a far slave node, and coordinates of mixed
  *  scales. */
-enum single_family { SINGLE_OFFSET = CURVED_GROUPS, SINGLE_TINY, SINGLE_HUGE, SINGLE_FAR, SINGLE_MIXED, SINGLE_FAMILIES };
+enum single_family {
+    SINGLE_OFFSET = CURVED_GROUPS,
+    SINGLE_TINY,
+    SINGLE_HUGE,
+    SINGLE_FAR,
+    SINGLE_MIXED,
+    SINGLE_FAMILIES
+};
 extern const char *const single_families[SINGLE_FAMILIES];
 
 /** Draws a face of f->kind whose coordinates are floats. */

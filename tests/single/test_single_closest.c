@@ -7,5 +7,5 @@
 
 #include "single_cases.h"
 
-#define SINGLE
+#define CLOSEST_FUNCTIONS "../single/single_closest.h"
 #include "../generated/test_closest_curved.c"

@@ -19,7 +19,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad8_tangents_off(const footpoint_detail_q
            (t->size + 9.0 * bend) * ((1.0 + x) * (1.0 + y) + 0.5 * (x * x + y * y));
 }
 
-/* The same of d = xS - r.  That of the middle is off by 3 |d| + |e| + size / 2 + 2 |a| + |g|. */
+/* The same for d = xS - r.  In the middle it is off by 3 |d| + |e| + size / 2 + 2 |a| + |g|. */
 FOOTPOINT_PART REAL footpoint_detail_quad8_place_off(const footpoint_detail_quad8_terms *t, REAL x,
                                                      REAL y)
 {

@@ -20,7 +20,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad9_tangents_off(const footpoint_detail_q
            (3.5 * t->size + 14.0 * bend) * (xx + yy + x * y * (1.0 + 0.5 * (x + y)));
 }
 
-/* The same of d = xS - r, which is off by one of itself in the middle. */
+/* The same for d = xS - r, which is off by one of itself in the middle. */
 FOOTPOINT_PART REAL footpoint_detail_quad9_place_off(const footpoint_detail_quad9_terms *t, REAL x,
                                                      REAL y)
 {

@@ -16,7 +16,7 @@ FOOTPOINT_PART REAL footpoint_detail_tri6_tangents_off(const footpoint_detail_tr
     return 5.0 * straight + (5.7 * t->size + 4.0 * bend) * (1.0 + x + y);
 }
 
-/* The same of d = xS - r.  That of the middle is off by 6 |d| + 3.7 size, because the distances of xS from mid-side nodes add up to
+/* The same for d = xS - r.  In the middle it is off by 6 |d| + 3.7 size, because the distances of xS from mid-side nodes add up to
  * 3 |d| + 2.6 size at most. */
 FOOTPOINT_PART REAL footpoint_detail_tri6_place_off(const footpoint_detail_tri6_terms *t, REAL x,
                                                     REAL y)
