@@ -147,6 +147,7 @@ static void units_do_not_matter(void **state)
         along_draw(&stream, k->nodes, 1.0, 1.0, x);
         if (k->joined(x, &a) < FOOTPOINT_OK)
             continue;
+        assert_int_equal(k->place(x, &a), FOOTPOINT_OK);
         for (int j = 0; j < k->nodes + 2; j++)
             for (int i = 0; i < 3; i++)
                 x[j][i] = ldexp(x[j][i], j <= k->nodes ? length : turn);
@@ -237,11 +238,11 @@ static void library_matches_headers(void **state)
             if (one >= FOOTPOINT_OK) {
                 struct answer b = {{at[0], at[1]}, 7.0, {{0.0}}};
                 const int placed = k->place(y, &b);
-                assert_int_equal(footpoint_face_differentiate_along(k->face, x, l.along + 3 * n, at, &away, a.d[0],
+                assert_int_equal(footpoint_face_differentiate_along(k->face, x, l.along + 3 * n, at, &a.dist, a.d[0],
                                                                     NULL, a.d[2], NULL, NULL, NULL),
                                  placed);
                 if (placed == FOOTPOINT_OK)
-                    assert_true(away == b.dist && memcmp(a.d[0], b.d[0], sizeof *a.d) == 0 &&
+                    assert_true(a.dist == b.dist && memcmp(a.d[0], b.d[0], sizeof *a.d) == 0 &&
                                 memcmp(a.d[2], b.d[2], sizeof *a.d) == 0);
             }
             if (k->nodes == 4) {

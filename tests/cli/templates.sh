@@ -91,7 +91,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
                 'ROW_NAMES gap' 'ROW_PLACES gap + i' 'ROW_PARAMETERS REAL gap[1]' 'ROW_COLUMNS REAL *FOOTPOINT_RESTRICT gap' 'GAP xi * eta' \
                 'REQUIRED 1' 'TESTS flaw = footpoint_detail_not_above(require[0] = xi);' 'ELEMENTS gap[0 * step] = xi;' 'TANGENTS 0' \
                 'SIZES_AND_DEGREES 1, 1' 'SPACE 1' 'FIRST 0' 'DEGREE 0' 'JOINED face_joined' 'JOINED_n face_joined_n' \
-                'SLOPES face_slopes' 'SLOPES_detail_size face_slopes_size' 'SLOPES_detail_again face_slopes_again' 'SLOPE_COUNT 18' \
+                'SLOPES face_slopes' 'SLOPES_detail face_slopes_detail' 'SLOPES_detail_size face_slopes_size' 'SLOPES_detail_again face_slopes_again' 'SLOPE_COUNT 18' \
                 'JOINED_SLOPES face_along_slopes' 'BENDS face_bends' 'BENDS_detail_turns face_bends_turns' 'JOINED_BENDS face_along_bends' 'PROJECTION face_along_to' 'SEARCH face_search' 'SEARCHED_detail_checked face_search_detail_checked'
             echo 'REAL_BITS face_search_detail_checked(const REAL *const *x, int way, REAL zero, REAL *xi, REAL *eta, REAL *gap);'
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"

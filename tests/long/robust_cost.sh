@@ -1,7 +1,7 @@
 # Counts the instructions of searches (gcc 12 -O3). On ordinary segments, inside and all around, footpoint_robust must
 # cost no more than when its last resort was a list that nothing proved complete.
 . tests/cli/expect.inc
-CC=${CC:-gcc}
+CC=${CC:-gcc} CXX=${CXX:-g++}
 if ! command -v valgrind > /dev/null; then
     report 1 'skipped: no valgrind'
     exit
@@ -26,3 +26,11 @@ cost() { # cost SEARCH: instructions a thousand calls
 accurate=$(cost accurate) closest=$(cost closest) newton=$(cost newton)
 echo "# edge3: $accurate instructions a thousand calls, closest point $closest, two steps of Newton's $newton"
 [ -n "$newton" ] && [ "$accurate" -le "$newton" ]; report $((! $?)) "a proved foot point costs no more than two steps of Newton's"
+
+# Projection along a direction with first derivatives of four nodes, slave node and direction: at most twice the projection, and a
+# tenth of Newton's iteration with dual numbers of 18 directions.
+$CXX -std=c++17 -O3 -DNDEBUG -ffp-contract=off tests/along/along_cost_main.cpp -o "$work/edge" -lm
+along=$(cost along) gradients=$(cost gradients) duals=$(cost duals)
+echo "# along: $along instructions a thousand calls, with derivatives $gradients, dual numbers $duals"
+[ -n "$along" ] && [ "$gradients" -le $((2 * along)) ]; report $((! $?)) 'first derivatives at most double a projection'
+[ -n "$duals" ] && [ $((10 * gradients)) -le "$duals" ]; report $((! $?)) 'and cost a tenth of dual numbers'

@@ -436,39 +436,38 @@ static bool begins_with(const struct unit *u, const struct function *f, const ch
     return !*u->file->segment->normals && !name[k];
 }
 
-/* Rows from which first and second derivatives along a direction are computed. */
-static const char *const slope_rows[] = {"phi", "r_xi", "r_eta", NULL}, *const bend_rows[] = {
-                                                                            "phi",     "phi_xi",   "phi_eta",
-                                                                            "r_xi",    "r_eta",    "r_xixi",
-                                                                            "r_xieta", "r_etaeta", NULL};
+/* Rows from which derivatives along a direction are computed. */
+static const char *const slope_rows[] = {"phi",    "phi_xi",  "phi_eta",  "r_xi", "r_eta",
+                                         "r_xixi", "r_xieta", "r_etaeta", NULL};
 
 /* Returns the first function that gives these rows, or NULL. */
-static const struct function *giving(const struct unit *u, const char *const *row)
+static const struct function *slopes_of(const struct unit *u)
 {
     for (size_t k = 0; k < u->file->genomes; k++)
-        if (begins_with(u, &u->function[k], row))
+        if (begins_with(u, &u->function[k], slope_rows))
             return &u->function[k];
     return NULL;
 }
 
-/* Prints PREFIX_gradients_along or, if `second`, PREFIX_hessian_along, and the macro that joins it with PREFIX_along. */
-static void print_derivatives_along(const struct unit *u, bool second, struct words *w, FILE *out)
+/* Prints PREFIX_gradients_along and PREFIX_hessian_along, and the macros that join them with PREFIX_along. */
+static void print_slopes(const struct unit *u, struct words *w, FILE *out)
 {
     char *prefix = unit_face_prefix(u->file, &u->options);
     words_add(w, "UPPER", new_capitals(prefix));
     words_add(w, "SLOPES", new_format("%s_gradients_along", prefix));
-    words_add(w, "BENDS", new_format("%s_hessian_along", prefix));
-    words_add(w, "BENDS_detail_turns", new_format("%s_hessian_along_detail_turns", prefix));
-    words_add(w, "SLOPE_COUNT", new_format("%zu", 3 * segment_vectors(u->file->segment) + 6));
+    words_add(w, "SLOPES_detail", new_format("%s_gradients_along_detail", prefix));
     words_add(w, "SLOPES_detail_size", new_format("%s_gradients_along_detail_size", prefix));
     words_add(w, "SLOPES_detail_again", new_format("%s_gradients_along_detail_again", prefix));
+    words_add(w, "SLOPE_COUNT", new_format("%zu", 3 * segment_vectors(u->file->segment) + 6));
     words_add(w, "JOINED_SLOPES", new_format("search##_gradients"));
+    words_add(w, "BENDS", new_format("%s_hessian_along", prefix));
+    words_add(w, "BENDS_detail_turns", new_format("%s_hessian_along_detail_turns", prefix));
     words_add(w, "JOINED_BENDS", new_format("search##_hessian"));
     words_add(w, "PROJECTION", new_format("search"));
-    templates_print(NULL, (const char *const[]){second ? "place_bends_calls" : "place_along", NULL}, PRECISION_DOUBLE,
-                    w->word, out);
-    print_macro(u, second ? "hessian_along" : "gradients_along", second ? "place_bends_joined" : "place_along_joined",
-                w, out);
+    templates_print(NULL, (const char *const[]){"place_along", NULL}, PRECISION_DOUBLE, w->word, out);
+    print_macro(u, "gradients_along", "place_along_joined", w, out);
+    templates_print(NULL, (const char *const[]){"place_bends_calls", NULL}, PRECISION_DOUBLE, w->word, out);
+    print_macro(u, "hessian_along", "place_bends_joined", w, out);
     free(prefix);
 }
 
@@ -480,12 +479,11 @@ void place_print_helpers(const struct unit *u, FILE *out)
     const struct placeholder own[] = {{"VECTORS", vectors}, {"UPPER", upper}, {"KIND", kind}, {NULL, NULL}};
     templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
     templates_print("FOOTPOINT_DETAIL_PLACE", (const char *const[]){"place", NULL}, precision, NULL, out);
-    if (giving(u, slope_rows)) {
+    if (slopes_of(u)) {
         templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
         templates_print("FOOTPOINT_DETAIL_SLOPES", (const char *const[]){"place_slopes", NULL}, precision, NULL, out);
-    }
-    if (giving(u, bend_rows))
         templates_print("FOOTPOINT_DETAIL_BENDS", (const char *const[]){"place_bends", NULL}, precision, NULL, out);
+    }
     templates_print(NULL, (const char *const[]){"contract_place", NULL}, precision, own, out);
     free(upper);
     free(prefix);
@@ -500,8 +498,8 @@ void place_print(const struct unit *u, const struct function *f, FILE *out)
     print_detail(u, f, &r, &c, &w, out);
     templates_print(NULL, (const char *const[]){"place_calls", NULL}, PRECISION_DOUBLE, w.word, out);
     print_macro(u, f->genome->name, "place_joined", &w, out);
-    if (f == giving(u, slope_rows) || f == giving(u, bend_rows))
-        print_derivatives_along(u, f == giving(u, bend_rows), &w, out);
+    if (f == slopes_of(u))
+        print_slopes(u, &w, out);
     words_clear(&w);
     printer_free(c_code_clear(&c));
 }

@@ -13,13 +13,38 @@ FOOTPOINT_PART REAL SLOPES_detail_size(const REAL *const *x, const REAL loc[2])
     return growth * size;
 }
 
+/* Computes derivatives of xi, eta and distance, rows 1 to 3, quickly, from the known distance or, if that is NULL, from
+ * the distance that becomes row 0. If numbers are not moderate or the line is nearly parallel, the highest bit of the
+ * result is set, and nothing is written. */
+FOOTPOINT_PART REAL_BITS SLOPES_detail(const REAL *const *x, const REAL along[3], const REAL loc[2],
+                                       const REAL *known, REAL *const *row)
+{
+    const REAL square = footpoint_detail_dot(along, along), over = 1.0 / sqrt(square);
+    const REAL q[3] = {over * along[0], over * along[1], over * along[2]};
+    REAL phi[NODES], f[2][NODES], a[3], b[3], c[3][3], v[3][3], t, turn, all;
+    REAL *const found[ROW_COUNT] = {phi, f[0], f[1], a, b, c[0], c[1], c[2]};
+    REAL_BITS flaw = footpoint_detail_outside(square) | footpoint_detail_far(loc[0], loc[1]);
+    (void)NAME_detail(x, loc[0], loc[1], found, 1, 1,
+                      1); /* the next sees numbers that are not finite */
+    flaw |= footpoint_detail_solve_along(a, b, q, SLOPES_detail_size(x, loc), v, &all);
+    t = known ? *known : footpoint_detail_ahead(x, NODES, phi, q);
+    turn = -t * over;
+    flaw |= footpoint_detail_infinite(all * (1.0 + turn * turn));
+    if (flaw >> REAL_TOP)
+        return flaw;
+    if (row[0])
+        row[0][0] = t;
+    footpoint_detail_write_slopes(NODES, phi, v, q, turn, row + 1);
+    return flaw;
+}
+
 /* Repeats it in a unit of length in which the face is about 1 long. */
 FOOTPOINT_COLD int SLOPES_detail_again(const REAL *const *x, const REAL along[3], const REAL loc[2],
                                        REAL *const *row)
 {
     const REAL *y[VECTORS];
     REAL phi[NODES] = {0.0}, a[3] = {0.0}, b[3] = {0.0}, z[VECTORS][3], q[3], over;
-    REAL *const found[ROW_COUNT] = {phi, a, b};
+    REAL *const found[ROW_COUNT] = {phi, 0, 0, a, b};
     int exponent = 0, status = footpoint_detail_scale(x, NODES, VECTORS, z, &exponent), k;
     if (status == FOOTPOINT_OK)
         status = footpoint_detail_direction(along, q, &over);
@@ -48,16 +73,8 @@ FOOTPOINT_FN int SLOPES(NODE_PARAMETERS, const REAL along[3], const REAL loc[2],
                         REAL d_xi[SLOPE_COUNT], REAL d_eta[SLOPE_COUNT], REAL d_dist[SLOPE_COUNT])
 {
     const REAL *const x[VECTORS] = {NODE_NAMES};
-    const REAL square = footpoint_detail_dot(along, along);
-    REAL phi[NODES] = {0.0}, a[3] = {0.0}, b[3] = {0.0};
-    REAL *const found[ROW_COUNT] = {phi, a, b}, *const row[4] = {dist, d_xi, d_eta, d_dist};
-    const REAL_BITS flaw = NAME_detail(x, loc[0], loc[1], found, 1, 0, 0);
-    if (!((flaw | footpoint_detail_outside(square)) >> REAL_TOP)) {
-        const REAL over = 1.0 / sqrt(square);
-        const REAL q[3] = {over * along[0], over * along[1], over * along[2]};
-        if (footpoint_detail_slopes(x, NODES, 1.0, phi, a, b, SLOPES_detail_size(x, loc), q, over,
-                                    row) == FOOTPOINT_OK)
-            return FOOTPOINT_OK;
-    }
-    return SLOPES_detail_again(x, along, loc, row);
+    REAL *const row[4] = {dist, d_xi, d_eta, d_dist};
+    if (SLOPES_detail(x, along, loc, 0, row) >> REAL_TOP)
+        return SLOPES_detail_again(x, along, loc, row);
+    return FOOTPOINT_OK;
 }

@@ -5,8 +5,11 @@ FOOTPOINT_FN int JOINED_SLOPES(NODE_PARAMETERS, const REAL along[3], REAL loc[2]
                                REAL d_xi[SLOPE_COUNT], REAL d_eta[SLOPE_COUNT],
                                REAL d_dist[SLOPE_COUNT])
 {
+    const REAL *const x[VECTORS] = {NODE_NAMES};
+    REAL *const row[4] = {0, d_xi, d_eta, d_dist};
     const int searched = PROJECTION(NODE_NAMES, along, loc, dist);
-    const int status =
-        searched < 0 ? searched : SLOPES(NODE_NAMES, along, loc, 0, d_xi, d_eta, d_dist);
-    return status == FOOTPOINT_OK ? searched : status;
+    int status = searched;
+    if (searched >= 0 && SLOPES_detail(x, along, loc, dist, row) >> REAL_TOP)
+        status = SLOPES_detail_again(x, along, loc, row);
+    return status < 0 ? status : searched;
 }
