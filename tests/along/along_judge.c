@@ -41,20 +41,28 @@ static quadruple determinant(const quadruple a[3], const quadruple b[3], const q
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/* One Newton step for {xi, eta, distance}: tangents are differences, exact for at most quadratic functions. */
-static void newton(const struct exact_face *f, const quadruple *y, const quadruple q[3], quadruple at[3])
+void along_tangents(const struct exact_face *f, const quadruple *y, quadruple xi, quadruple eta, quadruple a[3],
+                    quadruple b[3])
 {
-    quadruple r[3], end[4][3], a[3], b[3], c[3], normal[3];
-    exact_point(f, y, at[0], at[1], r, normal);
-    exact_point(f, y, at[0] + 1, at[1], end[0], normal);
-    exact_point(f, y, at[0] - 1, at[1], end[1], normal);
-    exact_point(f, y, at[0], at[1] + 1, end[2], normal);
-    exact_point(f, y, at[0], at[1] - 1, end[3], normal);
+    quadruple end[4][3], normal[3];
+    exact_point(f, y, xi + 1, eta, end[0], normal);
+    exact_point(f, y, xi - 1, eta, end[1], normal);
+    exact_point(f, y, xi, eta + 1, end[2], normal);
+    exact_point(f, y, xi, eta - 1, end[3], normal);
     for (int i = 0; i < 3; i++) {
         a[i] = (end[0][i] - end[1][i]) / 2;
         b[i] = (end[2][i] - end[3][i]) / 2;
-        c[i] = y[3 * f->nodes + i] - r[i] - at[2] * q[i];
     }
+}
+
+/* One Newton step for {xi, eta, distance}. */
+static void newton(const struct exact_face *f, const quadruple *y, const quadruple q[3], quadruple at[3])
+{
+    quadruple r[3], a[3], b[3], c[3], normal[3];
+    exact_point(f, y, at[0], at[1], r, normal);
+    along_tangents(f, y, at[0], at[1], a, b);
+    for (int i = 0; i < 3; i++)
+        c[i] = y[3 * f->nodes + i] - r[i] - at[2] * q[i];
     const quadruple det = determinant(a, b, q);
     at[0] += determinant(c, b, q) / det;
     at[1] += determinant(a, c, q) / det;

@@ -19,6 +19,10 @@ void along_draw(uint64_t *stream, int nodes, double slim, double angle, along_ve
 /** Returns the length of a change of the direction that is in proportion to those of 1 of coordinates. */
 double along_length(const double direction[3]);
 
+/** Computes r_xi and r_eta, by differences, which are exact for functions that are quadratic at most. */
+void along_tangents(const struct exact_face *f, const quadruple *y, quadruple xi, quadruple eta, quadruple a[3],
+                    quadruple b[3]);
+
 /** Finds {xi, eta, distance} near `from` for nodes, slave node and direction y. */
 void along_solve(const struct exact_face *f, const quadruple *y, const double from[3], quadruple at[3]);
 

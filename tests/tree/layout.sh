@@ -66,7 +66,7 @@ tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runt
 tests/generated:    tests/hard tests/patches tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/plane:        tests/hard generated runtime
 tests/single:       tests/plane tests/generated tests/hard
-tests/along:        tests/support generated runtime
+tests/along:        tests/support generated runtime runtime/geometry
 tests/generic:      generated
 tests/calculix:     runtime/calculix
 tests/sfepy:        runtime/replace runtime/geometry generated

@@ -1,4 +1,4 @@
-/* What derivatives along a direction are. */
+/* The contract of derivatives along a direction. */
 
 /* PREFIX_gradients_along:  at xi as PREFIX_along found it: dist, and d_xi and d_dist, the derivatives of xi and dist by the
  *           COORDINATES coordinates of NODE_NAMES and, last, the two of `along`.

@@ -6,7 +6,7 @@
 struct footpoint_detail_KIND_turns {
     REAL u[2][COORDINATES + 2]; /* first derivatives of xi and t, the distance */
     REAL w[2][COORDINATES + 2]; /* v times those of r(xi) and q at fixed xi and t, and */
-    REAL f[2][COORDINATES + 2]; /* what these grow with: phi_xi; 1 */
+    REAL f[2][COORDINATES + 2]; /* their slopes: phi_xi; 1 */
     REAL c[2];                  /* v . r_xixi */
     REAL q[2], t, unit, over;   /* t is in units of `unit`, over: 1 over the direction's length */
 };

@@ -11,7 +11,7 @@ struct footpoint_detail_turns {
     REAL w
         [3]
         [FOOTPOINT_DETAIL_MOST_TURNS]; /* v times those of r(xi,eta) and q at fixed xi, eta and t, and */
-    REAL f[3][FOOTPOINT_DETAIL_MOST_TURNS]; /* what these grow with: phi_xi, phi_eta; 1 */
+    REAL f[3][FOOTPOINT_DETAIL_MOST_TURNS]; /* their slopes: phi_xi, phi_eta; 1 */
     REAL c[3][3];                           /* v . {r_xixi, r_xieta, r_etaeta} */
     REAL q[3], t, unit, over; /* t is in units of `unit`, over: 1 over the direction's length */
 };

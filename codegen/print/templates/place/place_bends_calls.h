@@ -1,6 +1,6 @@
-/* What callers have of second derivatives along a direction. */
+/* Second derivatives along a direction, for callers. */
 
-/* What they are made of, in a unit of length in which the face is about 1 long; a status. */
+/* Computes their parts, in a unit of length in which the face is about 1 long; returns a status. */
 FOOTPOINT_PART int BENDS_detail_turns(const REAL *const *x, const REAL along[3], const REAL loc[2],
                                       struct footpoint_detail_turns *s)
 {
