@@ -184,7 +184,7 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
  *  stiffness gap if that is > 0, otherwise 0, and force = pressure d gap / dx.  With multiplier = 0 these are the penalty
  *  forces (10), (11) along the segment's own normal, at the exact foot point equal to footpoint_force_balanced.  Otherwise
  *  they belong to an augmented Lagrangian, whose next multiplier is `pressure`.
- *  @param[in]  nodes       of the face, 3 to 9; coordinate 3 k + i is component i of node k, the slave node last
+ *  @param[in]  nodes       of the face, 2 to 9; coordinate 3 k + i is component i of node k, the slave node last
  *  @param[in]  gap, d_gap, hessian  from footpoint_KIND_hessian of generated/
  *  @param[in]  stiffness   >= 0, force per mesh length
  *  @param[in]  multiplier  force; >= 0 pressing

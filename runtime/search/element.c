@@ -24,7 +24,7 @@ static double largest(const double *x, int n)
 int footpoint_element_normal(int nodes, double gap, const double *d_gap, const double *hessian, double stiffness,
                              double multiplier, double *pressure, double *force, double *tangent)
 {
-    if (nodes < 3 || nodes > MOST_NODES || !(stiffness >= 0.0))
+    if (nodes < 2 || nodes > MOST_NODES || !(stiffness >= 0.0))
         return FOOTPOINT_ERR_ARGUMENT;
     const int n = 3 * (nodes + 1);
     if (!number_finite(gap) || !number_finite(stiffness) || !number_finite(multiplier) || !all_finite(d_gap, n) ||
@@ -110,7 +110,7 @@ int footpoint_element_friction(int nodes, const double *x, const double *phi, co
 {
     double way[3] = {0, 0, 0}, change[2], most = 0.0, f[MOST_COORDINATES], dt[MOST_COORDINATES][3];
     struct traction y;
-    if (nodes < 3 || nodes > MOST_NODES || !(stiffness >= 0.0 && friction >= 0.0 && tangential > 0.0))
+    if (nodes < 2 || nodes > MOST_NODES || !(stiffness >= 0.0 && friction >= 0.0 && tangential > 0.0))
         return FOOTPOINT_ERR_ARGUMENT;
     const int n = 3 * (nodes + 1);
     for (int k = 1; k <= nodes; k++)

@@ -72,8 +72,8 @@ $CC $strict -O1 tests/example/press.c "$BIN/libfootpoint.a" -o "$work/press" -lm
 good=$?
 [ $good = 0 ] || sed 's/^/# /' "$work/log"
 report $((!good)) 'press compiles'
-kinds='tri3 quad4 quad8'
-[ -z "${FOOTPOINT_LONG:-}" ] || kinds='tri3 tri6 quad4 quad8 quad9'
+kinds='tri3 quad4 quad8 edge2'
+[ -z "${FOOTPOINT_LONG:-}" ] || kinds='tri3 tri6 quad4 quad8 quad9 edge2 edge3'
 for kind in $kinds; do
     for friction in 0 0.3; do
         "$work/press" $kind $friction > "$work/table"; report $((! $?)) "press finds equilibrium, $kind, friction $friction"
@@ -100,9 +100,9 @@ if [ -e "$BIN/footpoint.mod" ]; then
 else
     report 1 'skipped: no gfortran'
 fi
-expect 'usage of press' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1' \
+expect 'usage of press' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9, edge2, edge3; 0 <= FRICTION <= 1' \
     "$work/press" quad5
-expect 'and of its friction' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1' \
+expect 'and of its friction' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9, edge2, edge3; 0 <= FRICTION <= 1' \
     "$work/press" quad4 -1
 
 # ---- grid ----

@@ -1,9 +1,10 @@
 /* An implicit code without contact: a mesh, forces of the elements and their tangent, a linear solver.
  *
- * Two blocks of solid elements, one on the other, whose faces are of one of five kinds: tetrahedra of 4 and 10 nodes
- * have tri3 and tri6, hexahedra of 8, 20 and 27 nodes quad4, quad8 and quad9. Total Lagrangian, St. Venant-Kirchhoff:
- * strain is E = (F'F - 1)/2, energy lambda (tr E)^2/2 + mu E:E. Nodes lie on a lattice with two steps per cell. Units:
- * mm, N, MPa. */
+ * Two blocks of elements, one on the other, whose faces are of one of seven kinds: tetrahedra of 4 and 10 nodes have
+ * tri3 and tri6, hexahedra of 8, 20 and 27 nodes quad4, quad8 and quad9; plane strain elements of 4 and 8 nodes have
+ * edge2 and edge3, in the x-y plane with y upwards; z is a third unknown that stays 0. Total Lagrangian, St.
+ * Venant-Kirchhoff: strain is E = (F'F - 1)/2, energy lambda (tr E)^2/2 + mu E:E. Nodes lie on a lattice with two steps
+ * per cell. Units: mm, N, MPa. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
 
@@ -16,7 +17,7 @@
 
 static const double YOUNG = 1000.0, POISSON = 0.3; /* MPa */
 
-static const char *const kind_name[FOOTPOINT_FACES] = {"tri3", "tri6", "quad4", "quad8", "quad9"};
+static const char *const kind_name[] = {"tri3", "tri6", "quad4", "quad8", "quad9", "", "edge2", "edge3"};
 enum { MOST_FACE = 9, MOST_SOLID = 27, MOST_POINTS = 27 };
 
 /* An element, in coordinates from 0 to 1: its nodes, and gradients of the shape functions at quadrature points. */
@@ -93,6 +94,17 @@ static int is_tetrahedron(enum footpoint_face kind)
     return kind == FOOTPOINT_TRI3 || kind == FOOTPOINT_TRI6;
 }
 
+static int is_plane(enum footpoint_face kind)
+{
+    return kind == FOOTPOINT_EDGE2 || kind == FOOTPOINT_EDGE3;
+}
+
+/* Returns the axis that points from the lower block to the upper one. */
+static int upwards(enum footpoint_face kind)
+{
+    return is_plane(kind) ? 1 : 2;
+}
+
 /* Returns true if a kind's element has a node this many half steps along each axis from its first node. Then x^p y^q
  * z^r is among its shape functions' monomials. */
 static int has_node(enum footpoint_face kind, const int half[3])
@@ -107,6 +119,10 @@ static int has_node(enum footpoint_face kind, const int half[3])
         return middles == 0;
     case FOOTPOINT_QUAD8:
         return middles <= 1;
+    case FOOTPOINT_EDGE2:
+        return half[1] == 0 && middles == 0;
+    case FOOTPOINT_EDGE3:
+        return half[1] == 0 && middles <= 1;
     default:
         return 1;
     }
@@ -135,7 +151,7 @@ static struct solid solid_of(enum footpoint_face kind)
     vec point[MOST_POINTS];
     int power[MOST_SOLID][3];
     double value[MOST_SOLID * MOST_SOLID], shape[MOST_SOLID * MOST_SOLID] = {0};
-    const int order = kind == FOOTPOINT_QUAD4 ? 2 : 3;
+    const int order = kind == FOOTPOINT_QUAD4 || kind == FOOTPOINT_EDGE2 ? 2 : 3, thick = is_plane(kind) ? 1 : order;
     for (int i = 0; i < 27; i++) {
         const int half[3] = {i % 3, i / 3 % 3, i / 9};
         if (!has_node(kind, half))
@@ -151,12 +167,13 @@ static struct solid solid_of(enum footpoint_face kind)
             s.weight[s.points] = 1.0 / 24;
         }
     else
-        for (; s.points < order * order * order; s.points++) {
-            const int at[3] = {s.points % order, s.points / order % order, s.points / order / order};
+        for (; s.points < order * thick * order; s.points++) {
+            const int at[3] = {s.points % order, s.points / order % thick, s.points / order / thick};
             s.weight[s.points] = 1.0;
             for (int k = 0; k < 3; k++) {
-                point[s.points][k] = gauss[order - 1][at[k]];
-                s.weight[s.points] *= share[order - 1][at[k]];
+                const int row = (k == 1 ? thick : order) - 1;
+                point[s.points][k] = gauss[row][at[k]];
+                s.weight[s.points] *= share[row][at[k]];
             }
         }
     /* Shape function a is the sum over m of shape[m][a] times monomial m: 1 at node a, 0 at the other nodes. */
@@ -189,11 +206,17 @@ struct block {
     double turn, wave; /* about z, radians; of the upper side, mm */
 };
 
-static void place_node(const struct block *b, const int at[3], vec X)
+static void place_node(const struct block *b, int plane, const int at[3], vec X)
 {
     double u[3];
     for (int k = 0; k < 3; k++)
         u[k] = 0.5 * at[k] / b->cells[k];
+    if (plane) {
+        X[0] = b->low[0] + b->size[0] * u[0];
+        X[1] = b->low[2] + b->size[2] * u[2] + b->wave * u[2] * sin(1.1 * X[0] + 0.4);
+        X[2] = 0.0;
+        return;
+    }
     const double x = b->low[0] + b->size[0] * u[0], y = b->low[1] + b->size[1] * u[1];
     X[0] = x * cos(b->turn) - y * sin(b->turn);
     X[1] = x * sin(b->turn) + y * cos(b->turn);
@@ -204,9 +227,9 @@ static void place_node(const struct block *b, const int at[3], vec X)
 static int is_node(enum footpoint_face kind, const int at[3])
 {
     const int middles = at[0] % 2 + at[1] % 2 + at[2] % 2;
-    return kind == FOOTPOINT_QUAD8                             ? middles <= 1
-           : kind == FOOTPOINT_TRI3 || kind == FOOTPOINT_QUAD4 ? middles == 0
-                                                               : 1;
+    return kind == FOOTPOINT_QUAD8 || kind == FOOTPOINT_EDGE3                             ? middles <= 1
+           : kind == FOOTPOINT_TRI3 || kind == FOOTPOINT_QUAD4 || kind == FOOTPOINT_EDGE2 ? middles == 0
+                                                                                          : 1;
 }
 
 /* Adds the elements of a cell whose lowest corner is `at`: one hexahedron, or the six tetrahedra along the paths from
@@ -237,9 +260,10 @@ static void add_faces(struct model *m, const int at[3], const int n[3], const in
     static const int quad[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}};
     static const int tri[2][6][2] = {{{0, 0}, {2, 0}, {2, 2}, {1, 0}, {2, 1}, {1, 1}},
                                      {{0, 0}, {2, 2}, {0, 2}, {1, 1}, {1, 2}, {0, 1}}};
+    static const int edge[3][2] = {{2, 0}, {0, 0}, {1, 0}}; /* the block to its left */
     const int nodes = footpoint_face_nodes(m->kind);
     for (int f = 0; f < (is_tetrahedron(m->kind) ? 2 : 1); f++) {
-        const int(*const node)[2] = is_tetrahedron(m->kind) ? tri[f] : quad;
+        const int(*const node)[2] = is_tetrahedron(m->kind) ? tri[f] : is_plane(m->kind) ? edge : quad;
         for (int a = 0; a < nodes; a++)
             m->face[m->faces * nodes + a] = index[((n[2] - 1) * n[1] + at[1] + node[a][1]) * n[0] + at[0] + node[a][0]];
         m->faces++;
@@ -249,8 +273,9 @@ static void add_faces(struct model *m, const int at[3], const int n[3], const in
 /* Adds a block, with its nodes layer by layer to keep the bandwidth small. Its outer side, `held`, is prescribed. */
 static void add_block(struct model *m, const struct block *b, int lower)
 {
-    const int n[3] = {2 * b->cells[0] + 1, 2 * b->cells[1] + 1, 2 * b->cells[2] + 1}, all = n[0] * n[1] * n[2];
-    const int cells = b->cells[0] * b->cells[1] * b->cells[2], held = lower ? 0 : n[2] - 1;
+    const int plane = is_plane(m->kind), across = plane ? 1 : b->cells[1];
+    const int n[3] = {2 * b->cells[0] + 1, plane ? 1 : 2 * across + 1, 2 * b->cells[2] + 1}, all = n[0] * n[1] * n[2];
+    const int cells = b->cells[0] * across * b->cells[2], held = lower ? 0 : n[2] - 1;
     int *const index = room_for(NULL, (size_t)all, sizeof *index);
     m->X = room_for(m->X, (size_t)(m->nodes + all), sizeof *m->X);
     m->unknown = room_for(m->unknown, (size_t)(m->nodes + all), sizeof *m->unknown);
@@ -262,7 +287,7 @@ static void add_block(struct model *m, const struct block *b, int lower)
         if (!is_node(m->kind, at))
             continue;
         index[i] = m->nodes;
-        place_node(b, at, m->X[m->nodes]);
+        place_node(b, plane, at, m->X[m->nodes]);
         m->unknown[m->nodes] = at[2] == held ? -1 : m->unknowns;
         m->unknowns += at[2] == held ? 0 : 3;
         if (!lower && at[2] == 0)
@@ -270,8 +295,7 @@ static void add_block(struct model *m, const struct block *b, int lower)
         m->nodes++;
     }
     for (int i = 0; i < cells; i++) {
-        const int at[3] = {2 * (i % b->cells[0]), 2 * (i / b->cells[0] % b->cells[1]),
-                           2 * (i / b->cells[0] / b->cells[1])};
+        const int at[3] = {2 * (i % b->cells[0]), 2 * (i / b->cells[0] % across), 2 * (i / b->cells[0] / across)};
         add_cell(m, at, n, index);
         if (lower && at[2] == n[2] - 3)
             add_faces(m, at, n, index);
@@ -321,6 +345,8 @@ static void add_point(const struct model *m, const int *node, int q, const vec *
     for (int a = 0; a < s->nodes; a++)
         for (int i = 0; i < 9; i++)
             J[i / 3][i % 3] += s->gradient[q][a][i / 3] * m->X[node[a]][i % 3];
+    if (is_plane(m->kind))
+        J[1][2] = F[2][2] = 1.0; /* across the plane, along which nothing changes */
     const double volume = fabs(invert(J, inverse)) * s->weight[q];
     for (int a = 0; a < s->nodes; a++)
         for (int i = 0; i < 3; i++) {

@@ -1,14 +1,14 @@
 /* An elastic block is pressed onto another and then drawn along it, with or without Coulomb friction: implicit, one
  * static equilibrium per step, by Newton's iteration, whose residuals are printed. The faces in contact are triangles
- * of three or six nodes or quadrilaterals of four, eight or nine.
+ * of three or six nodes, quadrilaterals of four, eight or nine or, in plane strain, edges of two or three.
  *
- *   press [KIND [FRICTION]]      default: all five kinds, without friction and with 0.3
+ *   press [KIND [FRICTION]]      default: all seven kinds, without friction and with 0.3
  *
  * Prints for each step how far the upper block's top has moved down and along, the contact force on the block (pressing
  * and drawing, N), how many slave nodes touch, how many of these slide, and the residuals of Newton's iterations: the
  * norm of the unbalanced forces, relative to the norm of the forces at the block's top. Without KIND, also prints for
- * each kind, with friction, how long local search takes from scratch, from the last answers, and by Newton's iteration
- * from these.
+ * each kind of face, with friction, how long local search takes from scratch, from the last answers, and by Newton's
+ * iteration from these.
  *
  *   make -C ../.. runtime
  *   cc -O3 press.c ../../build/libfootpoint.a -o press -lm && ./press */
@@ -95,10 +95,11 @@ static int equilibrium(const struct model *m, double friction, struct state *s, 
 /* Moves the upper block's top. To begin with, the block is sheared and pressed evenly, and its underside stays. */
 static void move(const struct model *m, struct state *s, const vec by)
 {
-    const double low = m->X[m->first_upper][2], high = m->X[m->nodes - 1][2];
+    const int up = upwards(m->kind);
+    const double low = m->X[m->first_upper][up], high = m->X[m->nodes - 1][up];
     for (int n = m->first_upper; n < m->nodes; n++)
         for (int k = 0; k < 3; k++)
-            s->x[n][k] += by[k] * (m->X[n][2] - low) / (high - low);
+            s->x[n][k] += by[k] * (m->X[n][up] - low) / (high - low);
 }
 
 static void print_step(int step, const struct model *m, const struct state *s, int residuals, const double *residual)
@@ -110,7 +111,7 @@ static void print_step(int step, const struct model *m, const struct state *s, i
         sliding += s->touch[i].slides;
     }
     printf("%7.3f %6.3f %9.4f %9.4f %6d %6d ", DEPTH * down / PRESSING, WAY * (step - down) / (STEPS - PRESSING),
-           s->force[2], -s->force[0], touching, sliding);
+           s->force[upwards(m->kind)], -s->force[0], touching, sliding);
     for (int i = 0; i < residuals; i++)
         printf(" %.0e", residual[i]);
     putchar('\n');
@@ -140,8 +141,9 @@ static int press(enum footpoint_face kind, double friction, local_search search,
                "   down  along  pressing   drawing  touch  slide  residuals\n",
                kind_name[kind], friction, m.elements, m.unknowns, m.faces, m.slaves);
     for (int step = 1; step <= STEPS && good; step++) {
-        const vec by[2] = {{0.0, 0.0, -DEPTH / PRESSING}, {WAY / (STEPS - PRESSING), 0.0, 0.0}};
+        vec by[2] = {{0.0}, {WAY / (STEPS - PRESSING), 0.0, 0.0}};
         double residual[MOST_RESIDUALS];
+        by[0][upwards(kind)] = -DEPTH / PRESSING;
         choose_faces(&m, (const vec *)s.x, s.touch);
         move(&m, &s, by[step > PRESSING]);
         const int residuals = equilibrium(&m, friction, &s, residual);
@@ -173,7 +175,9 @@ static int compare(enum footpoint_face kind)
 
 static int usage(void)
 {
-    fputs("usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1\n", stderr);
+    fputs("usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9, edge2, edge3; 0 <= FRICTION <= "
+          "1\n",
+          stderr);
     return 2;
 }
 
@@ -184,14 +188,14 @@ int main(int argc, char **argv)
     const double friction = argc > 2 ? strtod(argv[2], &end) : 0.0;
     if (argc > 3 || (end && (end == argv[2] || *end || !(friction >= 0.0 && friction <= 1.0))))
         return usage();
-    for (enum footpoint_face kind = FOOTPOINT_TRI3; kind < FOOTPOINT_FACES; kind++) {
-        if (argc > 1 && strcmp(argv[1], kind_name[kind]) != 0)
+    for (enum footpoint_face kind = FOOTPOINT_TRI3; kind <= FOOTPOINT_EDGE3; kind++) {
+        if (kind == FOOTPOINT_FACES || (argc > 1 && strcmp(argv[1], kind_name[kind]) != 0))
             continue;
         found = 1;
         good = press(kind, friction, footpoint_track, NULL) && good;
         if (argc < 3)
             good = press(kind, FRICTION, footpoint_track, NULL) && good;
-        if (argc < 2)
+        if (argc < 2 && kind < FOOTPOINT_FACES)
             good = compare(kind) && good;
     }
     return found ? !good : usage();
