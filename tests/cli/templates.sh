@@ -33,7 +33,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
             "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
             '#define REACH_TO_GROWTH (reach * reach)' '#define LEAST_SIZE 1e-20' \
             "#define VECTOR_ROWS $(echo "$rows" | sed 's/p/x/g')"
-        printf '%s\n' $named | sed "h; s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/^NAME/${kind}_name/; H; x; s/\n/ /; s/^/#define /"
+        printf '%s\n' $named | sed "h; s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/LANES_//; s/^NAME/${kind}_name/; H; x; s/\n/ /; s/^/#define /"
         words="$words $named"
         closest="inward fan closest_surface"
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
@@ -50,7 +50,10 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         bezier) files="$files patch_net patch_bezier patch_newton patch_proof patch_repair patch_from" ;;
         gregory) files="$files patch_gregory patch_newton patch_proof patch_repair patch_from" ;;
         esac
-        files="$files arrays arrays_checked over"
+        case $kind in
+        quad4) files="$files arrays quad4_block:double quad4_side:arrays_checked quad4_run:over" ;;
+        *) files="$files arrays arrays_checked over" ;;
+        esac
         case $nearest in
         '') ;;
         curved*)
@@ -108,9 +111,12 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
             case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, int near, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             echo "void ${kind}_run(const void *begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
-            case $kind in *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" "ALONE_FURTHER footpoint_detail_${kind%_lanes}_further" ;; esac
+            case $kind in
+            quad4) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' 'LANE_TOP REAL_TOP' 'BLOCK footpoint_detail_quad4_block' 'SIDE footpoint_detail_quad4_side' ;;
+            *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" "ALONE_FURTHER footpoint_detail_${kind%_lanes}_further" ;;
+            esac
             printf '#define %s\n' "RUN ${kind}_run" 'START_BEGIN NULL'
-            words="$words LANE LANE_BITS BLOCK NARROW ALONE_SEARCH ALONE_ANSWER ALONE_FURTHER RUN START_BEGIN"
+            words="$words LANE LANE_BITS LANE_TOP SIDE BLOCK NARROW ALONE_SEARCH ALONE_ANSWER ALONE_FURTHER RUN START_BEGIN"
             case $kind in tri6 | quad8 | quad9) ;; *) echo "REAL_BITS footpoint_detail_${kind}_curved(const REAL *const *x, REAL promise, int bare, int fixed, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
             echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"

@@ -15,15 +15,51 @@ static bool prepares(const struct unit *u)
     return u->file->order == CORNERS_ANY;
 }
 
+/* Whether loops search pairs side by side, partly in single precision. */
+static bool is_side_by_side(const struct unit *u)
+{
+    return promise_kind_of(u) == PROMISE_BILINEAR && u->options.precision == PRECISION_DOUBLE;
+}
+
+/* Prints the parts of loops that search pairs side by side. */
+static void print_side_by_side(const struct unit *u, FILE *out)
+{
+    static const char *const common[][2] = {{"BITS", "bits"}, {"PRODUCTS", "products"}, {"BOUNDS", "bounds"}};
+    static const char *const part[] = {"block", "side", "run"};
+    const char *const kind = u->file->segment->name;
+    struct words w = lines_words(u, NULL, NULL);
+    words_add(&w, "BLOCK", new_format("footpoint_detail_%s_block", kind));
+    words_add(&w, "SIDE", new_format("footpoint_detail_%s_side", kind));
+    words_add(&w, "LANES", new_format("f"));
+    words_add(&w, "LANE", new_format("float"));
+    words_add(&w, "LANE_BITS", new_format("unsigned int"));
+    words_add(&w, "LANE_TOP", new_format("31"));
+    for (size_t i = 0; i < sizeof common / sizeof *common; i++) {
+        char *guard = new_format("FOOTPOINT_DETAIL_%s", common[i][0]);
+        templates_print(guard, (const char *const[]){common[i][1], NULL}, PRECISION_FLOAT, NULL, out);
+        free(guard);
+    }
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
+        char *guard = new_format("FOOTPOINT_%s_%s", kind, part[i]), *name = new_format("%s_%s", kind, part[i]);
+        templates_print(guard, (const char *const[]){name, NULL}, i == 1 ? PRECISION_FLOAT : PRECISION_DOUBLE, w.word,
+                        out);
+        free(name);
+        free(guard);
+    }
+    words_clear(&w);
+}
+
 void arrays_print_helpers(const struct unit *u, FILE *out)
 {
     const bool patch = promise_kind_of(u) == PROMISE_PATCH;
     lines_print_kind(u, promise_answers(u), "ARRAYS",
-                     patch ? (const char *const[]){"arrays", NULL}
-                           : (const char *const[]){"arrays", "arrays_checked", "over", NULL},
+                     patch || is_side_by_side(u) ? (const char *const[]){"arrays", NULL}
+                                                 : (const char *const[]){"arrays", "arrays_checked", "over", NULL},
                      out);
     if (patch)
         lanes_print_helpers(u, out);
+    if (is_side_by_side(u))
+        print_side_by_side(u, out);
 }
 
 void arrays_print(const struct unit *u, const struct function *f, FILE *out)

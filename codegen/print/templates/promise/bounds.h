@@ -31,3 +31,14 @@ FOOTPOINT_PART REAL footpoint_detail_weigh(const REAL a[3], const REAL b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
 }
+
+/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART REAL footpoint_detail_root_bound(REAL x)
+{
+    union {
+        REAL number;
+        REAL_BITS bits;
+    } both;
+    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
+    return both.number;
+}

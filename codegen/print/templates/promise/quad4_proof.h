@@ -13,17 +13,6 @@ typedef struct {
     int twist;
 } footpoint_detail_quad4_vectors;
 
-/* Returns at least the root of x >= 0, and at most 1.061 times that: half its exponent, as in logarithms. */
-FOOTPOINT_PART REAL footpoint_detail_root_bound(REAL x)
-{
-    union {
-        REAL number;
-        REAL_BITS bits;
-    } both;
-    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
-    return both.number;
-}
-
 /* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
  * values of its terms, U, V, W, C. By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
 typedef struct {

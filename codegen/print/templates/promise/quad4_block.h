@@ -1,0 +1,111 @@
+/* Pairs of four-node faces and slave nodes side by side, for loops over arrays of any caller: what is in double. */
+
+enum { SIDE = 32 }; /* pairs at a time */
+
+/* Values of pairs.  4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0, in double and rounded.  Products a a, a b, b b, a c, b c, c c,
+ * a d, b d, c d, d d are in a unit of length in which the sum of |a|'s and |b|'s coordinates is from 1 to 4; `square` changes
+ * products of lengths to that unit.  (p,q): where steps in single precision end; (xi,eta): the answer.  For the proof of its last steps see
+ * footpoint_detail_f_KIND_side_bound: slopes f and g; A; most, turn, off, bend and flat.  A pair is not proved if the highest bit of `doubt` or
+ * `wide` is set. */
+typedef struct {
+    double x[15][SIDE];
+    double vector[4][3][SIDE], square[SIDE];
+    double xi[SIDE], eta[SIDE];
+    double f[SIDE], g[SIDE];
+    double gap[SIDE];
+    LANE narrow[4][3][SIDE], product[10][SIDE];
+    LANE p[SIDE], q[SIDE];
+    LANE a11[SIDE], a12[SIDE];
+    LANE a22[SIDE], most[SIDE];
+    LANE turn[SIDE], off[SIDE], bend[SIDE], flat[SIDE];
+    LANE_BITS doubt[SIDE], wide[SIDE];
+} BLOCK;
+
+/* Computes a, b, c and d from columns x.  In units of rounding of their coordinates a is off by 2 |a| + |c|, b by |a| + 2 |b| + 3 |c|, c by
+ * |a| + 2 |c|, d by 4 |a| + 3 |b| + 6 |c| + 3 |d|. */
+FOOTPOINT_APART void footpoint_detail_KIND_side_narrow(const double *const *x,
+                                                       BLOCK *FOOTPOINT_RESTRICT t)
+{
+    int l, i, k;
+    for (i = 0; i < 3; i++) {
+        const double *const xa = x[i], *const xb = x[3 + i], *const xc = x[6 + i];
+        const double *const xd = x[9 + i], *const xs = x[12 + i];
+        FOOTPOINT_EACH
+        for (l = 0; l < SIDE; l++) {
+            const double ab = xb[l] - xa[l], dc = xc[l] - xd[l], c = dc - ab;
+            const double b = 2.0 * (xd[l] - xa[l]) + c;
+            const double all[4] = {ab + dc, b, c, (4.0 * (xs[l] - xa[l]) - b) - 2.0 * ab};
+            FOOTPOINT_WHOLE
+            for (k = 0; k < 4; k++) {
+                t->vector[k][i][l] = all[k];
+                t->narrow[k][i][l] = (LANE)all[k];
+            }
+        }
+    }
+}
+
+/* Computes 1 / sqrt(x) of ordinary x.  Where sqrt may set errno, it would keep loops from vectorising. */
+FOOTPOINT_PART double footpoint_detail_KIND_side_root(double x)
+{
+#if defined(__NO_MATH_ERRNO__) || !defined(__GNUC__)
+    return 1.0 / sqrt(x);
+#else
+    union {
+        double number;
+        unsigned long long bits;
+    } y;
+    const double half = 0.5 * x;
+    double e;
+    y.bits = REAL_ROOT - footpoint_detail_bits(x) / 2;
+    y.number *= 1.5 - half * (y.number * y.number);
+    y.number *= 1.5 - half * (y.number * y.number);
+    e = 0.5 - half * (y.number * y.number);
+    return y.number + y.number * e * (1.0 + 1.5 * e);
+#endif
+}
+
+/* Computes at (xi,eta) the slopes f = r_xi . D and g = r_eta . D, D = xS - r, times 16 and in the unit of products, and the gap, as far as
+ * they are asked for.
+ *
+ * With P = 1 + |xi|, Q = 1 + |eta|, norms |a|, ..., and far = |d| + P Q (|a| + |b| + |c|), in units of rounding 4 r_xi is off by
+ * 4 Q (|a| + |c|), 4 r_eta by P (|a| + 4 |b| + 4 |c|), 4 D by 6 far; f by 13 far Q (|a| + |c|), g by 13 far P (0.08 |a| + |b| + |c|). */
+FOOTPOINT_PART void footpoint_detail_KIND_side_place(BLOCK *FOOTPOINT_RESTRICT t, int slopes,
+                                                     int gap)
+{
+    int l, i;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        const double xi = t->xi[l], eta = t->eta[l], square = t->square[l];
+        double u[3], v[3], w[3], n[3];
+        FOOTPOINT_WHOLE
+        for (i = 0; i < 3; i++) {
+            u[i] = t->vector[0][i][l] + eta * t->vector[2][i][l];
+            v[i] = t->vector[1][i][l] + xi * t->vector[2][i][l];
+            w[i] = (t->vector[3][i][l] - xi * t->vector[0][i][l]) - eta * v[i];
+        }
+        if (slopes) {
+            t->f[l] = footpoint_detail_dot(u, w) * square;
+            t->g[l] = footpoint_detail_dot(v, w) * square;
+        }
+        if (gap) {
+            footpoint_detail_cross(u, v, n);
+            t->gap[l] = 0.25 * footpoint_detail_dot(w, n) *
+                        footpoint_detail_KIND_side_root(footpoint_detail_dot(n, n));
+        }
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_slopes(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_place(t, 1, 0);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_gaps(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_place(t, 0, 1);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_slopes_and_gaps(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_place(t, 1, 1);
+}

@@ -1,0 +1,225 @@
+/* Pairs of four-node faces and slave nodes side by side: what is in single precision. */
+
+/* Computes products.  Where the unit of length is out of range, doubt remains. */
+FOOTPOINT_APART void footpoint_detail_KIND_side_products(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    int l, i, k;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        REAL a[4][3], size, per;
+        union {
+            REAL_BITS bits;
+            REAL number;
+        } unit;
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 4; k++) {
+            FOOTPOINT_WHOLE
+            for (i = 0; i < 3; i++)
+                a[k][i] = t->narrow[k][i][l];
+        }
+        size = footpoint_detail_sum(a[0]) + footpoint_detail_sum(a[1]);
+        unit.bits = 0x7f000000u - (footpoint_detail_bits(size) & 0x7f000000u);
+        per = unit.number;
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 4; k++) {
+            FOOTPOINT_WHOLE
+            for (i = 0; i < 3; i++)
+                a[k][i] *= per;
+        }
+        t->square[l] = (double)per * (double)per;
+        t->doubt[l] = footpoint_detail_bits(size - 1e-30) | footpoint_detail_bits(1e30 - size) |
+                      footpoint_detail_fast();
+        t->product[0][l] = footpoint_detail_dot(a[0], a[0]);
+        t->product[1][l] = footpoint_detail_dot(a[0], a[1]);
+        t->product[2][l] = footpoint_detail_dot(a[1], a[1]);
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 3; k++) {
+            t->product[3 + k][l] = footpoint_detail_dot(a[k], a[2]);
+            t->product[6 + k][l] = footpoint_detail_dot(a[k], a[3]);
+        }
+        t->product[9][l] = footpoint_detail_dot(a[3], a[3]);
+    }
+}
+
+/* The Hessian [r11 r12; r12 r22] of half the square of the distance, tu = r_xi . c, tv = r_eta . c, and y = r_xi . r_eta - a . b, at (p,q);
+ * products e. */
+typedef struct {
+    REAL e[10], p, q, tu, tv, y, r11, r22, r12;
+} footpoint_detail_KIND_side_bend;
+
+FOOTPOINT_PART void footpoint_detail_KIND_side_visit(const BLOCK *t, int l,
+                                                     footpoint_detail_KIND_side_bend *h)
+{
+    int k;
+    FOOTPOINT_WHOLE
+    for (k = 0; k < 10; k++)
+        h->e[k] = t->product[k][l];
+    h->p = t->p[l];
+    h->q = t->q[l];
+    h->tu = h->e[3] + h->q * h->e[5];
+    h->tv = h->e[4] + h->p * h->e[5];
+    h->y = h->p * h->e[3] + h->q * h->tv;
+    h->r11 = h->e[0] + h->q * (h->e[3] + h->tu);
+    h->r22 = h->e[2] + h->p * (h->e[4] + h->tv);
+    h->r12 = (h->e[1] - h->e[8]) + (h->y + h->y);
+}
+
+/* Begins where the slave node meets the parallelogram of the mid-lines, corrected for c to first order. */
+FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        const REAL aa = t->product[0][l], ab = t->product[1][l], bb = t->product[2][l];
+        const REAL ac = t->product[3][l], bc = t->product[4][l], ad = t->product[6][l];
+        const REAL bd = t->product[7][l], per = 1.0 / (aa * bb - ab * ab);
+        const REAL p = (bb * ad - ab * bd) * per, q = (aa * bd - ab * ad) * per, pq = p * q * per;
+        t->p[l] = p - (bb * ac - ab * bc) * pq;
+        t->q[l] = q - (aa * bc - ab * ac) * pq;
+    }
+}
+
+/* A step of Gauss and Newton, or of Newton. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_step(BLOCK *FOOTPOINT_RESTRICT t, int gauss)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        footpoint_detail_KIND_side_bend h;
+        REAL r12, z, f, g, per;
+        footpoint_detail_KIND_side_visit(t, l, &h);
+        r12 = gauss ? h.e[1] + h.y : h.r12;
+        z = gauss ? h.e[8] : h.y;
+        f = h.e[6] + h.q * (z + h.p * h.tu);
+        g = h.e[7] + h.p * (z + h.q * h.tv);
+        per = 1.0 / (h.r11 * h.r22 - r12 * r12);
+        t->p[l] = (h.r22 * f - r12 * g) * per;
+        t->q[l] = (h.r11 * g - r12 * f) * per;
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_gauss(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_step(t, 1);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_step(t, 0);
+}
+
+/* Moves the answer by A (f,g).  See footpoint_detail_KIND_side_bound. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_correct(BLOCK *FOOTPOINT_RESTRICT t, int l, REAL f,
+                                                       REAL g, REAL promise)
+{
+    const REAL s1 = t->a11[l] * f, s2 = t->a12[l] * g, t1 = t->a12[l] * f, t2 = t->a22[l] * g;
+    const REAL sum = footpoint_detail_greater(fabs(s1) + fabs(s2), fabs(t1) + fabs(t2));
+    const REAL off = t->off[l], step = 1.0001 * sum + off;
+    const REAL h = t->most[l] + t->turn[l] * step;
+    const REAL room = 0.999 * promise - 4e-15 - ((1.3 * h + 5.0 * REAL_UNIT) * sum + 1.5 * off);
+    t->xi[l] += (double)(s1 + s2);
+    t->eta[l] += (double)(t1 + t2);
+    t->most[l] = h;
+    t->doubt[l] |= footpoint_detail_bits(0.08 - step) | footpoint_detail_bits(0.199 - h) |
+                   footpoint_detail_bits(t->flat[l] - t->bend[l] * step);
+    t->wide[l] = footpoint_detail_bits(room) | footpoint_detail_infinite(room);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RESTRICT t,
+                                                            REAL promise)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++)
+        footpoint_detail_KIND_side_correct(t, l, (REAL)t->f[l], (REAL)t->g[l], promise);
+}
+
+/* From (p,q), values that prove corrections, and the first of them if F = (f,g) is `rough`, in single precision.
+ *
+ * F has the Jacobian -H.  T(y) = y + A F(y) with A, H^-1 as computed at (p,q), has the derivative 1 - A H(y), which in a ball of
+ * radius 1.25 step about (p,q), in maximum norms, is at most h = most + |A| L 1.25 step.  `most` bounds |1 - A H(p,q)|, L a Lipschitz constant of
+ * H in a ball of 0.1, `step` |A F(p,q)|.  With h <= 0.2 T contracts in that ball, so that a root lies there; T(y) is within 1.25 h |A F(y)| of
+ * it.  That holds for a second correction from y with the same A, too.  The answer is off by 3 units of the products of A and F and by
+ * what rounding of F makes, `off`.  H is positive definite at the root: A is, and so is every matrix on the way from A^-1 to it.
+ *
+ * Rounding in single precision, in its units: with U = |a| + |q| |c|, V = |b| + |p| |c|, T = |d| + |p a| + |q| V, W = U V + |c| T, r11 is off by 10.3 U U,
+ * r12 by 10.3 W, r22 by 10.3 V V; A's entries add 2 units of H, their divisor 5: in all 17.3 |A| |H|, and `most` has 22.  L: r_xi . c
+ * is off by 7.1 |c| U.  F by 13.2 U T and V T.  In double see footpoint_detail_KIND_side_place; a second correction makes 13 units 16.5.
+ * This needs edges whose lengths differ by less than 1e4, |p| and |q| up to 30, |d| up to 1e3: rounding errors of vectors in double then count nothing here.
+ * det >= 1e-3 r11 r22 keeps that of det below 3e-4 of it, and the same of tangents keeps the normal,
+ * which a correction turns by |c| (U + V) step at most. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t, int rough,
+                                                     REAL promise)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        footpoint_detail_KIND_side_bend h;
+        REAL x, y, r12, det, per, a, b, c, d, U, V, T, W, bend, off, row, column;
+        footpoint_detail_KIND_side_visit(t, l, &h);
+        x = fabs(h.p);
+        y = fabs(h.q);
+        r12 = fabs(h.r12);
+        det = h.r11 * h.r22 - h.r12 * h.r12;
+        per = 1.0 / det;
+        a = footpoint_detail_root_bound(h.e[0]);
+        b = footpoint_detail_root_bound(h.e[2]);
+        c = footpoint_detail_root_bound(h.e[5]);
+        d = footpoint_detail_root_bound(h.e[9]);
+        U = a + y * c;
+        V = b + x * c;
+        T = d + x * a + y * V;
+        W = U * V + c * T;
+        row = U * U + W;
+        column = V * V + W;
+        t->most[l] =
+            22.0 * REAL_UNIT * per *
+            footpoint_detail_greater(h.r22 * row + r12 * column, r12 * row + h.r11 * column);
+        bend = c * (U + V);
+        t->bend[l] = bend;
+        t->turn[l] = 1.25 * per * (footpoint_detail_greater(h.r11, h.r22) + r12) *
+                     (4.0 * (fabs(h.tu) + fabs(h.tv)) + 2.0 * h.e[5] + 32.0 * REAL_UNIT * bend);
+        if (rough) {
+            off = 14.0 * REAL_UNIT * per * T;
+            row = U;
+            column = V;
+        } else {
+            const REAL above = 1.0 + x, beside = 1.0 + y;
+            off = 18.0 * 1.12e-16 * per * (d + above * beside * (a + b + c));
+            row = beside * (a + c);
+            column = above * (b + c + 0.08 * a);
+        }
+        t->off[l] =
+            off * footpoint_detail_greater(h.r22 * row + r12 * column, r12 * row + h.r11 * column);
+        t->a11[l] = h.r22 * per;
+        t->a12[l] = -(h.r12 * per);
+        t->a22[l] = h.r11 * per;
+        t->xi[l] = (double)h.p;
+        t->eta[l] = (double)h.q;
+        a = h.e[1] + h.y;
+        b = h.r11 * h.r22;
+        a = b - a * a;
+        b *= 1e-3;
+        t->flat[l] = 0.3 * footpoint_detail_root_bound(a);
+        t->doubt[l] |= footpoint_detail_bits(det - b) | footpoint_detail_bits(a - b) |
+                       footpoint_detail_bits(h.r11) | footpoint_detail_bits(1e6 - h.e[9]) |
+                       footpoint_detail_bits(1e8 * h.e[0] - h.e[2]) |
+                       footpoint_detail_bits(1e8 * h.e[2] - h.e[0]) |
+                       footpoint_detail_bits(30.0 - footpoint_detail_greater(x, y));
+        if (rough)
+            footpoint_detail_KIND_side_correct(
+                t, l, (h.e[6] - h.p * (h.e[0] + h.q * h.e[3])) - h.q * ((h.e[1] - h.e[8]) + h.y),
+                (h.e[7] - h.q * (h.e[2] + h.p * h.e[4])) - h.p * ((h.e[1] - h.e[8]) + h.y),
+                promise);
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_bounds(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_bound(t, 0, 0.0);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_rough(BLOCK *FOOTPOINT_RESTRICT t, REAL promise)
+{
+    footpoint_detail_KIND_side_bound(t, 1, promise);
+}
