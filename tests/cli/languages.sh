@@ -169,7 +169,7 @@ if command -v gfortran > /dev/null; then
 fi
 
 # ---- segments ----
-later 'languages: paper-quad4, most functions of quad4, two compilers, second headers of a kind on GPUs, machine code of GPUs'
+later 'languages: paper-quad4, most functions of quad4, two compilers, second headers of a kind on GPUs, curved faces and patches in CUDA, machine code of GPUs'
 for scene in tri3 ${FOOTPOINT_LONG:+paper-quad4} quad4; do
     file=$work/$scene.gen
     some evolve/genomes/$scene.gen > "$file"
@@ -358,10 +358,12 @@ for target in 'hip gfx90a -nogpuinc -nogpulib' 'cuda sm_70 -nocudainc -nocudalib
     shift 2
     set -- -std=c++11 -O0 -w -x "$language" --cuda-device-only "--cuda-gpu-arch=$gpu" "$@"
     clang++ "$@" -fsyntax-only /dev/null 2> /dev/null || { report 1 "skipped: $language for $gpu (not in this clang)"; continue; }
+    files='*.cu'
+    [ "$language" != cuda ] || [ -n "$FOOTPOINT_LONG$HEADERS" ] || files='footpoint_quad4*.cu footpoint_tri3*.cu templates.cu'
     # shellcheck disable=SC2086
-    (cd "$work/device" && ls ./*.cu | xargs -P "$(nproc)" -I{} clang++ "$@" -Iinclude -include words.h $code {}) \
+    (cd "$work/device" && ls $files | xargs -P "$(nproc)" -I{} clang++ "$@" -Iinclude -include words.h $code {}) \
         > "$work/log" 2>&1
     good=$?
     [ $good = 0 ] || head -20 "$work/log" | sed 's/^/# /'
-    report $((!good)) "$(ls "$work"/device/*.cu | wc -l) headers, every function, $language for $gpu"
+    report $((!good)) "$(cd "$work/device" && ls $files | wc -l) headers, every function, $language for $gpu"
 done
