@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { STEPS = 60, STEPS_CURVED = 30 /* certain foot points of curved faces are dear */, OUTS = 2 };
+enum { STEPS = 60, STEPS_CURVED = 30 /* certain foot points of curved faces are slow */, OUTS = 2 };
 #define LARGEST_STEP 0.25 /* over the range of a random number */
 #define WIDER 2.0         /* factor of the step after one uphill */
 #define NARROWER 0.85     /* and after any other */
