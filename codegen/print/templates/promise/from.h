@@ -47,77 +47,32 @@ FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name 
 /* Arrays are followed in parts: each part in a loop, which is repeated if many answers are not proved. */
 enum { footpoint_detail_KIND_span = 64, footpoint_detail_KIND_few = 8 };
 
-FOOTPOINT_PART void footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *name, size_t n,
-                                                 const REAL *const *x, REAL promise, REAL least,
-                                                 REAL *FOOTPOINT_RESTRICT xi,
-                                                 REAL *FOOTPOINT_RESTRICT eta,
-                                                 REAL *FOOTPOINT_RESTRICT gap,
-                                                 int *FOOTPOINT_RESTRICT status)
+/* Copies the vectors of pair i from the columns x; with `over` x has the slave nodes' columns, and c is the segment. */
+FOOTPOINT_PART void footpoint_detail_KIND_pair(REAL (*c)[3], int over, const REAL *const *x,
+                                               size_t i, REAL p[VECTORS][3])
 {
-    REAL u[footpoint_detail_KIND_span], v[footpoint_detail_KIND_span];
-    size_t first, i;
-    for (first = 0; first < n; first += footpoint_detail_KIND_span) {
-        const size_t m = n - first < (size_t)footpoint_detail_KIND_span
-                             ? n - first
-                             : (size_t)footpoint_detail_KIND_span;
-        int open = 0;
-        FOOTPOINT_EACH
-        for (i = first; i < first + m; i++) {
-            const REAL p[VECTORS][3] = {COLUMNS};
-            const REAL *const row[VECTORS] = {ROWS};
-            REAL a = xi[i], b = eta[i], g;
-            const int doubt =
-                (int)(footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) >> REAL_TOP);
-            u[i - first] = a;
-            v[i - first] = b;
-            gap[i] = g;
-            status[i] = FOOTPOINT_UNPROVED * doubt;
-            open += doubt;
-        }
-        if (open > footpoint_detail_KIND_few) {
-            FOOTPOINT_EACH
-            for (i = first; i < first + m; i++) {
-                const REAL p[VECTORS][3] = {COLUMNS};
-                const REAL *const row[VECTORS] = {ROWS};
-                const REAL last[2] = {xi[i], eta[i]};
-                REAL a = u[i - first], b = v[i - first], g;
-                const int good = status[i] == FOOTPOINT_OK;
-                const REAL_BITS doubt =
-                    footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) |
-                    footpoint_detail_KIND_strayed(last, a, b);
-                u[i - first] = good ? u[i - first] : a;
-                v[i - first] = good ? v[i - first] : b;
-                gap[i] = good ? gap[i] : g;
-                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> REAL_TOP);
-            }
-        }
-        for (i = first; i < first + m; i++)
-            if (status[i] == FOOTPOINT_OK) {
-                xi[i] = u[i - first];
-                eta[i] = v[i - first];
-            } else {
-                const REAL p[VECTORS][3] = {COLUMNS};
-                const REAL *const row[VECTORS] = {ROWS};
-                footpoint_detail_KIND_follow_one(name, row, promise, least, u[i - first],
-                                                 v[i - first], &xi[i], &eta[i], &gap[i],
-                                                 &status[i]);
-            }
+    int k, j;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < VECTORS; k++) {
+        FOOTPOINT_UNROLL
+        for (j = 0; j < 3; j++)
+            p[k][j] = !over ? x[3 * k + j][i] : k < SEGMENT_VECTORS ? c[k][j] : x[j][i];
     }
 }
 
-/* Does the same over one segment. */
+/* Searches n pairs, or with `over` n slave nodes over a segment, which is copied so that no result can change it. */
 FOOTPOINT_PART void
-footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *const *segment,
-                                  size_t n, const REAL *const *x, REAL promise, REAL least,
-                                  REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
-                                  REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *name, int over, const REAL *const *segment,
+                             size_t n, const REAL *const *x, REAL promise, REAL least,
+                             REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
+                             REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     REAL c[SEGMENT_VECTORS][3], u[footpoint_detail_KIND_span], v[footpoint_detail_KIND_span];
     size_t first, i;
     int j, k;
     for (k = 0; k < SEGMENT_VECTORS; k++)
         for (j = 0; j < 3; j++)
-            c[k][j] = segment[k][j];
+            c[k][j] = over ? segment[k][j] : 0.0;
     for (first = 0; first < n; first += footpoint_detail_KIND_span) {
         const size_t m = n - first < (size_t)footpoint_detail_KIND_span
                              ? n - first
@@ -125,10 +80,11 @@ footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {
-            const REAL slave[3] = {x[0][i], x[1][i], x[2][i]};
-            const REAL *const row[VECTORS] = {SEGMENT_ROWS, slave};
-            REAL a = xi[i], b = eta[i], g;
-            const int doubt =
+            REAL p[VECTORS][3], a = xi[i], b = eta[i], g;
+            const REAL *const row[VECTORS] = {ROWS};
+            int doubt;
+            footpoint_detail_KIND_pair(c, over, x, i, p);
+            doubt =
                 (int)(footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) >> REAL_TOP);
             u[i - first] = a;
             v[i - first] = b;
@@ -139,14 +95,14 @@ footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *
         if (open > footpoint_detail_KIND_few) {
             FOOTPOINT_EACH
             for (i = first; i < first + m; i++) {
-                const REAL slave[3] = {x[0][i], x[1][i], x[2][i]};
-                const REAL *const row[VECTORS] = {SEGMENT_ROWS, slave};
+                REAL p[VECTORS][3], a = u[i - first], b = v[i - first], g;
+                const REAL *const row[VECTORS] = {ROWS};
                 const REAL last[2] = {xi[i], eta[i]};
-                REAL a = u[i - first], b = v[i - first], g;
                 const int good = status[i] == FOOTPOINT_OK;
-                const REAL_BITS doubt =
-                    footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) |
-                    footpoint_detail_KIND_strayed(last, a, b);
+                REAL_BITS doubt;
+                footpoint_detail_KIND_pair(c, over, x, i, p);
+                doubt = footpoint_detail_KIND_from(row, promise, least, 1, &a, &b, &g) |
+                        footpoint_detail_KIND_strayed(last, a, b);
                 u[i - first] = good ? u[i - first] : a;
                 v[i - first] = good ? v[i - first] : b;
                 gap[i] = good ? gap[i] : g;
@@ -158,8 +114,9 @@ footpoint_detail_KIND_from_over_n(footpoint_detail_KIND_name *name, const REAL *
                 xi[i] = u[i - first];
                 eta[i] = v[i - first];
             } else {
-                const REAL slave[3] = {x[0][i], x[1][i], x[2][i]};
-                const REAL *const row[VECTORS] = {SEGMENT_ROWS, slave};
+                REAL p[VECTORS][3];
+                const REAL *const row[VECTORS] = {ROWS};
+                footpoint_detail_KIND_pair(c, over, x, i, p);
                 footpoint_detail_KIND_follow_one(name, row, promise, least, u[i - first],
                                                  v[i - first], &xi[i], &eta[i], &gap[i],
                                                  &status[i]);
