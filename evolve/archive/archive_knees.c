@@ -98,13 +98,15 @@ static size_t keep_knees(const struct member **m, size_t n)
     return n;
 }
 
-/* Gives each tier that a member is named after its champion, and takes the others'.  A member has at most the error of the shipped
+/* Gives each tier that a member is named after its champion, and takes the others'.  A member has no figure worse than the shipped
  * function of its name; of two that could have a name, the less accurate takes the next one down. */
 static void name_knees(struct archive *a, struct objective *o, const struct choice *c, const struct member **m,
                        size_t n)
 {
     for (size_t t = a->quests; t-- > 0;) {
-        const bool named = n > 0 && m[n - 1]->error <= c->rival[t].error && c->rival[t].error < INFINITY;
+        const struct rival *r = &c->rival[t];
+        const bool named = n > 0 && r->error < INFINITY &&
+                           objective_no_worse(c->judge, &m[n - 1]->genes, a->quest[t].last, &r->outputs);
         const struct member *own = named ? m[--n] : NULL;
         struct champion *champion = &a->quest[t].champion;
         if (own && genes_equal(&own->genes, &champion->genes))
