@@ -20,7 +20,8 @@ addEventListener('load', () => {
         e.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
     const broken = [...document.querySelectorAll('a[href^="#"]')].filter(a => !document.querySelector(CSS.escape ?
         '#' + CSS.escape(a.getAttribute('href').slice(1)) : a.getAttribute('href')))
-    document.title = ['seen', innerWidth, images.length, missing.length, cut.length, broken.length,
+    const faint = images.filter(i => i.clientWidth * 10.5 < i.naturalWidth * 9) // the smallest letters have 10.5 pixels
+    document.title = ['seen', innerWidth, images.length, missing.length, cut.length, broken.length, faint.length,
         cut.slice(0, 3).map(e => e.tagName + e.className)].join(' ')
 })
 </script>
@@ -36,4 +37,5 @@ for width in 1280 400; do
     [ "$1" = seen ] && [ "$2" = $width ] && [ "$3" -ge 6 ] && [ "$4" = 0 ]; report $((! $?)) "$width pixels: pictures"
     [ "$5" = 0 ]; report $((! $?)) "$width pixels: nothing is cut off"
     [ "$6" = 0 ]; report $((! $?)) "$width pixels: links within the page"
+    [ "$7" = 0 ] || [ $width != 400 ]; report $((! $?)) "$width pixels: letters of pictures have 9 pixels"
 done

@@ -18,11 +18,17 @@ hard=$?
 rm -r "$work"
 scenes=$(awk -F, 'NR > 1 && !seen[$1]++ { print $1 }' "$folder/bench.csv")
 
+# image NAME TEXT: a picture that scrolls on a narrow screen, so that its smallest letters (10.5 of its pixels) have 9
+image() {
+    least=$(awk 'match($0, /width="[0-9]+/) { print int(substr($0, RSTART + 7) * 9 / 10.5) + 1; exit }' "$folder/$1.svg")
+    echo "<a class=wide href=\"$1.svg\"><img style=\"--least: ${least}px\" src=\"$1.svg\" alt=\"$2\"></a>"
+}
+
 picture() { # picture SCENE SAMPLE MODE NORM
     name=$1-$2-$3-$4
     awk -f tests/report/picture.awk -v scene="$1" -v sample="$2" -v mode="$3" -v norm="$4" -v out="$folder/$name" \
         "$folder/bench.csv" | gnuplot || exit 3
-    echo "<a href=\"$name.svg\"><img src=\"$name.svg\" alt=\"$1, $2, $3: time against error, $4\"></a>"
+    image "$name" "$1, $2, $3: time against error, $4"
 }
 
 methods() { # methods SCENE SAMPLE QUESTION TITLE: the table, if there is something in it
@@ -65,7 +71,7 @@ map() { # map SCENE: its searches in the order of the bench
     awk -f tests/report/map.awk -v title="$1" -v out="$folder/$1-map" $files > "$folder/map.gp" &&
         gnuplot "$folder/map.gp" && rm "$folder/map.gp" || exit 3
     echo '<h3>Error over the segment</h3>'
-    echo "<a href=\"$1-map.svg\"><img src=\"$1-map.svg\" alt=\"$1: map of the error\"></a>"
+    image "$1-map" "$1: map of the error"
     echo '<p>For ParaView, cells with the mean errors and the number of samples:'
     for vtk in $files; do
         echo "<a href=\"maps/${vtk##*/}\">${vtk##*/}</a>"
@@ -102,14 +108,15 @@ sample=$(samples_of "$first" | tail -n 1)
 <style>
 body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 1400px; padding: 0 1em; color: #222; overflow-wrap: anywhere }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(560px, 100%), 1fr)); gap: 8px }
-img { max-width: 100% } pre { font-size: 12px } summary { cursor: pointer; margin: .4em 0 } .wide { overflow-x: auto; overflow-wrap: normal }
+img { max-width: 100% } a.wide { display: block } @media (max-width: 640px) { a.wide img { min-width: var(--least) } } pre { font-size: 12px } summary { cursor: pointer; margin: .4em 0 } .wide { overflow-x: auto; overflow-wrap: normal }
 table { border-collapse: collapse; font-size: 12px }
 td, th { padding: 1px 7px; text-align: right; border-bottom: 1px solid #eee }
 td:first-child, .words td { text-align: left } .ours td { font-weight: bold; background: #f3f3f3 }
 </style>
 <h1>Time against error</h1>
-<div class=pictures>
 END
+    awk -f tests/report/loses.awk "$folder/front.txt"
+    echo '<div class=pictures>'
     picture "$first" "$sample" chain mean
     picture "$first" "$sample" scalar mean
     picture "$first" "$sample" batch mean
