@@ -25,7 +25,9 @@ refused bench ISAS=z80 'ISAS=z80: not instruction sets of the bench; there are '
 refused runtime OPENMP=yes 'OPENMP=yes: 0 or 1'
 refused bench SCENE=typo 'SCENE=typo: there is no evolve/scenes/typo\.scene'
 refused regenerate SCENE=none/typo.scene 'there is no none/typo\.scene'
+later 'make: every folder that install-runtime and uninstall refuse'
 for target in install install-runtime uninstall; do
+    [ $target = install ] || [ -n "$FOOTPOINT_LONG" ] || { refused $target PREFIX= 'PREFIX=.*: no absolute path'; continue; }
     for value in PREFIX= PREFIX=tools BINDIR=bin LIBDIR= INCLUDEDIR=./include MANDIR=man; do
         refused $target $value "${value%%=*}=.*: no absolute path"
     done
