@@ -1,5 +1,5 @@
-# Fuzzing of the reader of contact meshes under the sanitizers: a minute with libFuzzer (FUZZ_SECONDS=); skipped where clang
-# has none.
+# Fuzzes the reader of contact meshes under the sanitizers with libFuzzer: a minute (FUZZ_SECONDS=; 0: until FUZZ_RUNS= inputs
+# are read).  Skipped if clang has none.
 . tests/cli/expect.inc
 sources="tests/fuzz/fuzz_mesh.c $(ls evolve/input/inp_*.c codegen/base/*.c) evolve/input/mesh.c codegen/genome/names.c \
     codegen/genome/segment_kind.c"
@@ -15,9 +15,9 @@ printf '"%s"\n' '*NODE' '*ELEMENT, TYPE=C3D8, ELSET=' '*ELEMENT, TYPE=S4' '*NSET
     '*END ASSEMBLY' '*INCLUDE, INPUT=' ', S1' ', SPOS' ', E1' '\x0a' '\x0d' ', ' '**' > "$work/words"
 mkdir "$work/corpus"
 cp tests/meshes/decks/*.inp tests/meshes/*[0-9].inp tests/meshes/wedges.inp "$work/corpus"
-"$work/fuzzer" -dict="$work/words" -max_len=4000 -timeout=20 -rss_limit_mb=2048 -max_total_time="${FUZZ_SECONDS:-60}" -seed=1 \
+"$work/fuzzer" -dict="$work/words" -max_len=4000 -timeout=20 -rss_limit_mb=2048 -max_total_time="${FUZZ_SECONDS:-60}" -runs="${FUZZ_RUNS:--1}" -seed=1 \
     -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus" > "$work/log" 2>&1
 status=$?
 [ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40; base64 "$work"/crash-* "$work"/timeout-* 2> /dev/null; } | sed 's/^/# /'
 sed -n 's/^stat::number_of_executed_units: */# runs: /p' "$work/log"
-report $((! status)) 'a minute of fuzzing contact meshes'
+report $((! status)) 'fuzzing contact meshes'
