@@ -15,6 +15,7 @@
 #include "../../generated/footpoint_tri6_derivatives.h"
 #include "../../runtime/footpoint_face.h"
 #include "../support/kind_arguments.h"
+#include "../support/long_cases.h"
 #include "along_judge.h"
 
 #include <math.h>
@@ -22,7 +23,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -98,7 +98,7 @@ static void judge(uint64_t *stream, const struct kind *k, along_vectors x, const
 
 static int count(void)
 {
-    return getenv("FOOTPOINT_LONG") ? LONG : SHORT;
+    return (int)long_cases(SHORT, LONG);
 }
 
 static void ordinary_lines_are_right(void **state)

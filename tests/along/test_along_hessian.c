@@ -13,13 +13,13 @@
 #include "../../generated/footpoint_tri6_derivatives.h"
 #include "../../runtime/footpoint_face.h"
 #include "../support/kind_arguments.h"
+#include "../support/long_cases.h"
 #include "along_judge.h"
 
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -127,7 +127,7 @@ static void library_agrees(const struct kind *k, along_vectors x, const struct a
 
 static int count(void)
 {
-    return getenv("FOOTPOINT_LONG") ? LONG : SHORT;
+    return (int)long_cases(SHORT, LONG);
 }
 
 /* Lines of a family; returns how many were refused. */

@@ -1,13 +1,13 @@
 /* Projection along the averaged normal of faces at a node: derivatives of xi, eta and distance by the nodes of these faces, through the
  * normal, and by the node itself, against differences of two solutions in quadruple precision. */
 #include "../../runtime/geometry/footpoint-averaged-normal.h"
+#include "../support/long_cases.h"
 #include "along_judge.h"
 
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -92,7 +92,7 @@ static void derivatives_match_differences(void **state)
     uint64_t stream = 21;
     int judged = 0;
     (void)state;
-    for (int n = 0; n < 5 * (getenv("FOOTPOINT_LONG") ? LONG : SHORT); n++) {
+    for (int n = 0; n < 5 * long_cases(SHORT, LONG); n++) {
         const enum footpoint_face face = kind[n % 5].face;
         double by[3 * MOST_NODES + 3 * MOST_AROUND], d[3][MOST_ALONG], from[3];
         quadruple at[2][3];
@@ -116,7 +116,7 @@ static void derivatives_match_differences(void **state)
                 fail_msg("%d nodes, row %d: %.17g, not %.17g", s.nodes, j, sum, truth);
         }
     }
-    assert_true(judged >= 4 * (getenv("FOOTPOINT_LONG") ? LONG : SHORT));
+    assert_true(judged >= 4 * long_cases(SHORT, LONG));
 }
 
 /* Two edges at a corner of the plane: the sum of their normals, weighted by half their lengths. */

@@ -77,6 +77,10 @@ for header in $HEADERS; do
     $CXX -std=gnu++17 $called ${FOOTPOINT_LONG:+-O1} -c "$work/wide.cpp" -o "$work/wide.o" || exit 1
     for compiler in "$CC -std=gnu99 -Ofast" "clang++ -std=c++11 -Ofast" "$CC -std=c99 -O1" "$CC -std=c99 -O2" "clang -std=gnu99 -O2" \
                     "clang -std=c99 -Ofast" "$CXX -std=c++17 -Ofast" "$CC -std=gnu99 -O0 -ffast-math"; do
+        case $name$compiler in # second headers of a kind differ in their expressions alone
+        footpoint_*_quad4"$CC -std=gnu99 -Ofast" | footpoint_*_quad4"clang -std=c99 -Ofast") ;;
+        footpoint_*_quad4*) continue ;;
+        esac
         case $compiler in
         *c++11\ -Ofast) [ "$kind" != quad8 ] || [ -n "$FOOTPOINT_LONG" ] || continue ;;
         *c99\ -O1) [ -n "$FOOTPOINT_LONG" ] || compiler="$CC -std=c99 -O0" ;;

@@ -7,6 +7,7 @@
 #include "../../runtime/footpoint.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
+#include "../support/long_cases.h"
 
 #include <float.h>
 #include <math.h>
@@ -305,11 +306,6 @@ static bool is_closest(const struct single *s, const float loc[2], double promis
 
 /* ---- tests ---- */
 
-static bool is_long(void)
-{
-    return getenv("FOOTPOINT_LONG") != NULL;
-}
-
 static void report(const struct function *f, const char *family, const struct single *s, const float loc[2])
 {
     for (int k = 0; k < 5; k++)
@@ -353,7 +349,7 @@ static double percent(long part, long all)
 
 static void print(const char *family, const struct tally count[FUNCTIONS])
 {
-    for (int f = 0; f < FUNCTIONS && is_long(); f++)
+    for (int f = 0; f < FUNCTIONS && getenv("FOOTPOINT_LONG"); f++)
         print_message("%-10s %-14s OK %8.4f %% of %ld, closest %8.4f %% of %ld\n", functions[f].name, family,
                       percent(count[f].ok, count[f].asked), count[f].asked,
                       percent(count[f].closest_ok, count[f].closest_asked), count[f].closest_asked);
@@ -365,7 +361,7 @@ static void answers_keep_the_promise(void **state)
     for (int family = 0; family < FAMILIES; family++) {
         uint64_t stream = 6262 + (uint64_t)family;
         struct tally count[FUNCTIONS] = {{0}};
-        const long n = !is_long() ? CASES : family ? CASES_LONG : ORDINARY_LONG;
+        const long n = long_cases(CASES, family ? CASES_LONG : ORDINARY_LONG);
         for (long k = 0; k < n; k++) {
             struct hard_case h;
             families[family].draw(&stream, &h);
@@ -384,7 +380,7 @@ static void answers_to_hard_cases_keep_the_promise(void **state)
     (void)state;
     for (int family = 0; family < hard_family_count; family++) {
         struct tally count[FUNCTIONS] = {{0}};
-        for (long k = 0; k < (is_long() ? CASES_LONG : CASES) / 4 && hard_families[family].draw_float; k++) {
+        for (long k = 0; k < long_cases(CASES, CASES_LONG) / 4 && hard_families[family].draw_float; k++) {
             struct hard_case h;
             hard_draw_float(family, 5, (uint64_t)k, &h);
             const struct single s = rounded(&h);

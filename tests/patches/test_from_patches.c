@@ -6,13 +6,13 @@
 #include "../../generated/footpoint_paper_gregory.h"
 #include "../hard/draw.h"
 #include "../support/kind_arguments.h"
+#include "../support/long_cases.h"
 #include "drawn_patches.h"
 
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -21,7 +21,7 @@ enum { CASES = 50, CASES_LONG = 15000, PAIRS = 45, ROWS = 3 * PATCH_VECTORS };
 
 static long cases(void)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 #define FUNCTIONS(F)                                                                                                   \

@@ -6,6 +6,7 @@
 #include "../../generated/footpoint_edge2.h"
 #include "../../generated/footpoint_edge3.h"
 #include "../hard/draw.h"
+#include "../support/long_cases.h"
 #include "edge_judge.h"
 
 #include <math.h>
@@ -13,7 +14,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -22,7 +22,7 @@ enum { CASES = 900, CASES_LONG = 700000 };
 
 static long cases(void)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 /* ---- calls --------------------------------------------------------------------------------------------------------- */

@@ -3,13 +3,13 @@
 #include "../../generated/footpoint_edge2.h"
 #include "../../generated/footpoint_edge3.h"
 #include "../hard/draw.h"
+#include "../support/long_cases.h"
 #include "edge_judge.h"
 
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <stdlib.h>
 
 #include <cmocka.h>
 
@@ -82,7 +82,7 @@ static bool is_right(const struct judged *j, const double p[2], int status, doub
 
 static void statuses_are_proved(void **state)
 {
-    const long lines = getenv("FOOTPOINT_LONG") ? LINES_LONG : LINES;
+    const long lines = long_cases(LINES, LINES_LONG);
     (void)state;
     for (int nodes = 2; nodes <= 3; nodes++)
         for (int family = 0; family < FAMILIES; family++) {
@@ -243,7 +243,7 @@ static void judge_rows(int nodes, double x[4][2], const double p[2], double xi, 
 
 static void derivatives_match_differences(void **state)
 {
-    const long lines = getenv("FOOTPOINT_LONG") ? LINES_LONG : LINES;
+    const long lines = long_cases(LINES, LINES_LONG);
     uint64_t stream = 13;
     long refused = 0;
     (void)state;

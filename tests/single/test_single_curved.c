@@ -4,6 +4,7 @@
  * proved. */
 #define FOOTPOINT_PART static inline /* three kinds are compiled sooner */
 #define FOOTPOINT_LOOP static inline
+#include "../support/long_cases.h"
 #include "footpoint_quad8_float.h"
 #include "footpoint_quad9_float.h"
 #include "footpoint_tri6_float.h"
@@ -26,7 +27,7 @@ enum { CASES = 150, CASES_LONG = 100000, BLOCK = 180, ROWS = 3 * (CURVED_NODES +
 
 static long cases(void)
 {
-    return getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    return long_cases(CASES, CASES_LONG);
 }
 
 /* ---- functions ---- */

@@ -1,6 +1,7 @@
 /* What edges promise in float: where footpoint_edge2_float_exact, footpoint_edge3_float_accurate, their _from and their _closest
  * return FOOTPOINT_OK or FOOTPOINT_NOT_UNIQUE, that holds, alone and over arrays, for the families of edge_judge.h.  The judge finds
  * all roots of the cubic of shape functions in quadruple precision from the same floats.  1e5 of each with FOOTPOINT_LONG. */
+#include "../support/long_cases.h"
 #include "footpoint_edge2_float.h"
 #include "footpoint_edge3_float.h"
 
@@ -13,7 +14,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdlib.h>
 
 #include <cmocka.h>
 
@@ -110,7 +110,7 @@ static const int least[2][FAMILIES][2] = {
 
 static void promises_hold(void **state)
 {
-    const long n = getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    const long n = long_cases(CASES, CASES_LONG);
     (void)state;
     for (int nodes = 2; nodes <= 3; nodes++)
         for (int family = 0; family < FAMILIES; family++) {

@@ -2,6 +2,7 @@
  * promise, and so does the closest point of the closed triangle where its _closest does; alone and over arrays, on ordinary
  * triangles, slivers, far and shifted ones, of any size and of coordinates of mixed scales, on borders.  The judge solves the normal
  * equations in quadruple precision from the same floats.  1e5 of each family with FOOTPOINT_LONG. */
+#include "../support/long_cases.h"
 #include "footpoint_tri3_float.h"
 
 #include "../hard/draw.h"
@@ -12,7 +13,6 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -122,7 +122,7 @@ static const int least[FAMILIES][2] = {{90, 95}, {15, 90}, {85, 80}, {85, 85}, {
 
 static void promises_hold(void **state)
 {
-    const long n = getenv("FOOTPOINT_LONG") ? CASES_LONG : CASES;
+    const long n = long_cases(CASES, CASES_LONG);
     (void)state;
     for (int family = 0; family < FAMILIES; family++) {
         uint64_t stream = (uint64_t)family + 1;

@@ -5,13 +5,14 @@
 #include "../../codegen/program/evaluate_float.h"
 #include "../../codegen/rounding/rounding.h"
 #include "genome_text.h"
+#include "long_cases.h"
 
 #include <float.h>
 #include <math.h>
 
 long sample_count(void)
 {
-    return getenv("FOOTPOINT_LONG") ? 1000000 : 10000;
+    return long_cases(10000, 1000000);
 }
 
 static long double nearest(const fmpq_t x)

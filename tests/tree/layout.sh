@@ -64,8 +64,8 @@ tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runt
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/hard tests/patches tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
-tests/plane:        tests/hard generated runtime
-tests/single:       tests/plane tests/generated tests/hard
+tests/plane:        tests/hard tests/support generated runtime
+tests/single:       tests/plane tests/generated tests/hard tests/support
 tests/along:        tests/support generated runtime runtime/geometry
 tests/generic:      generated
 tests/calculix:     runtime/calculix
