@@ -442,13 +442,13 @@ build_tests = $(MAKE) --no-print-directory build-tests
 build-tests: $(TESTS) all bench-program paper-programs
 
 # A line at once, then the longest first, so that processors are busy to the end.
-LONGEST := header statuses languages evolve programs bench make example templates checkpoint install own hard libraries
-LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh) $(BIN)/tests/test_calibration
+LONGEST := header statuses languages evolve programs bench make example templates checkpoint install own hard libraries counts
+LONGEST := $(BIN)/tests/test_decimal $(LONGEST:%=tests/cli/%.sh) tests/generic/generic.sh $(BIN)/tests/test_calibration
 other_tests := tests/paper/rivals/pga.sh tests/paper/rivals/perceptron.sh tests/queries/queries.sh tests/generic/generic.sh tests/generic/lanes.sh
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh) $(other_tests))
 LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations debian calculix valgrind hard_cases vector regenerated hostile projects)
 LONGEST_TESTS := $(patsubst %,$(BIN)/tests/test_%,header_bounds promise closest_curved promise_patches place closest_promise promise_curved)
-long_first = $(BIN)/tests/test_decimal $(LONGEST_LONG) $(LONGEST_TESTS) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
+long_first = $(BIN)/tests/test_decimal tests/cli/statuses.sh tests/cli/header.sh tests/cli/counts.sh $(LONGEST_LONG) $(LONGEST_TESTS) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
 long_in_order = $(long_first) $(filter-out $(long_first),$(in_order))
 run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 

@@ -22,7 +22,7 @@ q = % x max y - 0 x
 end
 END
 later 'operations: longer expressions, the paper'"'"'s measure'
-if [ -n "$FOOTPOINT_LONG" ]; then effort=200 bytes=100000; else effort=3 bytes=150; fi
+if [ -n "$FOOTPOINT_LONG" ]; then effort=20 bytes=100000; else effort=3 bytes=150; fi
 for cost in throughput ${FOOTPOINT_LONG:+paper}; do
     for gen in "$work/terms.gen" tests/expressions/*.gen tests/fuzz/corpus/*.gen; do
         ! grep -q '^face ' "$gen" || continue # rows are not read by the script
