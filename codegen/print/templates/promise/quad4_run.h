@@ -12,20 +12,22 @@ FOOTPOINT_COLD void footpoint_detail_KIND_side_fill(BLOCK *t, const double **x, 
     }
 }
 
-/* Takes as many steps as the promise needs, and proves the last. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise)
+/* Takes as many steps as the promise needs, or `more` from where they ended, and proves the last. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int more)
 {
     footpoint_detail_LANES_KIND_side_products(t);
-    footpoint_detail_LANES_KIND_side_begin(t);
-    footpoint_detail_LANES_KIND_side_gauss(t);
-    if (promise > 0.99e-3) {
+    if (!more) {
+        footpoint_detail_LANES_KIND_side_begin(t);
+        footpoint_detail_LANES_KIND_side_gauss(t);
+    }
+    if (!more && promise > 0.99e-3) {
         footpoint_detail_LANES_KIND_side_rough(t, (LANE)promise);
         footpoint_detail_KIND_side_gaps(t);
         return;
     }
     footpoint_detail_LANES_KIND_side_newton(t);
     footpoint_detail_LANES_KIND_side_bounds(t);
-    if (promise < 0.99e-7) {
+    if (more || promise < 0.99e-7) {
         footpoint_detail_KIND_side_slopes(t);
         footpoint_detail_LANES_KIND_side_corrections(t, (LANE)promise);
     }
@@ -33,7 +35,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise)
     footpoint_detail_LANES_KIND_side_corrections(t, (LANE)promise);
 }
 
-/* Stores answers.  Returns 0 if all are proved. */
+/* Stores answers.  Returns how many are not proved, or more. */
 FOOTPOINT_PART int footpoint_detail_KIND_side_store(const BLOCK *t, int count,
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta,
@@ -41,7 +43,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_side_store(const BLOCK *t, int count,
                                                     int *FOOTPOINT_RESTRICT status)
 {
     unsigned long long infinite = 0;
-    LANE_BITS doubt = 0;
+    LANE_BITS unproved = 0;
     int l;
     FOOTPOINT_EACH
     for (l = 0; l < count; l++) {
@@ -53,21 +55,42 @@ FOOTPOINT_PART int footpoint_detail_KIND_side_store(const BLOCK *t, int count,
     FOOTPOINT_EACH
     for (l = 0; l < count; l++) {
         status[l] = FOOTPOINT_OK;
-        doubt |= t->doubt[l] | t->wide[l];
+        unproved += (t->doubt[l] | t->wide[l]) >> LANE_TOP;
     }
-    return infinite >> 63 || doubt >> LANE_TOP;
+    return (int)unproved + (int)(infinite >> 63);
 }
 
-/* Searches one by one the pairs that are not proved, or all of them. */
+/* Returns 0 if an answer is proved. */
+FOOTPOINT_PART int footpoint_detail_KIND_side_fails(const BLOCK *t, int l)
+{
+    return (t->doubt[l] | t->wide[l]) >> LANE_TOP || footpoint_detail_infinite(t->gap[l]) >> 63;
+}
+
+/* Takes more steps where `failed`, which changes for what is proved then. */
+FOOTPOINT_COLD void footpoint_detail_KIND_side_again(BLOCK *t, double promise, int *failed,
+                                                     int count, double *xi, double *eta,
+                                                     double *gap)
+{
+    int l;
+    footpoint_detail_KIND_side_steps(t, promise, 1);
+    for (l = 0; l < count; l++)
+        if (failed[l] && !footpoint_detail_KIND_side_fails(t, l)) {
+            xi[l] = t->xi[l];
+            eta[l] = t->eta[l];
+            gap[l] = t->gap[l];
+            failed[l] = 0;
+        }
+}
+
+/* Searches pairs one by one where `failed`. */
 FOOTPOINT_COLD void footpoint_detail_KIND_side_mend(footpoint_detail_search *search, int nodes,
-                                                    const BLOCK *t, int all, const double *const *x,
+                                                    const int *failed, const double *const *x,
                                                     int count, double promise, double *xi,
                                                     double *eta, double *gap, int *status)
 {
     int i;
     for (i = 0; i < count; i++)
-        if (all || (t->doubt[i] | t->wide[i]) >> LANE_TOP ||
-            footpoint_detail_infinite(t->gap[i]) >> 63) {
+        if (failed[i]) {
             const double p[VECTORS][3] = {COLUMNS};
             const double *const row[VECTORS] = {ROWS};
             double u, v, g;
@@ -81,6 +104,21 @@ FOOTPOINT_COLD void footpoint_detail_KIND_side_mend(footpoint_detail_search *sea
                 status[i] = FOOTPOINT_OK;
             }
         }
+}
+
+/* Repairs what is not proved: many failures by more steps, unless rounding forbids most proofs. */
+FOOTPOINT_COLD void footpoint_detail_KIND_side_repair(footpoint_detail_search *search, int nodes,
+                                                      BLOCK *t, int unproved,
+                                                      const double *const *x, int count,
+                                                      double promise, double *xi, double *eta,
+                                                      double *gap, int *status)
+{
+    int failed[SIDE], l;
+    for (l = 0; l < count; l++)
+        failed[l] = unproved > count || footpoint_detail_KIND_side_fails(t, l);
+    if (unproved > 3 && unproved <= count && promise > 0.99e-9)
+        footpoint_detail_KIND_side_again(t, promise, failed, count, xi, eta, gap);
+    footpoint_detail_KIND_side_mend(search, nodes, failed, x, count, promise, xi, eta, gap, status);
 }
 
 /* Searches n pairs, or n slave nodes over one segment unless that is NULL.  A few are done sooner one by one. */
@@ -103,20 +141,22 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_run(footpoint_detail_search *sea
     }
     for (i = 0; i < n; i += SIDE) {
         const int count = n - i < SIDE ? (int)(n - i) : SIDE;
+        double *const u = xi + i, *const v = eta + i, *const g = gap + i;
+        int unproved = SIDE + 1; /* none has been searched */
         for (k = begin; k < 15; k++)
             column[k] = x[k - begin] + i;
-        if (count < SIDE && count >= FEW)
-            footpoint_detail_KIND_side_fill(&t, column, begin, count);
         if (count >= FEW) {
+            if (count < SIDE)
+                footpoint_detail_KIND_side_fill(&t, column, begin, count);
             footpoint_detail_KIND_side_narrow(column, &t);
-            footpoint_detail_KIND_side_steps(&t, promise);
+            footpoint_detail_KIND_side_steps(&t, promise, 0);
+            unproved = count == SIDE
+                           ? footpoint_detail_KIND_side_store(&t, SIDE, u, v, g, status + i)
+                           : footpoint_detail_KIND_side_store(&t, count, u, v, g, status + i);
         }
-        if (count == SIDE
-                ? footpoint_detail_KIND_side_store(&t, SIDE, xi + i, eta + i, gap + i, status + i)
-                : count < FEW || footpoint_detail_KIND_side_store(&t, count, xi + i, eta + i,
-                                                                  gap + i, status + i))
-            footpoint_detail_KIND_side_mend(search, nodes, &t, count < FEW, column, count, promise,
-                                            xi + i, eta + i, gap + i, status + i);
+        if (unproved)
+            footpoint_detail_KIND_side_repair(search, nodes, &t, unproved, column, count, promise,
+                                              u, v, g, status + i);
     }
 }
 

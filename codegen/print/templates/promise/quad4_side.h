@@ -108,15 +108,28 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
     footpoint_detail_KIND_side_step(t, 0);
 }
 
+/* The greater of numbers >= 0, or NaN.  Vector instructions for floating-point maxima raise exceptions of NaN. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_side_greater(REAL a, REAL b)
+{
+    union {
+        REAL_BITS bits;
+        REAL number;
+    } most;
+    const REAL_BITS x = footpoint_detail_bits(a), y = footpoint_detail_bits(b);
+    most.bits = x > y ? x : y;
+    return most.number;
+}
+
 /* Moves the answer by A (f,g).  See footpoint_detail_KIND_side_bound. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_correct(BLOCK *FOOTPOINT_RESTRICT t, int l, REAL f,
                                                        REAL g, REAL promise)
 {
     const REAL s1 = t->a11[l] * f, s2 = t->a12[l] * g, t1 = t->a12[l] * f, t2 = t->a22[l] * g;
-    const REAL sum = footpoint_detail_greater(fabs(s1) + fabs(s2), fabs(t1) + fabs(t2));
-    const REAL off = t->off[l], step = 1.0001 * sum + off;
+    const REAL sum = footpoint_detail_KIND_side_greater(fabs(s1) + fabs(s2), fabs(t1) + fabs(t2));
+    const REAL off = 5.0 * REAL_UNIT * sum + t->off[l];
+    const REAL step = footpoint_detail_KIND_side_greater(fabs(s1 + s2), fabs(t1 + t2)) + off;
     const REAL h = t->most[l] + t->turn[l] * step;
-    const REAL room = 0.999 * promise - 4e-15 - ((1.3 * h + 5.0 * REAL_UNIT) * sum + 1.5 * off);
+    const REAL room = 0.999 * promise - 4e-15 - (1.3 * h * step + 1.01 * off);
     t->xi[l] += (double)(s1 + s2);
     t->eta[l] += (double)(t1 + t2);
     t->most[l] = h;
@@ -134,7 +147,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RES
         footpoint_detail_KIND_side_correct(t, l, (REAL)t->f[l], (REAL)t->g[l], promise);
 }
 
-/* From (p,q), values that prove corrections, and the first of them if F = (f,g) is `rough`, in single precision.
+/* From (p,q), values that prove corrections, and F = (f,g) itself in single precision if that is `rough`.
  *
  * F has the Jacobian -H.  T(y) = y + A F(y) with A, H^-1 as computed at (p,q), has the derivative 1 - A H(y), which in a ball of
  * radius 1.25 step about (p,q), in maximum norms, is at most h = most + |A| L 1.25 step.  `most` bounds |1 - A H(p,q)|, L a Lipschitz constant of
@@ -148,8 +161,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RES
  * This needs edges whose lengths differ by less than 1e4, |p| and |q| up to 30, |d| up to 1e3: rounding errors of vectors in double then count nothing here.
  * det >= 1e-3 r11 r22 keeps that of det below 3e-4 of it, and the same of tangents keeps the normal,
  * which a correction turns by |c| (U + V) step at most. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t, int rough,
-                                                     REAL promise)
+FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t, int rough)
 {
     int l;
     FOOTPOINT_EACH
@@ -172,14 +184,17 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t
         W = U * V + c * T;
         row = U * U + W;
         column = V * V + W;
-        t->most[l] =
-            22.0 * REAL_UNIT * per *
-            footpoint_detail_greater(h.r22 * row + r12 * column, r12 * row + h.r11 * column);
+        t->most[l] = 22.0 * REAL_UNIT * per *
+                     footpoint_detail_KIND_side_greater(h.r22 * row + r12 * column,
+                                                        r12 * row + h.r11 * column);
         bend = c * (U + V);
         t->bend[l] = bend;
-        t->turn[l] = 1.25 * per * (footpoint_detail_greater(h.r11, h.r22) + r12) *
+        t->turn[l] = 1.25 * per * (footpoint_detail_KIND_side_greater(h.r11, h.r22) + r12) *
                      (4.0 * (fabs(h.tu) + fabs(h.tv)) + 2.0 * h.e[5] + 32.0 * REAL_UNIT * bend);
         if (rough) {
+            const REAL z = (h.e[1] - h.e[8]) + h.y;
+            t->slope[0][l] = (h.e[6] - h.p * (h.e[0] + h.q * h.e[3])) - h.q * z;
+            t->slope[1][l] = (h.e[7] - h.q * (h.e[2] + h.p * h.e[4])) - h.p * z;
             off = 14.0 * REAL_UNIT * per * T;
             row = U;
             column = V;
@@ -189,13 +204,11 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t
             row = beside * (a + c);
             column = above * (b + c + 0.08 * a);
         }
-        t->off[l] =
-            off * footpoint_detail_greater(h.r22 * row + r12 * column, r12 * row + h.r11 * column);
+        t->off[l] = off * footpoint_detail_KIND_side_greater(h.r22 * row + r12 * column,
+                                                             r12 * row + h.r11 * column);
         t->a11[l] = h.r22 * per;
         t->a12[l] = -(h.r12 * per);
         t->a22[l] = h.r11 * per;
-        t->xi[l] = (double)h.p;
-        t->eta[l] = (double)h.q;
         a = h.e[1] + h.y;
         b = h.r11 * h.r22;
         a = b - a * a;
@@ -205,21 +218,29 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t
                        footpoint_detail_bits(h.r11) | footpoint_detail_bits(1e6 - h.e[9]) |
                        footpoint_detail_bits(1e8 * h.e[0] - h.e[2]) |
                        footpoint_detail_bits(1e8 * h.e[2] - h.e[0]) |
-                       footpoint_detail_bits(30.0 - footpoint_detail_greater(x, y));
-        if (rough)
-            footpoint_detail_KIND_side_correct(
-                t, l, (h.e[6] - h.p * (h.e[0] + h.q * h.e[3])) - h.q * ((h.e[1] - h.e[8]) + h.y),
-                (h.e[7] - h.q * (h.e[2] + h.p * h.e[4])) - h.p * ((h.e[1] - h.e[8]) + h.y),
-                promise);
+                       footpoint_detail_bits(30.0 - footpoint_detail_KIND_side_greater(x, y));
     }
 }
 
 FOOTPOINT_APART void footpoint_detail_KIND_side_bounds(BLOCK *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_KIND_side_bound(t, 0, 0.0);
+    int l;
+    footpoint_detail_KIND_side_bound(t, 0);
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        t->xi[l] = (double)t->p[l];
+        t->eta[l] = (double)t->q[l];
+    }
 }
 
 FOOTPOINT_APART void footpoint_detail_KIND_side_rough(BLOCK *FOOTPOINT_RESTRICT t, REAL promise)
 {
-    footpoint_detail_KIND_side_bound(t, 1, promise);
+    int l;
+    footpoint_detail_KIND_side_bound(t, 1);
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        t->xi[l] = (double)t->p[l];
+        t->eta[l] = (double)t->q[l];
+        footpoint_detail_KIND_side_correct(t, l, t->slope[0][l], t->slope[1][l], promise);
+    }
 }
