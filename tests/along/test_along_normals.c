@@ -92,7 +92,7 @@ static void derivatives_match_differences(void **state)
     uint64_t stream = 21;
     int judged = 0;
     (void)state;
-    for (int n = 0; n < 5 * long_cases(SHORT, LONG); n++) {
+    for (long n = 0; n < 5 * long_cases(SHORT, LONG); n++) {
         const enum footpoint_face face = kind[n % 5].face;
         double by[3 * MOST_NODES + 3 * MOST_AROUND], d[3][MOST_ALONG], from[3];
         quadruple at[2][3];
