@@ -1,9 +1,6 @@
-/* Closest points of closed segments; see header_closest.h.
- *
- * The closest point is a foot point inside, or the nearest point of an edge, which is right to rounding. So the nearest
- * of the edges' points and of the search's point, if that is inside, is as accurate as the search. Once the search has
- * left the segment, it ends. Only nodes that need another unit of length cause branches, so loops over arrays
- * vectorise; a second loop repeats those nodes. */
+/* Prints closest points of closed segments; see header_closest.h. The quick way takes a foot point inside or the nearest
+ * point of an edge, with a proof for the whole segment. If it proves nothing, descents and parts of the segment follow;
+ * over arrays in a second loop. */
 #include "header_closest.h"
 
 #include "../../base/text.h"
@@ -18,7 +15,7 @@ bool closest_exists(const struct unit *u)
     return u->file->order == CORNERS_ANY && !*u->file->segment->normals;
 }
 
-/* Prints closest points with a proof. */
+/* Prints functions that find and prove the nearest point. */
 static void print_proved(const struct unit *u, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT;

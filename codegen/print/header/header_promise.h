@@ -4,12 +4,12 @@
 
 #include "header_lines.h"
 
-/* How functions of a unit prove their answers, in double unless stated.
+/* How functions of a unit prove their answers.
  *   LINEAR: plane triangles, which are exact but for rounding.
- *   BILINEAR: four-node segments with corners in any order, also in float, by steps from bred programs.
- *   BOX: four-node segments with an assumed order of corners, in the closed segment, the box of xi and eta.
+ *   BILINEAR: four-node segments with corners in any order, by steps from bred programs.
+ *   BOX: four-node segments with an assumed order of corners, in the closed segment, the box of xi and eta; in double.
  *   CURVED: faces of six to nine nodes, by steps on their polynomial surface.
- *   PATCH: patches, by steps from bred programs.
+ *   PATCH: patches, by steps from bred programs, in double.
  *   NONE: others; nothing is proved. */
 enum promise_kind { PROMISE_NONE, PROMISE_LINEAR, PROMISE_BILINEAR, PROMISE_BOX, PROMISE_CURVED, PROMISE_PATCH };
 

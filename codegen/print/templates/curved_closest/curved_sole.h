@@ -176,8 +176,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_within(const footpoint_detail_KIN
     const REAL h22 = footpoint_detail_dot(z->r.v, z->r.v) - z->c;
     const REAL det = h11 * h22 - h12 * h12 - 4.0 * off * (fabs(h11) + fabs(h22));
     const REAL turn = fabs(h12) + off, kept = z->stiff * close;
-    const REAL both =
-        p * det - 1.05 * footpoint_detail_greater(h22 * f + turn * g, h11 * g + turn * f);
+    const REAL both = p * det - 1.05 * footpoint_detail_greater((h22 + off) * f + turn * g,
+                                                                (h11 + off) * g + turn * f);
     const REAL of_s =
         fabs(z->held[0]) > 0.0 ? z->held[0] * z->f - z->off_f - kept : p * (h11 - off) - 1.05 * f;
     const REAL of_t =

@@ -92,6 +92,14 @@ FOOTPOINT_PART void footpoint_detail_edge2_tangent(const REAL *const *x, REAL xi
     t[1] = x[1][1] - x[0][1];
 }
 
+/* Returns 0: distances without a proved place have no bound. */
+FOOTPOINT_FN int footpoint_detail_edge2_at_least(const REAL *const *x, REAL dist)
+{
+    (void)x;
+    (void)dist;
+    return 0;
+}
+
 /* Computes shape functions, their derivatives and second derivatives. */
 FOOTPOINT_PART void footpoint_detail_edge2_shape(REAL xi, REAL *phi, REAL *slope, REAL *bend)
 {

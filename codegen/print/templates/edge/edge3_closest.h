@@ -221,3 +221,13 @@ FOOTPOINT_PART void footpoint_detail_edge3_tangent(const REAL *const *x, REAL xi
     footpoint_detail_edge3_parabola(x, &e);
     footpoint_detail_edge3_side(&e, xi, t);
 }
+
+/* Returns 1 if no point of the edge is nearer than dist by more than REAL_TIE. */
+FOOTPOINT_FN int footpoint_detail_edge3_at_least(const REAL *const *x, REAL dist)
+{
+    struct footpoint_detail_parabola e;
+    const REAL least = dist - 0.9 * REAL_TIE;
+    footpoint_detail_edge3_parabola(x, &e);
+    return !(footpoint_detail_fast() >> REAL_TOP) &&
+           footpoint_detail_edge3_above(&e, least > 0.0 ? 4.0 * least * least : -1.0, -1.0, 1.0);
+}

@@ -107,6 +107,17 @@ FOOTPOINT_FN int footpoint_detail_KIND_corner(size_t n, const REAL *const *x, co
     return footpoint_detail_plane_behind(d, sum, 4.0);
 }
 
+/* Returns 1 if no point of the edge is nearer than dist by more than 1e-10 of the largest difference of coordinates. */
+FOOTPOINT_COLD int footpoint_detail_KIND_is_nearest(const REAL *const *x, REAL dist)
+{
+    REAL y[VECTORS][2];
+    const REAL *z[VECTORS];
+    int exponent = 0;
+    if (footpoint_detail_KIND_unit(x, y, z, &exponent) != FOOTPOINT_OK)
+        return 0;
+    return footpoint_detail_KIND_at_least(z, ldexp(dist, -exponent));
+}
+
 /* Finds the nearest of n edges. */
 FOOTPOINT_FN int footpoint_detail_KIND_closest_of(size_t n, const REAL *const *x, const REAL *xS,
                                                   REAL promise, REAL *xi, REAL *dist, int *region,

@@ -67,9 +67,9 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
     }
     room = footpoint_detail_greater(fabs(*p + middle), fabs(*q + middle));
     room = (0.999 * promise - 3.0 * REAL_UNIT) * footpoint_detail_greater(1.0, room) -
-           ((0.72 * h + 4e-4) * step + 1.2 * off);
+           ((0.72 * h + 4e-4) * step + 1.3 * off);
     return footpoint_detail_bits(room) | footpoint_detail_bits(0.249 - (h + tilt)) |
-           footpoint_detail_bits(0.1 - tilt) | footpoint_detail_bits(0.1 - (step + off)) |
+           footpoint_detail_bits(0.1 - tilt) | footpoint_detail_bits(0.1 - (step + 1.3 * off)) |
            footpoint_detail_bits(n.r11) | footpoint_detail_outside(n.det) |
            footpoint_detail_bits(n.det * (1.0 - REAL_WEAK) - REAL_WEAK * (n.r12 * n.r12)) |
            footpoint_detail_infinite(room + h + tilt) | footpoint_detail_fast();

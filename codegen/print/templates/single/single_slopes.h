@@ -2,7 +2,7 @@
 
 /* Let E and D be the errors of tangents and second derivatives, and of d; u the unit of rounding; N = `all` bounds the sums of the
  * absolute values of the vectors' terms for |s|, |t| <= 2, B those of second and higher derivatives.  Third derivatives and k are off by
- * 3 E, a and b of footpoint_detail_KIND_form_over by 9 E + 5 u N, entries of M by 180 E N + 10 E |d| + D B + u N (250 N + 30 |d|).  dd is
+ * 3 E, a and b of footpoint_detail_KIND_form_over by 9 E + 5 u N, entries of M by 200 E N + 10 E |d| + D B + u N (300 N + 30 |d|).  dd is
  * off by 2 D |d| + 10 u dd, and what a quadratic adds by 300 u N (N + |d|) beside the errors of M.  Derivatives by the turned
  * coordinates of a triangle are off by 4 E; its (xi,eta), less the middle's, by u, which makes u B of tangents and u (|r_xi| + |r_eta|)
  * of d.  Second derivatives of half the square of the distance are less than N^2 + |d| B, third ones than (4 N + |d|) B. */
@@ -31,8 +31,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_slopes(const footpoint_detail_KIND_ter
     z->off_f = u * (place + 5.0 * REAL_UNIT * d) + tangents * d;
     z->off_g = v * (place + 5.0 * REAL_UNIT * d) + tangents * d;
     z->far = d + all;
-    z->off = tangents * (180.0 * all + 10.0 * d) + bend * place +
-             REAL_UNIT * all * (250.0 * all + 30.0 * d);
+    z->off = tangents * (200.0 * all + 10.0 * d) + bend * place +
+             REAL_UNIT * all * (300.0 * all + 30.0 * d);
     z->off_d = place;
     z->off_dd = 2.0 * d * place + REAL_UNIT * (10.0 * d * d + 300.0 * all * z->far);
     z->bent = (8.0 * all + 2.0 * d) * bend;
