@@ -23,6 +23,7 @@
 
 #include <cmocka.h>
 
+enum { ALIKE = 9 }; /* pairs of an array, more than loops search one by one */
 enum { SAMPLES = 200, TRAPPED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, MOST_NODES = 9, FTZ_DAZ = 0x8040 };
 
 /* All outputs of the functions. */
@@ -43,12 +44,19 @@ typedef int function(int kind, double (*x)[3]);
     }                                                                                                                  \
     static int checked_##kind(double(*x)[3])                                                                           \
     {                                                                                                                  \
+        double many[3 * VECTORS_OF_##kind][ALIKE], xi[ALIKE], eta[ALIKE], gap[ALIKE];                                  \
         const double *column[3 * VECTORS_OF_##kind];                                                                   \
-        int status;                                                                                                    \
-        for (int i = 0; i < 3 * VECTORS_OF_##kind; i++)                                                                \
-            column[i] = &x[i / 3][i % 3];                                                                              \
-        footpoint_##kind##_##tier##_checked_n(1, column, &out.loc[0], &out.loc[1], &out.gap, &status);                 \
-        return status;                                                                                                 \
+        int status[ALIKE];                                                                                             \
+        for (int i = 0; i < 3 * VECTORS_OF_##kind; i++) {                                                              \
+            column[i] = many[i];                                                                                       \
+            for (int k = 0; k < ALIKE; k++)                                                                            \
+                many[i][k] = x[i / 3][i % 3];                                                                          \
+        }                                                                                                              \
+        footpoint_##kind##_##tier##_checked_n(ALIKE, column, xi, eta, gap, status);                                    \
+        out.loc[0] = xi[0];                                                                                            \
+        out.loc[1] = eta[0];                                                                                           \
+        out.gap = gap[0];                                                                                              \
+        return status[0];                                                                                              \
     }                                                                                                                  \
     static int closest_##kind(double(*x)[3])                                                                           \
     {                                                                                                                  \
