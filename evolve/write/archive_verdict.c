@@ -1,8 +1,8 @@
 /* Prints the verdict of a run: the functions to call, beside the functions that ship for the kind of face; see archive_write.h. */
 #include "archive_write.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const double worth = 0.9; /* an error above this part of the old error is no gain */
 
@@ -15,29 +15,20 @@ struct measured {
 /* A function of this run, and the shipped function that takes its place. */
 struct row {
     struct measured own, rival;
-    double gain; /* ratio of errors, or of costs if right to rounding; at most 1: no gain */
+    double gain; /* ratio of errors; at most 1: no gain */
 };
 
-/* Returns the most accurate shipped function that is as cheap, or the cheapest of all; beside a function right to rounding, the
- * cheapest that is so, too. */
-static const struct measured *rival_of(const struct measured *own, const struct measured *shipped, size_t n,
-                                       double rounding)
+/* Returns the most accurate shipped function that is as cheap, or the cheapest of all. */
+static const struct measured *rival_of(const struct measured *own, const struct measured *shipped, size_t n)
 {
-    const struct measured *cheapest = NULL, *accurate = NULL, *exact = NULL;
+    const struct measured *cheapest = NULL, *accurate = NULL;
     for (const struct measured *s = shipped; s < shipped + n; s++) {
         if (!cheapest || s->cost < cheapest->cost)
             cheapest = s;
         if (s->cost <= own->cost && (!accurate || s->error < accurate->error))
             accurate = s;
-        if (s->error <= rounding && own->error <= rounding && (!exact || s->cost < exact->cost))
-            exact = s;
     }
-    return exact ? exact : accurate ? accurate : cheapest;
-}
-
-static struct measured measure(const struct archive *shipped, struct objective *judge, const struct quest *q)
-{
-    return (struct measured){q->own->name, archive_bare_error(shipped, judge, q, &q->champion.genes), q->champion.cost};
+    return accurate ? accurate : cheapest;
 }
 
 /* Measures the programs of an archive; returns their number. */
@@ -47,14 +38,9 @@ static size_t measure_all(const struct archive *of, const struct archive *shippe
     size_t n = 0;
     for (const struct quest *q = of->quest; q < of->quest + of->quests; q++)
         if (quest_of_programs(q) && q->champion.genes.length > 0)
-            found[n++] = measure(shipped, judge, q);
+            found[n++] = (struct measured){q->own->name, archive_bare_error(shipped, judge, q, &q->champion.genes),
+                                           q->champion.cost};
     return n;
-}
-
-static double gain_of(const struct measured *own, const struct measured *rival, double rounding)
-{
-    const bool exact = own->error <= rounding && rival->error <= rounding;
-    return exact ? rival->cost / own->cost : rival->error / own->error;
 }
 
 static void print_name(const char *scene, const char *tier, FILE *stream)
@@ -96,8 +82,8 @@ void archive_verdict(const struct archive *a, const struct archive *shipped, str
     struct row *row = new_array(a->quests, sizeof *row);
     const size_t n = measure_all(a, shipped, judge, own), rivals = measure_all(shipped, shipped, judge, old);
     for (size_t i = 0; i < n && rivals > 0; i++) {
-        const struct measured *rival = rival_of(&own[i], old, rivals, rounding);
-        row[i] = (struct row){own[i], *rival, gain_of(&own[i], rival, rounding)};
+        const struct measured *rival = rival_of(&own[i], old, rivals);
+        row[i] = (struct row){own[i], *rival, fmax(rival->error, rounding) / fmax(own[i].error, rounding)};
     }
     const double least = least_told(row, n);
     size_t told = 0;
