@@ -13,7 +13,10 @@ logged() { # logged NAME COMMAND...: as `report`, with what the command says whe
 }
 functions_of() { grep -ohE '^[a-z].*\bfootpoint_[a-z0-9_]+\(' "$@" | grep -oE 'footpoint_[a-z0-9_]+' | sort -u; }
 
-logged 'make install' make -s install CC="$CC" PREFIX=/opt/footpoint DESTDIR="$work/stage"
+# Templates of C++ are installed if they have been made: here a quick one, elsewhere than `make c++` puts them.
+"$BIN/footpoint-codegen" --quiet --allow-poles --effort 0 --language c++ evolve/genomes/tri3.gen -o "$work/footpoint_tri3.hpp"
+generic=GENERIC=$work/footpoint_tri3.hpp
+logged 'make install' make -s install "$generic" CC="$CC" PREFIX=/opt/footpoint DESTDIR="$work/stage"
 mv "$work/stage/opt/footpoint" "$work/moved"
 installed=$work/moved include=$work/moved/include lib=$work/moved/lib
 find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?)) 'nothing outside PREFIX'
@@ -62,6 +65,22 @@ if command -v pkg-config > /dev/null; then
     logged 'C, static' $CC -std=c11 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags footpoint) \
         "$installed/lib/libfootpoint.a" -lm
     expect 'which answers' 0 "$answer" '' "$work/use"
+    cat > "$work/use.cpp" <<'C'
+#include <footpoint/footpoint_tri3.hpp>
+#include <footpoint/footpoint_tri3_derivatives.h>
+#include <cstdio>
+
+int main()
+{
+    const long double x[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.5, 2}};
+    long double loc[2], gap;
+    std::printf("%d", footpoint_tri3_exact(x[0], x[1], x[2], x[3], loc, &gap));
+    std::printf(" %g %g %g\n", (double)loc[0], (double)loc[1], (double)gap);
+    return 0;
+}
+C
+    logged 'C++, any type of numbers' ${CXX:-g++} -std=c++11 $strict "$work/use.cpp" -o "$work/use" $(pkg-config --cflags footpoint)
+    expect 'which answers' 0 '4 0.25 0.5 2' '' "$work/use"
     # A program with a search of its own, from an archive: ours is used only on request.
     cat > "$work/search.c" <<'C'
 #include <footpoint.h>
@@ -189,7 +208,7 @@ fi
 mkdir -p "$work/stage/opt" && mv "$work/moved" "$work/stage/opt/footpoint"
 own='include/footpoint/footpoint_mine.h share/footpoint/evolve/scenes/mine.scene lib/cmake/footpoint/mine.cmake'
 for file in $own; do : > "$work/stage/opt/footpoint/$file"; done
-logged 'make uninstall' make -s uninstall PREFIX=/opt/footpoint DESTDIR="$work/stage"
+logged 'make uninstall' make -s uninstall "$generic" PREFIX=/opt/footpoint DESTDIR="$work/stage"
 find "$work/stage" ! -type d | sed "s|.*/opt/footpoint/||" | sort > "$work/log"
 printf '%s\n' $own | sort | cmp -s - "$work/log"; report $((! $?)) 'leaves what is not ours, and nothing else'
 for file in $own; do rm -f "$work/stage/opt/footpoint/$file"; done
