@@ -34,9 +34,10 @@ for deck in "$work/contact"/*.inp; do
         sed "s|$work/contact/||; s|$work/||"
 done > "$work/said"
 read=$(grep -c "no frame 'none'" "$work/said")
-kinds=$(grep -c 'master faces of several kinds' "$work/said")
-faces=$(grep -c 'of a master surface is of type' "$work/said")
+kinds=$(grep -c 'master faces are of several kinds' "$work/said")
+edges=$(grep -c 'master faces are edges of plane elements' "$work/said")
+faces=$(grep -c 'of a master surface has type' "$work/said")
 grep -v "no frame 'none'" "$work/said" | sed 's/^/# /'
-echo "# $((read + kinds)) read, $kinds of them with faces of several kinds; $faces refused for their master faces"
-[ "$(wc -l < "$work/said")" = "$total" ] && [ $((read + kinds + faces)) = "$total" ] && [ "$faces" -le 5 ]
+echo "# $((read + kinds + edges)) read, $kinds of them with faces of several kinds, $edges with edges; $faces refused for their master faces"
+[ "$(wc -l < "$work/said")" = "$total" ] && [ $((read + kinds + edges + faces)) = "$total" ] && [ "$faces" -le 5 ]
 report $((! $?)) 'each is read, or refused for its master faces'
