@@ -8,11 +8,12 @@
 
 enum { KNEES = 6 };
 static const double same_price = 1.05; /* factor on costs, which are estimates */
+static const double finest = 1e-12;    /* the least promise of a header */
 static const double worth = 0.99;      /* a smaller gain replaces no function that the run began with */
 
 /* A shipped function on the judge's samples. */
 struct rival {
-    double error, cost;
+    double error, cost, max;
     struct outputs outputs;
 };
 
@@ -37,6 +38,7 @@ static void judge_rivals(struct choice *c, const struct archive *shipped)
             continue;
         r->cost = q->champion.cost;
         r->error = fmax(c->rounding, objective_error(c->judge, &q->champion.genes, q->last, INFINITY));
+        r->max = fmax(finest, objective_tails(c->judge, &q->champion.genes, q->last).max);
         r->outputs = objective_outputs(c->judge, &q->champion.genes, q->last);
         c->worst = fmax(c->worst, r->error);
     }
@@ -98,15 +100,15 @@ static size_t keep_knees(const struct member **m, size_t n)
     return n;
 }
 
-/* Gives each tier that a member is named after its champion, and takes the others'.  A member has no figure worse than the shipped
- * function of its name; of two that could have a name, the less accurate takes the next one down. */
+/* Gives each tier that a member is named after its champion, and takes the others'.  A member's mean and largest error are no worse
+ * than those of the shipped function of its name; of two that could have a name, the less accurate takes the next one down. */
 static void name_knees(struct archive *a, struct objective *o, const struct choice *c, const struct member **m,
                        size_t n)
 {
     for (size_t t = a->quests; t-- > 0;) {
         const struct rival *r = &c->rival[t];
-        const bool named = n > 0 && r->error < INFINITY &&
-                           objective_no_worse(c->judge, &m[n - 1]->genes, a->quest[t].last, &r->outputs);
+        const bool named = n > 0 && m[n - 1]->error <= r->error && r->error < INFINITY &&
+                           objective_tails(c->judge, &m[n - 1]->genes, a->quest[t].last).max <= r->max;
         const struct member *own = named ? m[--n] : NULL;
         struct champion *champion = &a->quest[t].champion;
         if (own && genes_equal(&own->genes, &champion->genes))
