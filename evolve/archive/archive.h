@@ -148,8 +148,8 @@ void archive_replace_champion(const struct archive *a, struct objective *o, stru
 
 /** Replaces champions by at most six members at the knees of all fronts, where the error drops most for its cost, both
  *  in logarithms. No member has a figure on the judge's samples that is worse than that of the most accurate shipped
- *  function of its price. A member is named after a shipped function whose mean and largest error it equals; the other
- *  tiers lose their champions. All tiers must compose alike.
+ *  function of its price. A member is named after a shipped function whose mean error it equals, and nearly its largest;
+ *  the other tiers lose their champions. All tiers must compose alike.
  *  @param[in] shipped  the functions of the kind of face, measured */
 void archive_choose_knees(struct archive *a, const struct archive *shipped, struct objective *o,
                           struct objective *judge);

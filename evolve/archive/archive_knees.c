@@ -9,6 +9,7 @@
 enum { KNEES = 6 };
 static const double same_price = 1.05; /* factor on costs, which are estimates */
 static const double finest = 1e-12;    /* the least promise of a header */
+static const double chance = 10;       /* factor on a single largest error; promises of names are further apart */
 static const double worth = 0.99;      /* a smaller gain replaces no function that the run began with */
 
 /* A shipped function on the judge's samples. */
@@ -38,7 +39,7 @@ static void judge_rivals(struct choice *c, const struct archive *shipped)
             continue;
         r->cost = q->champion.cost;
         r->error = fmax(c->rounding, objective_error(c->judge, &q->champion.genes, q->last, INFINITY));
-        r->max = fmax(finest, objective_tails(c->judge, &q->champion.genes, q->last).max);
+        r->max = fmax(finest, chance * objective_tails(c->judge, &q->champion.genes, q->last).max);
         r->outputs = objective_outputs(c->judge, &q->champion.genes, q->last);
         c->worst = fmax(c->worst, r->error);
     }
@@ -100,8 +101,8 @@ static size_t keep_knees(const struct member **m, size_t n)
     return n;
 }
 
-/* Gives each tier that a member is named after its champion, and takes the others'.  A member's mean and largest error are no worse
- * than those of the shipped function of its name; of two that could have a name, the less accurate takes the next one down. */
+/* Gives each tier that a member is named after its champion, and takes the others'.  A member's mean error is no larger than that of
+ * the shipped function of its name, nor its largest error but for chance; of two that could have a name, the less accurate takes the next one down. */
 static void name_knees(struct archive *a, struct objective *o, const struct choice *c, const struct member **m,
                        size_t n)
 {
