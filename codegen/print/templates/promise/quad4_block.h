@@ -2,11 +2,10 @@
 
 enum { SIDE = 32 }; /* pairs at a time */
 
-/* Values of pairs.  4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0, in double and rounded.  Products a a, a b, b b, a c, b c, c c,
- * a d, b d, c d, d d are in a unit of length in which the sum of |a|'s and |b|'s coordinates is from 1 to 4; `square` changes
- * products of lengths to that unit.  (p,q): where steps in single precision end; (xi,eta): the answer.  For the proof of its last steps see
- * footpoint_detail_f_KIND_side_bound: slopes f and g, or `slope`; A; most, turn, off, bend and flat.  A pair is not proved if the highest bit of `doubt` or
- * `wide` is set. */
+/* Values of pairs.  4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0 are `vector`, rounded `narrow`.  `product` has a a, a b, b b, a c,
+ * b c, c c, a d, b d, c d, d d in a unit of length in which the sum of |a|'s and |b|'s coordinates is from 1 to 4; `square` changes
+ * products of lengths to that unit.  (p,q): where steps in single precision end; (xi,eta): the answer.  Slopes f and g, or `slope`, and
+ * A to `flat` prove it: see footpoint_detail_f_KIND_side_bound.  A pair is not proved if the highest bit of `doubt` or `wide` is set. */
 typedef struct {
     double x[15][SIDE];
     double vector[4][3][SIDE], square[SIDE];

@@ -147,20 +147,23 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RES
         footpoint_detail_KIND_side_correct(t, l, (REAL)t->f[l], (REAL)t->g[l], promise);
 }
 
-/* From (p,q), values that prove corrections, and F = (f,g) itself in single precision if that is `rough`.
+/* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if it is `rough`.
  *
- * F has the Jacobian -H.  T(y) = y + A F(y) with A, H^-1 as computed at (p,q), has the derivative 1 - A H(y), which in a ball of
- * radius 1.25 step about (p,q), in maximum norms, is at most h = most + |A| L 1.25 step.  `most` bounds |1 - A H(p,q)|, L a Lipschitz constant of
- * H in a ball of 0.1, `step` |A F(p,q)|.  With h <= 0.2 T contracts in that ball, so that a root lies there; T(y) is within 1.25 h |A F(y)| of
- * it.  That holds for a second correction from y with the same A, too.  The answer is off by 3 units of the products of A and F and by
- * what rounding of F makes, `off`.  H is positive definite at the root: A is, and so is every matrix on the way from A^-1 to it.
+ * F has the Jacobian -H.  T(y) = y + A F(y), A being H^-1 as computed at (p,q), has the derivative 1 - A H(y).  In a ball of 5/4 step
+ * about (p,q), in maximum norms, that is at most h = most + |A| L 5/4 step: `most` bounds |1 - A H(p,q)|, L is a Lipschitz constant
+ * of H in a ball of a tenth, `step` bounds |A F(p,q)|.  If h <= 1/5, then T contracts in that ball, and a root lies there, within
+ * 5/4 h step of T(p,q).  The same holds for a second correction from there with the same A.  Rounding of F adds `off`, of the
+ * products of A and F 3 units of the sum of their absolute values, where 5 are counted.  H is positive definite at the root: A is,
+ * and so is every matrix on the way from its inverse to H.
  *
- * Rounding in single precision, in its units: with U = |a| + |q| |c|, V = |b| + |p| |c|, T = |d| + |p a| + |q| V, W = U V + |c| T, r11 is off by 10.3 U U,
- * r12 by 10.3 W, r22 by 10.3 V V; A's entries add 2 units of H, their divisor 5: in all 17.3 |A| |H|, and `most` has 22.  L: r_xi . c
- * is off by 7.1 |c| U.  F by 13.2 U T and V T.  In double see footpoint_detail_KIND_side_place; a second correction makes 13 units 16.5.
- * This needs edges whose lengths differ by less than 1e4, |p| and |q| up to 30, |d| up to 1e3: rounding errors of vectors in double then count nothing here.
- * det >= 1e-3 r11 r22 keeps that of det below 3e-4 of it, and the same of tangents keeps the normal,
- * which a correction turns by |c| (U + V) step at most. */
+ * Rounding errors in units of single precision: with U = |a| + |q c|, V = |b| + |p c|, T = |d| + |p a| + |q| V and W = U V + |c| T,
+ * r11 is off by 11 U U, r12 by 11 W, r22 by 11 V V.  Entries of A add 2 units of H, their divisor 5, so that `most` needs 18 units
+ * of |A| |H| and has 22.  r_xi . c is off by 8 |c| U, where L has 8, F by 14 U T and V T.  In double F is off by 13 units of the bounds
+ * here, where it is computed, and by 17 at a second correction, whose place is up to 1 / 12 away.
+ *
+ * Rounding of vectors in double counts nothing beside that, as the lengths of edges differ by less than a factor of 10000, |p| and |q| are at most 30
+ * and |d| at most 1000.  det is off by less than a 3000th of itself, as it is at least r11 r22 / 1000.  A correction turns the normal u x v by |c|
+ * (U + V) step at most, which is less than a third of its length each time. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t, int rough)
 {
     int l;
