@@ -7,7 +7,7 @@
  * NAME_at:  xi, dimensionless; nothing is checked.
  * NAME:     xi and the gap (xS - r) . n at the foot point r (mesh length, > 0 open), both untouched if the status is < 0.
  *           FOOTPOINT_OK only if a minimum of the distance to the whole curve, which goes on beyond the ends, is proved to
- *           lie within NAME_PROMISE, a macro, of xi, times |xi| if that is greater than 1, rounding errors included, in any
+ *           lie within PROMISE, a macro, of xi, times |xi| if that is greater than 1, rounding errors included, in any
  *           order of summation.  FOOTPOINT_UNPROVED: xi and gap are where the search ended; under -ffast-math nothing is
  *           proved.  FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE: all nodes are one point, or there is no normal
  *           there, or no number.  A minimum need not be the nearest point of the edge: see NAME_closest.
@@ -15,7 +15,7 @@
  *           half of the edge, it calls NAME.  If there are two minima, the answer may be the other one.
  * NAME_closest:  finds the closest point r of the edge, its ends included: xi; dist, the distance |xS - r|, < 0 if xS lies
  *           behind the edge; and region, where r lies: 0 inside, 1 end A, 2 end B.  FOOTPOINT_OK is proved: the closest point
- *           lies within NAME_PROMISE of xi, and in `region`, unless it is within REAL_CLOSE of an end.  FOOTPOINT_NOT_UNIQUE
+ *           lies within PROMISE of xi, and in `region`, unless it is within REAL_CLOSE of an end.  FOOTPOINT_NOT_UNIQUE
  *           is proved, too: no point is nearer than r by more than REAL_TIE |AB|, and another, elsewhere in the plane, is
  *           not farther by more.  FOOTPOINT_UNPROVED: r is the nearest point found.
  *           Behind means (xS - r) . n < 0 for the normal n at r or, if the tangent at r is a thousand times shorter than
