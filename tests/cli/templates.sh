@@ -51,7 +51,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         gregory) files="$files patch_gregory patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
-        quad4) files="$files arrays quad4_block:double quad4_side:arrays_checked quad4_run:over" ;;
+        quad4) files="$files arrays over quad4_block:double quad4_side:double quad4_run:arrays_checked" ;;
         *) files="$files arrays arrays_checked over" ;;
         esac
         case $nearest in

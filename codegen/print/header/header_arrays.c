@@ -53,8 +53,9 @@ void arrays_print_helpers(const struct unit *u, FILE *out)
 {
     const bool patch = promise_kind_of(u) == PROMISE_PATCH;
     lines_print_kind(u, promise_answers(u), "ARRAYS",
-                     patch || is_side_by_side(u) ? (const char *const[]){"arrays", NULL}
-                                                 : (const char *const[]){"arrays", "arrays_checked", "over", NULL},
+                     patch                ? (const char *const[]){"arrays", NULL}
+                     : is_side_by_side(u) ? (const char *const[]){"arrays", "over", NULL}
+                                          : (const char *const[]){"arrays", "arrays_checked", "over", NULL},
                      out);
     if (patch)
         lanes_print_helpers(u, out);

@@ -1,11 +1,10 @@
 /* Pairs of four-node faces and slave nodes side by side: the loop that callers have. */
 
-/* Copies columns from `begin` on for a block that is not full, the last pair in place of those that lack. */
-FOOTPOINT_COLD void footpoint_detail_KIND_side_fill(BLOCK *t, const double **x, int begin,
-                                                    int count)
+/* Copies columns for a block that is not full, the last pair in place of those that lack. */
+FOOTPOINT_COLD void footpoint_detail_KIND_side_fill(BLOCK *t, const double **x, int count)
 {
     int k, l;
-    for (k = begin; k < 15; k++) {
+    for (k = 0; k < 15; k++) {
         for (l = 0; l < SIDE; l++)
             t->x[k][l] = x[k][l < count ? l : count - 1];
         x[k] = t->x[k];
@@ -121,33 +120,26 @@ FOOTPOINT_COLD void footpoint_detail_KIND_side_repair(footpoint_detail_search *s
     footpoint_detail_KIND_side_mend(search, nodes, failed, x, count, promise, xi, eta, gap, status);
 }
 
-/* Searches n pairs, or n slave nodes over one segment unless that is NULL.  A few are done sooner one by one. */
+/* Searches n pairs.  A few are done sooner one by one. */
 FOOTPOINT_APART void footpoint_detail_KIND_side_run(footpoint_detail_search *search, int nodes,
-                                                    const double *const *segment, size_t n,
-                                                    const double *const *x, double promise,
-                                                    double *xi, double *eta, double *gap,
-                                                    int *status)
+                                                    size_t n, const double *const *x,
+                                                    double promise, double *xi, double *eta,
+                                                    double *gap, int *status)
 {
     enum { FEW = 8 };
-    const int begin = segment ? 12 : 0;
     const double *column[15];
     BLOCK t;
     size_t i;
-    int k, l;
-    for (k = 0; k < begin; k++) {
-        for (l = 0; l < SIDE; l++)
-            t.x[k][l] = segment[k / 3][k % 3];
-        column[k] = t.x[k];
-    }
+    int k;
     for (i = 0; i < n; i += SIDE) {
         const int count = n - i < SIDE ? (int)(n - i) : SIDE;
         double *const u = xi + i, *const v = eta + i, *const g = gap + i;
         int unproved = SIDE + 1; /* none has been searched */
-        for (k = begin; k < 15; k++)
-            column[k] = x[k - begin] + i;
+        for (k = 0; k < 15; k++)
+            column[k] = x[k] + i;
         if (count >= FEW) {
             if (count < SIDE)
-                footpoint_detail_KIND_side_fill(&t, column, begin, count);
+                footpoint_detail_KIND_side_fill(&t, column, count);
             footpoint_detail_KIND_side_narrow(column, &t);
             footpoint_detail_KIND_side_steps(&t, promise, 0);
             unproved = count == SIDE
@@ -165,13 +157,5 @@ FOOTPOINT_PART void footpoint_detail_KIND_checked_n(footpoint_detail_search *sea
                                                     double promise, double *xi, double *eta,
                                                     double *gap, int *status)
 {
-    footpoint_detail_KIND_side_run(search, nodes, NULL, n, x, promise, xi, eta, gap, status);
-}
-
-FOOTPOINT_PART void footpoint_detail_KIND_over_n(footpoint_detail_search *search,
-                                                 const double *const *segment, size_t n,
-                                                 const double *const *x, int nodes, double promise,
-                                                 double *xi, double *eta, double *gap, int *status)
-{
-    footpoint_detail_KIND_side_run(search, nodes, segment, n, x, promise, xi, eta, gap, status);
+    footpoint_detail_KIND_side_run(search, nodes, n, x, promise, xi, eta, gap, status);
 }
