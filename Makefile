@@ -416,7 +416,8 @@ $(BIN)/tests/test_headers: $(OBJ)/tests/generated/header_functions.o
 $(BIN)/tests/test_promise: $(OBJ)/tests/generated/header_functions.o
 $(foreach test,promise closest_promise,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)))
 $(foreach test,curved patches,$(eval $(BIN)/tests/test_promise_$(test): $(OBJ)/tests/generated/header_functions.o $(OBJ)/tests/hard/draw.o))
-$(foreach test,promise_patches from_patches,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,patches/patch_judge patches/drawn_patches hard/draw)))
+$(foreach test,promise_patches from_patches closest_patches,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,patches/patch_judge patches/drawn_patches hard/draw)))
+$(BIN)/tests/test_closest_patches: $(OBJ)/tests/patches/patch_nearest.o
 $(foreach test,promise_curved closest_curved from,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,generated/curved_cases hard/draw)))
 $(BIN)/tests/test_promise_curved $(BIN)/tests/test_from: $(OBJ)/tests/generated/judged_faces.o
 $(foreach test,edge edge_place edge_faces edge_along,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)))

@@ -6,7 +6,7 @@ FNR == 1 { scene = "" }
 /^#define FOOTPOINT_[A-Z0-9]+_SEARCH$/ { split(tolower($2), part, "_"); kind = part[2] }
 /^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_checked_n\(/ { put("CHECKED", "_checked_n") }
 /^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_from_n\(/ { put("FROM", "_from_n") }
-/^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_closest_n\(/ { put("CLOSEST", "_closest_n") }
+/^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_closest_n\(/ && kind !~ /gregory|bezier/ { put("CLOSEST", "_closest_n") }
 /^FOOTPOINT_LOOP void footpoint_[a-z0-9_]*_along_n\(/ { put("ALONG", "_along_n") }
 function put(what, ending,    name) {
     name = $3

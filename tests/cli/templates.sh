@@ -47,17 +47,23 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         tri6) files="$files curved_local norm curved_limits curved_tri6 single_tri6 curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind single_$kind curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
-        bezier) files="$files patch_net patch_bezier patch_newton patch_proof patch_repair patch_from" ;;
+        bezier) files="$files patch_net patch_bezier patch_bends patch_newton patch_proof patch_repair patch_from" ;;
         gregory) files="$files patch_gregory patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
         quad4) files="$files arrays over quad4_block:double quad4_side:double quad4_run:arrays_checked" ;;
         *) files="$files arrays arrays_checked over" ;;
         esac
+        case $kind in
+        bezier | gregory)
+            files="$files $closest bends_$kind patch_anchor curved_grows patch_form curved_sole patch_ball curved_whole"
+            files="$files curved_within patch_needed curved_split curved_seek patch_close proved_closest_arrays"
+            ;;
+        esac
         case $nearest in
         '') ;;
         curved*)
-            files="$files $closest curved_anchor curved_slopes:single_slopes curved_at curved_sole curved_close curved_split curved_seek proved_closest_arrays"
+            files="$files $closest curved_anchor curved_slopes:single_slopes curved_at curved_grows curved_form curved_sole curved_within curved_ball curved_whole curved_close curved_split curved_seek proved_closest_arrays"
             files="$files ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls"
             ;;
         *) files="$files $closest ${nearest}_along along_again along_calls" ;;
@@ -76,7 +82,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         files="straight $files" calls='at checked arrays_calls over_calls'
         case $kind in
         *_lanes) files="patch_block:double lanes_${kind%_lanes} patch_newton patch_lane patch_lanes:double straight patch_begin:double" calls= ;;
-        bezier | gregory) calls='at checked patch_calls patch_from_calls' ;;
+        bezier | gregory) calls='at checked patch_calls patch_from_calls patch_nearby proved_closest_calls' ;;
         esac
         case $nearest in
         '') ;;

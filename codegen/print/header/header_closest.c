@@ -12,7 +12,13 @@
 
 bool closest_exists(const struct unit *u)
 {
-    return u->file->order == CORNERS_ANY && !*u->file->segment->normals;
+    return u->file->order == CORNERS_ANY;
+}
+
+/* Prints a template that several kinds share. */
+static void print_shared(const struct unit *u, const char *guard, const char *name, FILE *out)
+{
+    templates_print(guard, (const char *const[]){name, NULL}, u->options.precision, NULL, out);
 }
 
 /* Prints functions that find and prove the nearest point. */
@@ -34,7 +40,12 @@ static void print_proved(const struct unit *u, FILE *out)
                                   "curved_anchor",
                                   single ? "single_slopes" : "curved_slopes",
                                   "curved_at",
+                                  "curved_grows",
+                                  "curved_form",
                                   "curved_sole",
+                                  "curved_within",
+                                  "curved_ball",
+                                  "curved_whole",
                                   "curved_close",
                                   "curved_split",
                                   "curved_seek",
@@ -42,15 +53,40 @@ static void print_proved(const struct unit *u, FILE *out)
                                   NULL};
     static const char *const linear[] = {
         "inward", "fan", "closest_surface", "tri3_nearest", "tri3_sure", "proved_closest_arrays", NULL};
-    const enum precision precision = u->options.precision;
-    const bool is_curved = promise_kind_of(u) == PROMISE_CURVED, is_linear = promise_kind_of(u) == PROMISE_LINEAR;
-    if (is_linear)
-        templates_print("FOOTPOINT_DETAIL_EDGE", (const char *const[]){"edge", NULL}, precision, NULL, out);
-    if (is_curved) {
-        templates_print("FOOTPOINT_DETAIL_CURVE", (const char *const[]){"curve", NULL}, precision, NULL, out);
-        templates_print("FOOTPOINT_DETAIL_LIMITS", (const char *const[]){"curved_limits", NULL}, precision, NULL, out);
-    }
-    lines_print_templates(u, "NEAREST", is_curved ? curved : is_linear ? linear : bilinear, out);
+    char *bends = new_format("bends_%s", u->file->segment->name);
+    const char *const patch[] = {"inward",
+                                 "fan",
+                                 "closest_surface",
+                                 bends,
+                                 "patch_anchor",
+                                 "curved_grows",
+                                 "patch_form",
+                                 "curved_sole",
+                                 "patch_ball",
+                                 "curved_whole",
+                                 "curved_within",
+                                 "patch_needed",
+                                 "curved_split",
+                                 "curved_seek",
+                                 "patch_close",
+                                 "proved_closest_arrays",
+                                 NULL};
+    const enum promise_kind kind = promise_kind_of(u);
+    if (kind == PROMISE_LINEAR)
+        print_shared(u, "FOOTPOINT_DETAIL_EDGE", "edge", out);
+    if (kind == PROMISE_CURVED)
+        print_shared(u, "FOOTPOINT_DETAIL_CURVE", "curve", out);
+    if (kind == PROMISE_CURVED || kind == PROMISE_PATCH)
+        print_shared(u, "FOOTPOINT_DETAIL_LIMITS", "curved_limits", out);
+    if (kind == PROMISE_PATCH)
+        print_shared(u, "FOOTPOINT_DETAIL_BENDS", "patch_bends", out);
+    lines_print_templates(u, "NEAREST",
+                          kind == PROMISE_CURVED   ? curved
+                          : kind == PROMISE_PATCH  ? patch
+                          : kind == PROMISE_LINEAR ? linear
+                                                   : bilinear,
+                          out);
+    free(bends);
 }
 
 void closest_print_helpers(const struct unit *u, FILE *out)
@@ -72,6 +108,7 @@ void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
     static const char *const curved[] = {"curved_nearby", "proved_closest_calls", NULL};
     static const char *const linear[] = {"tri3_nearby", "proved_closest_calls", NULL};
+    static const char *const patch[] = {"patch_nearby", "proved_closest_calls", NULL};
     const enum promise_kind kind = promise_kind_of(u);
     struct words w = promise_words(u, f);
     const bool single = u->options.precision == PRECISION_FLOAT;
@@ -81,6 +118,7 @@ void closest_print(const struct unit *u, const struct function *f, FILE *out)
     templates_print(NULL,
                     kind == PROMISE_BILINEAR ? bilinear
                     : kind == PROMISE_CURVED ? curved
+                    : kind == PROMISE_PATCH  ? patch
                                              : linear,
                     u->options.precision, w.word, out);
     words_clear(&w);

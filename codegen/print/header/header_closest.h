@@ -4,7 +4,7 @@
 
 #include "../../compile/compiled_file.h"
 
-/** Returns true if there are such functions: for segments without normals, with corners in any order. */
+/** Returns true if there are such functions: for corners in any order. */
 bool closest_exists(const struct unit *u);
 
 /** Prints their helpers and their contract, once for all genomes. */

@@ -177,7 +177,7 @@ static void print_float(const struct unit *u, const struct function *f, FILE *ou
 /* Returns true if NAME exists, which needs the surface of the kind. */
 static bool has_gap(const struct unit *u)
 {
-    return u->file->segment && closest_exists(u);
+    return u->file->segment && closest_exists(u) && !*u->file->segment->normals;
 }
 
 static void print_function(const struct unit *u, const struct function *f, FILE *out)

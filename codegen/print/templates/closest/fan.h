@@ -26,6 +26,13 @@ FOOTPOINT_COLD void footpoint_detail_KIND_leave(const REAL *const *x, int k, int
             for (i = 0; i < 3; i++)
                 e[i] = slope[i];
     }
+    if (VECTORS > NODES + 1) { /* edges of patches begin at right angles to the normal */
+        const REAL *const n = x[NODES + from];
+        const REAL along = footpoint_detail_dot(e, n);
+        int i;
+        for (i = 0; i < 3; i++)
+            e[i] -= along * n[i];
+    }
 }
 
 /* Adds `angle` times the unit normal at (xi,eta) to fan. */

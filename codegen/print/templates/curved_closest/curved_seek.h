@@ -127,35 +127,6 @@ FOOTPOINT_COLD int footpoint_detail_KIND_seek(const footpoint_detail_KIND_terms 
     return FOOTPOINT_UNPROVED;
 }
 
-/* Returns a lower bound on the distance of the face, for any slave node: by the ball about the middle that contains all
- * control points. */
-FOOTPOINT_COLD REAL footpoint_detail_KIND_none_within(const REAL *const *x)
-{
-    footpoint_detail_KIND_terms of;
-    REAL e[3], most = 0.0, middle;
-    int k, i;
-    footpoint_detail_KIND_expand(x, &of);
-    for (k = 0; k < NODES; k++) {
-        const int side = k - CORNERS, next = (side + 1) % CORNERS;
-        const int between = side >= 0 && side < CORNERS;
-        for (i = 0; i < 3; i++)
-            e[i] = (between ? 2.0 * x[k][i] - 0.5 * (x[side][i] + x[next][i]) : x[k][i]) -
-                   x[NODES][i] + of.d[i];
-        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
-    }
-    if (CORNERS == 4) { /* the control point in the middle, so that the face has r0 there */
-        for (i = 0; i < 3; i++) {
-            e[i] = 0.0;
-            for (k = 0; k < 2 * CORNERS; k++)
-                e[i] += (k < CORNERS ? 0.25 : -1.0) * (x[k][i] - x[NODES][i] + of.d[i]);
-        }
-        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
-    }
-    middle = footpoint_detail_length(of.d);
-    most = sqrt(most);
-    return footpoint_detail_greater(middle - most - 900.0 * REAL_UNIT * (middle + most), 0.0);
-}
-
 /* Answers after the quick way has proved nothing and ended in `at`: again in a unit of length in which the face is
  * about 1 long, if it is far from that, then by descents. at[2]: the distance. */
 FOOTPOINT_COLD int footpoint_detail_KIND_proved_again(footpoint_detail_nearby *nearby,
@@ -164,7 +135,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_proved_again(footpoint_detail_nearby *n
 {
     footpoint_detail_KIND_terms of;
     footpoint_detail_KIND_anchor z[2];
-    REAL y[VECTORS][3], longest;
+    REAL y[VECTORS][3], longest, least;
     REAL_BITS flat;
     const REAL *row[VECTORS];
     int exponent = 0, i, status = footpoint_detail_scale(x, NODES, VECTORS, y, &exponent);
@@ -175,8 +146,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_proved_again(footpoint_detail_nearby *n
         row[i] = y[i];
     footpoint_detail_KIND_expand(row, &of);
     longest = sqrt(footpoint_detail_KIND_longest(row));
-    if (footpoint_detail_infinite(footpoint_detail_dot(of.d, of.d)) >> REAL_TOP ||
-        footpoint_detail_KIND_none_within(row) > longest)
+    least = footpoint_detail_KIND_none_within(row);
+    if (footpoint_detail_infinite(least) >> REAL_TOP || least > longest)
         return FOOTPOINT_ERR_DOMAIN;
     status = FOOTPOINT_UNPROVED;
     if (exponent > REAL_ORDINARY || exponent < -REAL_ORDINARY) {
@@ -189,8 +160,8 @@ FOOTPOINT_COLD int footpoint_detail_KIND_proved_again(footpoint_detail_nearby *n
         *region = footpoint_detail_KIND_region(z->at);
         at[0] = z->at[0];
         at[1] = z->at[1];
-        at[2] = footpoint_detail_signed_root(
-            footpoint_detail_KIND_signed(row, z, 4.0 * of.size * of.size, *region, &flat));
+        at[2] = footpoint_detail_signed_root(footpoint_detail_KIND_signed(
+            row, z, footpoint_detail_KIND_extent(&of), *region, &flat));
         if (flat >> REAL_TOP)
             return FOOTPOINT_ERR_DEGENERATE;
         if (status != FOOTPOINT_UNPROVED && fabs(at[2]) > longest)
