@@ -1,6 +1,7 @@
 /* Prints the verdict of a run; see run_verdict.h. */
 #include "run_verdict.h"
 
+#include "../../codegen/base/text.h"
 #include "../eval/frame.h"
 #include "../samples/variation.h"
 #include "../write/archive_write.h"
@@ -124,7 +125,8 @@ static void set_limits(const struct scene *usual, struct page_measure *m)
         m[k].limit = usual->source == SOURCE_RANDOM ? limit[k] : -1;
 }
 
-static bool write_page(const struct call *call, const struct problem *p, const struct beside *b, struct diag *d)
+static bool write_page(const struct call *call, const struct problem *p, const struct beside *b, char *verdict,
+                       struct diag *d)
 {
     struct page_measure m[MEASURES] = {{.name = "aspect"},
                                        {.name = "skew, degrees"},
@@ -151,7 +153,7 @@ static bool write_page(const struct call *call, const struct problem *p, const s
     for (size_t i = 0; i < b->table.n; i++)
         measure_sample(&b->sample[i], p->scene->segment->triangle, m, i);
     const bool written =
-        page_write(call->options->page, p->scene->name, p->scene->segment->name, row, rows, m, MEASURES, d);
+        page_write(call->options->page, p->scene->name, p->scene->segment->name, verdict, row, rows, m, MEASURES, d);
     for (int k = 0; k < MEASURES; k++)
         free(m[k].value);
     free(row);
@@ -170,9 +172,13 @@ bool run_verdict(const struct call *call, const struct problem *p, const struct 
     if (good) {
         for (size_t i = 0; i < shipped->quests; i++)
             any = any || (quest_of_programs(&shipped->quest[i]) && shipped->quest[i].champion.genes.length > 0);
+        struct memory *m = memory_open();
         if (any && call->options->generations > 0)
-            archive_verdict(p->archive, shipped, b.judge, stdout);
-        good = !call->options->page || b.table.n == 0 || write_page(call, p, &b, d);
+            archive_verdict(p->archive, shipped, b.judge, m->stream);
+        char *verdict = memory_close(m);
+        fputs(verdict, stdout);
+        good = !call->options->page || b.table.n == 0 || write_page(call, p, &b, verdict, d);
+        free(verdict);
     }
     free_beside(&b);
     return good;

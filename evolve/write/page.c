@@ -1,19 +1,37 @@
-/* Draws a picture of a run's results on a mesh; see page.h. Above: a cell for each function and band of |gap|, of this
- * run and of the shipped functions, coloured by the logarithm of the error. Below: histograms, with the limits of the
- * shipped functions. */
+/* Draws a picture of a run's results on a mesh; see page.h. Above: the verdict, and a cell for each function and band of
+ * |gap|, of this run and of the shipped functions, coloured by the logarithm of the error. Below: histograms, with the
+ * limits of the shipped functions. All letters have 15 units or more of 640: 9 pixels on a screen of 400. */
 #include "page.h"
 
 #include "../../codegen/base/outfile.h"
+#include "../../codegen/base/text.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 640, MARGIN = 16, LABEL = 92, CELL = 54, LINE = 26, GAP = 24, BINS = 24, PANEL = 192, HEIGHT = 92 };
+enum { WIDTH = 640, MARGIN = 16, LABEL = 96, CELL = 61, LINE = 26, GAP = 20, BINS = 24, PANEL = 192, HEIGHT = 92 };
 
+/* Markup is kept out of the text. */
 static void text(FILE *f, double x, double y, const char *how, const char *words)
 {
-    fprintf(f, "<text x=\"%g\" y=\"%g\"%s%s>%s</text>\n", x, y, *how ? " " : "", how, words);
+    fprintf(f, "<text x=\"%g\" y=\"%g\"%s%s>", x, y, *how ? " " : "", how);
+    for (; *words; words++)
+        fputc(strchr("&<>", *words) ? '_' : *words, f);
+    fputs("</text>\n", f);
+}
+
+/* Draws the verdict, each half of a sentence on a line; returns the end. */
+static double draw_verdict(FILE *f, double y, char *verdict)
+{
+    for (char *end; *verdict; verdict = end + 1, y += 20) {
+        const bool first = strncmp(verdict, "footpoint_", 10) != 0;
+        end = verdict + strcspn(verdict, ";\n");
+        *end = '\0';
+        text(f, first ? MARGIN : MARGIN + 32, y, first ? "" : "fill=\"#666\"", verdict);
+        end += end[1] == ' ';
+    }
+    return y;
 }
 
 /* Maps an error to a colour: red for 0.1 and above, through yellow and green to blue for rounding. */
@@ -23,7 +41,7 @@ static void fill(double error, char colour[24])
     snprintf(colour, 24, "hsl(%.0f,65%%,78%%)", 10 + 210 * part);
 }
 
-static void draw_cell(FILE *f, double x, double y, double error)
+static void draw_cell(FILE *f, double x, double y, double error, double other)
 {
     char colour[24], words[16];
     if (error < 0)
@@ -31,7 +49,7 @@ static void draw_cell(FILE *f, double x, double y, double error)
     fill(error, colour);
     fprintf(f, "<rect x=\"%g\" y=\"%g\" width=\"%d\" height=\"%d\" fill=\"%s\"/>\n", x, y, CELL - 2, LINE - 2, colour);
     snprintf(words, sizeof words, error < INFINITY ? "%.0e" : "none", error);
-    text(f, x + CELL / 2.0 - 1, y + LINE - 9, "text-anchor=\"middle\" class=\"n\"", words);
+    text(f, x + CELL / 2.0 - 1, y + LINE - 8, 2 * error <= other ? "class=\"m h\"" : "class=\"m\"", words);
 }
 
 static double draw_errors(FILE *f, double y, const char *scene, const char *kind, const struct page_row *row,
@@ -39,22 +57,29 @@ static double draw_errors(FILE *f, double y, const char *scene, const char *kind
 {
     const double left[2] = {MARGIN + LABEL, MARGIN + LABEL + GAP_BANDS * CELL + GAP};
     const char *const name[2] = {scene, kind};
+    text(f, MARGIN, y, "class=\"h\"", "Mean error of xi and eta, by function and gap");
+    text(f, MARGIN, y + 22, "", "On samples held out. Bold: at most half of the other's. Edge: the face's shortest.");
+    text(f, MARGIN, y + 49, "", "Colours:");
+    for (int k = 0; k < 6; k++)
+        draw_cell(f, left[0] + k * CELL, y + 31, pow(10, -1 - 3 * k), -1);
+    text(f, left[0] + 6.1 * CELL, y + 49, "", "empty: no function");
+    y += 82;
     for (int k = 0; k < 2; k++) {
         char words[80];
         snprintf(words, sizeof words, "footpoint_%.50s_...", name[k]);
-        for (char *c = words; *c; c++) /* as in names of functions; keeps markup out of the text */
-            *c = strchr("-&<>", *c) ? '_' : *c;
+        for (char *c = words; *c; c++) /* as in names of functions */
+            *c = *c == '-' ? '_' : *c;
         text(f, left[k], y, "class=\"h\"", words);
         for (int b = 0; b < GAP_BANDS; b++)
-            text(f, left[k] + (b + 0.5) * CELL, y + 20, "text-anchor=\"middle\" class=\"n\"", gap_band_name[b]);
+            text(f, left[k] + (b + 0.5) * CELL, y + 20, "class=\"m\"", gap_band_name[b]);
     }
-    text(f, MARGIN, y + 20, "class=\"n\"", "|gap| / edge");
+    text(f, MARGIN, y + 20, "", "|gap| / edge");
     for (size_t i = 0; i < rows; i++) {
         const double top = y + 28 + LINE * (double)i;
-        text(f, MARGIN, top + LINE - 9, "", row[i].tier);
+        text(f, MARGIN, top + LINE - 8, "", row[i].tier);
         for (int b = 0; b < GAP_BANDS; b++) {
-            draw_cell(f, left[0] + b * CELL, top, row[i].own[b]);
-            draw_cell(f, left[1] + b * CELL, top, row[i].shipped[b]);
+            draw_cell(f, left[0] + b * CELL, top, row[i].own[b], row[i].shipped[b]);
+            draw_cell(f, left[1] + b * CELL, top, row[i].shipped[b], row[i].own[b]);
         }
     }
     return y + 28 + LINE * (double)rows;
@@ -66,68 +91,81 @@ static int ascending(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* Draws bars from 0 or the smallest value to the largest value or the limit, whichever is larger. */
+static void number(FILE *f, double x, double y, const char *how, const char *format, double value)
+{
+    char words[32];
+    snprintf(words, sizeof words, format, value);
+    text(f, x, y, how, words);
+}
+
+static void draw_limit(FILE *f, double x, double y, int height)
+{
+    fprintf(f, "<path d=\"M%.1f %gv%d\" stroke=\"#c33\" stroke-width=\"2\" stroke-dasharray=\"5 3\"/>\n", x, y, height);
+}
+
+/* Draws bars from 0 or the smallest value to the largest value or the limit, whichever is larger; red beyond it. */
 static void draw_histogram(FILE *f, double x, double y, struct page_measure *m)
 {
     size_t count[BINS] = {0}, most = 1;
-    char words[120];
     qsort(m->value, m->n, sizeof *m->value, ascending);
-    const double lowest = m->value[0] < 1 ? 0 : 1, highest = fmax(m->value[m->n - 1], 1.05 * m->limit);
-    const double width = (highest > lowest ? highest - lowest : 1) / BINS;
+    const double lowest = m->value[0] < 1 ? 0 : 1,
+                 highest = fmax(lowest + 1e-3, fmax(m->value[m->n - 1], 1.05 * m->limit)),
+                 width = (highest - lowest) / BINS, base = y + 24 + HEIGHT;
     for (size_t i = 0; i < m->n; i++) {
         const size_t bin = (size_t)fmin(BINS - 1, (m->value[i] - lowest) / width);
         count[bin]++;
         most = count[bin] > most ? count[bin] : most;
     }
-    text(f, x, y + 14, "class=\"h\"", m->name);
+    text(f, x, y + 18, "class=\"h\"", m->name);
+    number(f, x + PANEL, y + 18, "class=\"e\"", "%.0f %%", 100 * (double)most / (double)m->n);
     for (int b = 0; b < BINS; b++) {
         const double high = HEIGHT * (double)count[b] / (double)most;
-        fprintf(f, "<rect x=\"%g\" y=\"%.1f\" width=\"%g\" height=\"%.1f\" fill=\"#4a78b5\"/>\n", x + b * PANEL / BINS,
-                y + 24 + HEIGHT - high, PANEL / (double)BINS - 1, high);
+        fprintf(f, "<rect x=\"%g\" y=\"%.1f\" width=\"%g\" height=\"%.1f\" fill=\"%s\"/>\n", x + b * PANEL / BINS,
+                base - high, PANEL / (double)BINS - 1, high,
+                m->limit >= 0 && lowest + b * width > m->limit ? "#c33" : "#4a78b5");
     }
-    fprintf(f, "<path d=\"M%g %gh%d\" stroke=\"#555\"/>\n", x, y + 24.5 + HEIGHT, PANEL);
-    snprintf(words, sizeof words, "%.2g", lowest);
-    text(f, x, y + HEIGHT + 40, "class=\"n\"", words);
-    snprintf(words, sizeof words, "%.2g", highest);
-    text(f, x + PANEL, y + HEIGHT + 40, "text-anchor=\"end\" class=\"n\"", words);
-    if (m->limit < 0)
-        return;
-    const double at = x + PANEL * (m->limit - lowest) / (highest - lowest);
-    fprintf(f, "<path d=\"M%.1f %gv%d\" stroke=\"#c33\" stroke-width=\"2\" stroke-dasharray=\"5 3\"/>\n", at, y + 20,
-            HEIGHT + 4);
-    snprintf(words, sizeof words, "%.2g", m->limit);
-    if (m->limit < 0.85 * highest && m->limit > 0.15 * highest)
-        text(f, at, y + HEIGHT + 40, "text-anchor=\"middle\" class=\"n\" fill=\"#c33\"", words);
+    fprintf(f, "<path d=\"M%g %gh%dM%g %gh%d\" stroke=\"#888\"/>\n", x, y + 23.5, PANEL, x, base + 0.5, PANEL);
+    const double at = m->limit < 0 ? -INFINITY : x + PANEL * (m->limit - lowest) / (highest - lowest);
+    if (m->limit >= 0) {
+        draw_limit(f, at, y + 24, HEIGHT);
+        number(f, at, base + 16, "class=\"m\" fill=\"#c33\"", "%.2g", m->limit);
+    }
+    if (fabs(at - x) > 48)
+        number(f, x, base + 16, "", "%.2g", lowest);
+    if (fabs(at - x - PANEL) > 48)
+        number(f, x + PANEL, base + 16, "class=\"e\"", "%.2g", highest);
 }
 
 static double draw_histograms(FILE *f, double y, const char *kind, struct page_measure *m, size_t n)
 {
-    enum { COLUMNS = 3, STEP = HEIGHT + 56 };
+    enum { COLUMNS = 3, STEP = HEIGHT + 60 };
     char words[120];
-    snprintf(words, sizeof words, "faces and gaps of the samples; dashed: limits that footpoint_%.20s.h was bred in",
-             kind);
-    text(f, MARGIN, y, "", words);
+    text(f, MARGIN, y, "class=\"h\"", "Shapes of the faces, and gaps");
+    snprintf(words, sizeof words, "Bars: parts of the samples. Dashed: the limits of footpoint_%.20s.h.", kind);
+    text(f, MARGIN, y + 22, "", words);
     for (size_t i = 0; i < n; i++)
-        draw_histogram(f, MARGIN + (double)(i % COLUMNS) * (PANEL + 16), y + 10 + (double)(i / COLUMNS) * STEP, &m[i]);
-    return y + 10 + (double)((n + COLUMNS - 1) / COLUMNS) * STEP;
+        draw_histogram(f, MARGIN + (double)(i % COLUMNS) * (PANEL + 16), y + 32 + (double)(i / COLUMNS) * STEP, &m[i]);
+    return y + 32 + (double)((n + COLUMNS - 1) / COLUMNS) * STEP;
 }
 
-bool page_write(const char *path, const char *scene, const char *kind, const struct page_row *row, size_t rows,
-                struct page_measure *measure, size_t measures, struct diag *d)
+bool page_write(const char *path, const char *scene, const char *kind, char *verdict, const struct page_row *row,
+                size_t rows, struct page_measure *measure, size_t measures, struct diag *d)
 {
     struct outfile out;
     if (!outfile_open(&out, path, d))
         return false;
-    const size_t lines = (measures + 2) / 3;
+    struct memory *m = memory_open();
+    text(m->stream, MARGIN, 30, "class=\"h\"", "Functions to use on this mesh (cost: price of the operations)");
+    double y = draw_verdict(m->stream, 52, verdict);
+    y = draw_errors(m->stream, y + 16, scene, kind, row, rows);
+    y = draw_histograms(m->stream, y + 34, kind, measure, measures);
+    char *drawn = memory_close(m);
     fprintf(out.stream,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %zu\" font-family=\"sans-serif\" "
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %g\" font-family=\"sans-serif\" "
             "font-size=\"15\">\n"
-            "<style>.h { font-weight: bold } .n { font-size: 13px }</style>\n"
-            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-            WIDTH, 120 + LINE * rows + lines * (HEIGHT + 56));
-    text(out.stream, MARGIN, 26, "", "mean error of xi and eta on samples held out, by function and by gap");
-    const double y = draw_errors(out.stream, 52, scene, kind, row, rows);
-    draw_histograms(out.stream, y + 32, kind, measure, measures);
-    fputs("</svg>\n", out.stream);
+            "<style>.h { font-weight: bold } .m { text-anchor: middle } .e { text-anchor: end }</style>\n"
+            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n%s</svg>\n",
+            WIDTH, y, drawn);
+    free(drawn);
     return outfile_commit(&out, d);
 }

@@ -19,9 +19,9 @@ struct page_measure {
     double limit; /* range of the samples on which the shipped functions were bred; negative: no limit */
 };
 
-/** Writes the picture, an SVG legible at a width of 400 pixels, titled by `scene` and `kind`. Returns false, with *d
- *  filled, on failure. */
-bool page_write(const char *path, const char *scene, const char *kind, const struct page_row *row, size_t rows,
-                struct page_measure *measure, size_t measures, struct diag *d);
+/** Writes the picture, an SVG legible at a width of 400 pixels, titled by `scene` and `kind`. `verdict`: lines, which
+ *  are taken apart. Returns false, with *d filled, on failure. */
+bool page_write(const char *path, const char *scene, const char *kind, char *verdict, const struct page_row *row,
+                size_t rows, struct page_measure *measure, size_t measures, struct diag *d);
 
 #endif

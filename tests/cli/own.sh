@@ -54,7 +54,9 @@ members=$(grep -c '^genome ' "$work/mine.gen")
 
 grep -q '>footpoint_mine_\.\.\.<' "$work/mine.svg" && grep -q '>footpoint_quad4_\.\.\.<' "$work/mine.svg" && grep -q '>warp, degrees<' "$work/mine.svg"
 report $((! $?)) 'the page has both, and the shapes of the faces'
-[ "$(grep -c '<rect [^>]*fill="hsl' "$work/mine.svg")" = $((4 * (members + 9))) ]; report $((! $?)) 'a cell for each function and band'
+[ "$(grep -c '<rect [^>]*fill="hsl' "$work/mine.svg")" = $((4 * (members + 9) + 6)) ]
+report $((! $?)) 'a cell for each function and band, and a key to colours'
+[ "$(sed -n 's/^<text.*>\(use .*\)<.*/\1/p' "$work/mine.svg")" = "$(sed 's/;.*//' "$work/last")" ]; report $((! $?)) 'and the verdict'
 
 # Prints errors on held-out samples of another seed, from a run that only measures and writes.
 for from in "$work/mine.gen" evolve/genomes/quad4.gen; do

@@ -18,7 +18,7 @@ hard=$?
 rm -r "$work"
 scenes=$(awk -F, 'NR > 1 && !seen[$1]++ { print $1 }' "$folder/bench.csv")
 
-# image NAME TEXT: a picture that scrolls on a narrow screen, so that its smallest letters (10.5 of its pixels) have 9
+# image NAME TEXT: a picture that scrolls where its smallest letters (10.5 of its pixels) would have less than 9
 image() {
     least=$(awk 'match($0, /width="[0-9]+/) { print int(substr($0, RSTART + 7) * 9 / 10.5) + 1; exit }' "$folder/$1.svg")
     echo "<a class=wide href=\"$1.svg\"><img style=\"--least: ${least}px\" src=\"$1.svg\" alt=\"$2\"></a>"
@@ -40,13 +40,12 @@ methods() { # methods SCENE SAMPLE QUESTION TITLE: the table, if there is someth
 }
 
 part() { # part SCENE SAMPLE
-    echo "<h3>$2 samples</h3><div class=pictures>"
+    echo "<h3>$2 samples</h3>"
     for norm in mean p99; do
         for mode in chain scalar batch; do
             picture "$1" "$2" $mode $norm
         done
     done
-    echo '</div>'
     methods "$1" "$2" bare 'All methods'
     methods "$1" "$2" checked 'Checked, with gap and status'
     methods "$1" "$2" over 'Checked, eight slave nodes over each segment'
@@ -107,8 +106,7 @@ sample=$(samples_of "$first" | tail -n 1)
 <html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>footpoint: time against error</title>
 <style>
 body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 1400px; padding: 0 1em; color: #222; overflow-wrap: anywhere }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(560px, 100%), 1fr)); gap: 8px }
-img { max-width: 100% } a.wide { display: block } @media (max-width: 640px) { a.wide img { min-width: var(--least) } } pre { font-size: 12px } summary { cursor: pointer; margin: .4em 0 } .wide { overflow-x: auto; overflow-wrap: normal }
+img { min-width: var(--least); max-width: 100% } a.wide { display: block } pre { font-size: 12px } summary { cursor: pointer; margin: .4em 0 } .wide { overflow-x: auto; overflow-wrap: normal }
 table { border-collapse: collapse; font-size: 12px }
 td, th { padding: 1px 7px; text-align: right; border-bottom: 1px solid #eee }
 td:first-child, .words td { text-align: left } .ours td { font-weight: bold; background: #f3f3f3 }
@@ -116,11 +114,9 @@ td:first-child, .words td { text-align: left } .ours td { font-weight: bold; bac
 <h1>Time against error</h1>
 END
     awk -f tests/report/loses.awk "$folder/front.txt"
-    echo '<div class=pictures>'
     picture "$first" "$sample" chain mean
     picture "$first" "$sample" scalar mean
     picture "$first" "$sample" batch mean
-    echo '</div>'
     awk -f tests/report/says.awk -v scene="$first" -v sample="$sample" "$folder/bench.csv"
     echo '<p>Contents: <a href="#names">names</a>, <a href="#hard">hard cases</a>, <a href="#last">from the last answer</a>; the scenes'
     for scene in $scenes; do
