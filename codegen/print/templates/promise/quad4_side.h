@@ -27,7 +27,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_products(BLOCK *FOOTPOINT_RESTRI
                 a[k][i] *= per;
         }
         t->square[l] = (double)per * (double)per;
-        t->doubt[l] = footpoint_detail_bits(size - 1e-30) | footpoint_detail_bits(1e30 - size) |
+        t->doubt[l] = footpoint_detail_bits(size - 1e-25) | footpoint_detail_bits(1e30 - size) |
                       footpoint_detail_fast();
         t->product[0][l] = footpoint_detail_dot(a[0], a[0]);
         t->product[1][l] = footpoint_detail_dot(a[0], a[1]);
@@ -151,7 +151,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RES
  *
  * F has the Jacobian -H.  T(y) = y + A F(y), A being H^-1 as computed at (p,q), has the derivative 1 - A H(y).  In a ball of 5/4 step
  * about (p,q), in maximum norms, that is at most h = most + |A| L 5/4 step: `most` bounds |1 - A H(p,q)|, L is a Lipschitz constant
- * of H in a ball of a tenth, `step` bounds |A F(p,q)|.  If h <= 1/5, then T contracts in that ball, and a root lies there, within
+ * of H within 2/3, `step` bounds |A F(p,q)|.  If h <= 1/5, then T contracts in that ball, and a root lies there, within
  * 5/4 h step of T(p,q).  The same holds for a second correction from there with the same A.  Rounding of F adds `off`, of the
  * products of A and F 3 units of the sum of their absolute values, where 5 are counted.  H is positive definite at the root: A is,
  * and so is every matrix on the way from its inverse to H.
@@ -161,9 +161,10 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RES
  * of |A| |H| and has 22.  r_xi . c is off by 8 |c| U, where L has 8, F by 14 U T and V T.  In double F is off by 13 units of the bounds
  * here, where it is computed, and by 17 at a second correction, whose place is up to 1 / 12 away.
  *
- * Rounding of vectors in double counts nothing beside that, as the lengths of edges differ by less than a factor of 10000, |p| and |q| are at most 30
- * and |d| at most 1000.  det is off by less than a 3000th of itself, as it is at least r11 r22 / 1000.  A correction turns the normal u x v by |c|
- * (U + V) step at most, which is less than a third of its length each time. */
+ * Vectors are rounded in double, d by at most 6 units of |a| + |b| + |c|, for which T has 1e-9 of that sum.  Through T, `most`,
+ * `turn` and `off` then prove nothing if |c| exceeds about 5e4 U, and what is left fits into the slack of 14 and 22.  Where F is
+ * in double, `off` counts |c| itself.  If tiny numbers are flushed to zero, coordinates lose 1.2e-38, so the face must be 1e-25 long.
+ * A correction turns the normal u x v by at most |c| (U + V) step, which is less than a third of its length each time. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t, int rough)
 {
     int l;
@@ -183,7 +184,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t
         d = footpoint_detail_root_bound(h.e[9]);
         U = a + y * c;
         V = b + x * c;
-        T = d + x * a + y * V;
+        T = d + x * a + y * V + 1e-9 * (a + b + c); /* vectors are rounded in double */
         W = U * V + c * T;
         row = U * U + W;
         column = V * V + W;
