@@ -21,13 +21,15 @@ static void text(FILE *f, double x, double y, const char *how, const char *words
     fputs("</text>\n", f);
 }
 
-/* Draws the verdict, each half of a sentence on a line; returns the end. */
+/* Draws the verdict, each half of a sentence on a line; returns the last line. */
 static double draw_verdict(FILE *f, double y, char *verdict)
 {
-    for (char *end; *verdict; verdict = end + 1, y += 20) {
+    text(f, MARGIN, y, "class=\"h\"", "Functions to use on this mesh (cost: price of the operations)");
+    for (char *end; *verdict; verdict = end + 1) {
         const bool first = strncmp(verdict, "footpoint_", 10) != 0;
         end = verdict + strcspn(verdict, ";\n");
         *end = '\0';
+        y += 20;
         text(f, first ? MARGIN : MARGIN + 32, y, first ? "" : "fill=\"#666\"", verdict);
         end += end[1] == ' ';
     }
@@ -49,7 +51,7 @@ static void draw_cell(FILE *f, double x, double y, double error, double other)
     fill(error, colour);
     fprintf(f, "<rect x=\"%g\" y=\"%g\" width=\"%d\" height=\"%d\" fill=\"%s\"/>\n", x, y, CELL - 2, LINE - 2, colour);
     snprintf(words, sizeof words, error < INFINITY ? "%.0e" : "none", error);
-    text(f, x + CELL / 2.0 - 1, y + LINE - 8, 2 * error <= other ? "class=\"m h\"" : "class=\"m\"", words);
+    text(f, x + CELL / 2.0 - 1, y + LINE - 8, 2 * fmax(error, 1e-15) <= other ? "class=\"m h\"" : "class=\"m\"", words);
 }
 
 static double draw_errors(FILE *f, double y, const char *scene, const char *kind, const struct page_row *row,
@@ -66,7 +68,7 @@ static double draw_errors(FILE *f, double y, const char *scene, const char *kind
     y += 82;
     for (int k = 0; k < 2; k++) {
         char words[80];
-        snprintf(words, sizeof words, "footpoint_%.50s_...", name[k]);
+        snprintf(words, sizeof words, "footpoint_%.14s_...", name[k]);
         for (char *c = words; *c; c++) /* as in names of functions */
             *c = *c == '-' ? '_' : *c;
         text(f, left[k], y, "class=\"h\"", words);
@@ -85,12 +87,6 @@ static double draw_errors(FILE *f, double y, const char *scene, const char *kind
     return y + 28 + LINE * (double)rows;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
-
 static void number(FILE *f, double x, double y, const char *how, const char *format, double value)
 {
     char words[32];
@@ -98,19 +94,18 @@ static void number(FILE *f, double x, double y, const char *how, const char *for
     text(f, x, y, how, words);
 }
 
-static void draw_limit(FILE *f, double x, double y, int height)
-{
-    fprintf(f, "<path d=\"M%.1f %gv%d\" stroke=\"#c33\" stroke-width=\"2\" stroke-dasharray=\"5 3\"/>\n", x, y, height);
-}
-
 /* Draws bars from 0 or the smallest value to the largest value or the limit, whichever is larger; red beyond it. */
-static void draw_histogram(FILE *f, double x, double y, struct page_measure *m)
+static void draw_histogram(FILE *f, double x, double y, const struct page_measure *m)
 {
     size_t count[BINS] = {0}, most = 1;
-    qsort(m->value, m->n, sizeof *m->value, ascending);
-    const double lowest = m->value[0] < 1 ? 0 : 1,
-                 highest = fmax(lowest + 1e-3, fmax(m->value[m->n - 1], 1.05 * m->limit)),
-                 width = (highest - lowest) / BINS, base = y + 24 + HEIGHT;
+    double least = INFINITY, highest = 1.05 * m->limit;
+    for (size_t i = 0; i < m->n; i++) {
+        least = fmin(least, m->value[i]);
+        highest = fmax(highest, m->value[i]);
+    }
+    const double lowest = least < 1 ? 0 : 1;
+    highest = fmax(highest, lowest + 1e-3);
+    const double width = (highest - lowest) / BINS, base = y + 24 + HEIGHT;
     for (size_t i = 0; i < m->n; i++) {
         const size_t bin = (size_t)fmin(BINS - 1, (m->value[i] - lowest) / width);
         count[bin]++;
@@ -127,7 +122,8 @@ static void draw_histogram(FILE *f, double x, double y, struct page_measure *m)
     fprintf(f, "<path d=\"M%g %gh%dM%g %gh%d\" stroke=\"#888\"/>\n", x, y + 23.5, PANEL, x, base + 0.5, PANEL);
     const double at = m->limit < 0 ? -INFINITY : x + PANEL * (m->limit - lowest) / (highest - lowest);
     if (m->limit >= 0) {
-        draw_limit(f, at, y + 24, HEIGHT);
+        fprintf(f, "<path d=\"M%.1f %gv%d\" stroke=\"#c33\" stroke-width=\"2\" stroke-dasharray=\"5 3\"/>\n", at,
+                y + 24, HEIGHT);
         number(f, at, base + 16, "class=\"m\" fill=\"#c33\"", "%.2g", m->limit);
     }
     if (fabs(at - x) > 48)
@@ -136,32 +132,31 @@ static void draw_histogram(FILE *f, double x, double y, struct page_measure *m)
         number(f, x + PANEL, base + 16, "class=\"e\"", "%.2g", highest);
 }
 
-static double draw_histograms(FILE *f, double y, const char *kind, struct page_measure *m, size_t n)
+static double draw_histograms(FILE *f, double y, const struct page_measure *m, size_t n)
 {
     enum { COLUMNS = 3, STEP = HEIGHT + 60 };
-    char words[120];
     text(f, MARGIN, y, "class=\"h\"", "Shapes of the faces, and gaps");
-    snprintf(words, sizeof words, "Bars: parts of the samples. Dashed: the limits of footpoint_%.20s.h.", kind);
-    text(f, MARGIN, y + 22, "", words);
+    text(f, MARGIN, y + 22, "", "Bars: parts of the samples. Dashed: limits of the shipped functions.");
     for (size_t i = 0; i < n; i++)
         draw_histogram(f, MARGIN + (double)(i % COLUMNS) * (PANEL + 16), y + 32 + (double)(i / COLUMNS) * STEP, &m[i]);
     return y + 32 + (double)((n + COLUMNS - 1) / COLUMNS) * STEP;
 }
 
 bool page_write(const char *path, const char *scene, const char *kind, char *verdict, const struct page_row *row,
-                size_t rows, struct page_measure *measure, size_t measures, struct diag *d)
+                size_t rows, const struct page_measure *measure, size_t measures, struct diag *d)
 {
     struct outfile out;
     if (!outfile_open(&out, path, d))
         return false;
     struct memory *m = memory_open();
-    text(m->stream, MARGIN, 30, "class=\"h\"", "Functions to use on this mesh (cost: price of the operations)");
-    double y = draw_verdict(m->stream, 52, verdict);
-    y = draw_errors(m->stream, y + 16, scene, kind, row, rows);
-    y = draw_histograms(m->stream, y + 34, kind, measure, measures);
+    double y = *verdict ? draw_verdict(m->stream, 30, verdict) : -4;
+    if (rows > 0)
+        y = draw_errors(m->stream, y + 34, scene, kind, row, rows);
+    y = draw_histograms(m->stream, y + 34, measure, measures);
     char *drawn = memory_close(m);
     fprintf(out.stream,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %g\" font-family=\"sans-serif\" "
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %g\" preserveAspectRatio=\"xMidYMin\" "
+            "font-family=\"sans-serif\" "
             "font-size=\"15\">\n"
             "<style>.h { font-weight: bold } .m { text-anchor: middle } .e { text-anchor: end }</style>\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n%s</svg>\n",

@@ -14,7 +14,7 @@ struct page_row {
 /** A measure of all samples. */
 struct page_measure {
     const char *name; /* not owned; includes its unit */
-    double *value;    /* owned by the caller; reordered */
+    double *value;    /* owned by the caller */
     size_t n;
     double limit; /* range of the samples on which the shipped functions were bred; negative: no limit */
 };
@@ -22,6 +22,6 @@ struct page_measure {
 /** Writes the picture, an SVG legible at a width of 400 pixels, titled by `scene` and `kind`. `verdict`: lines, which
  *  are taken apart. Returns false, with *d filled, on failure. */
 bool page_write(const char *path, const char *scene, const char *kind, char *verdict, const struct page_row *row,
-                size_t rows, struct page_measure *measure, size_t measures, struct diag *d);
+                size_t rows, const struct page_measure *measure, size_t measures, struct diag *d);
 
 #endif

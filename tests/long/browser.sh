@@ -48,7 +48,7 @@ awk -v what=wavy -f tests/meshes/own.awk > "$work/own.inp"
 echo 'training = 2000; heldout = 4000; mesh: { file = "own.inp"; };' > "$work/own.scene"
 "$BIN/footpoint-evolve" --quiet --islands 1 --population 100 --scene "$work/own.scene" --generations 2 -o "$work/own.gen" \
     --page "$work/own.svg" > "$work/log" 2>&1
-report $? 'the page of a mesh is made'
+report $((! $?)) 'the page of a mesh is made'
 for width in 1280 400; do
     cat > "$work/frame.html" << END
 <!DOCTYPE html><body style='margin:0'><iframe src=own.svg width=$width height=900 style='border:0' onload='look(frames[0])'></iframe>
