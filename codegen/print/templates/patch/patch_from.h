@@ -1,15 +1,15 @@
 /* Patches from a near start. */
 
-/* Whether (xi,eta) is more than half of the patch away from loc, or one of them is NaN. */
+/* Returns its highest bit set if (xi,eta) is more than half of the patch away from loc, or NaN. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_strayed(const REAL loc[2], REAL xi, REAL eta)
 {
     return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
 }
 
-/* From loc to the foot point (*xi,*eta), and the gap there: by corrected steps of Newton until the next one is so short that its proof
- * mostly succeeds, which is that of footpoint_detail_KIND_step().  The highest bit of the result is not set if a minimum of the
- * distance is proved to lie within `promise` of the answer, which is no farther than half of the patch from loc.  Any loc will do,
- * NaN too.  Where a step leaves the patch nothing is proved. */
+/* Moves from loc to the foot point (*xi,*eta) and computes the gap there. It takes corrected Newton steps until the
+ * next one is so short that footpoint_detail_KIND_step() mostly proves it. The highest bit of the result is not set if
+ * a minimum of the distance is proved to lie within `promise` of the answer, which is at most half of the patch away
+ * from loc. Any loc is allowed, also NaN. Nothing is proved if a step leaves the patch. */
 FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL promise, REAL least,
                                                      const REAL loc[2], REAL *xi, REAL *eta,
                                                      REAL *gap)
@@ -54,8 +54,8 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL 
            footpoint_detail_normal_gap(r.u, r.v, r.d, size, size, 0.0625 * size, least, p + q, gap);
 }
 
-/* The answer where that proves nothing: steps from loc that keep to the patch and go along its border, too, then the search from
- * scratch.  A unit of length as in footpoint_detail_KIND_answer(). */
+/* Answers if that proves nothing. It takes steps from loc that keep to the patch and may follow its border, then
+ * searches from scratch. The unit of length is as in footpoint_detail_KIND_answer(). */
 FOOTPOINT_COLD int footpoint_detail_KIND_further(footpoint_detail_search *search,
                                                  const REAL *const *x, REAL promise, REAL loc[2],
                                                  REAL *gap)

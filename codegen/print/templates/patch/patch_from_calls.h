@@ -1,4 +1,4 @@
-/* What callers have from their last answers on patches. */
+/* Searches on patches from the last answers, for callers. */
 
 FOOTPOINT_FN int NAME_from(NODE_PARAMETERS, REAL loc[2], REAL *gap)
 {

@@ -1,6 +1,6 @@
 /* Patches in loops over arrays: steps, their proof, and repair of unproved answers. */
 
-/* The patches' data, by number of the value. */
+/* Holds the patches' data, indexed by number of the value. */
 enum { footpoint_detail_KIND_count = (sizeof(footpoint_detail_KIND_terms) / sizeof(REAL) + 2) / 3 };
 typedef struct {
     REAL v[footpoint_detail_KIND_count][3][FOOTPOINT_LANES];
@@ -131,12 +131,12 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_store(const BLOCK *b, int count,
     return doubt;
 }
 
-/* Last answers, which results overwrite. */
+/* Keeps last answers, which results overwrite. */
 typedef struct {
     double loc[2][FOOTPOINT_LANES];
 } footpoint_detail_KIND_last;
 
-/* Begins with the last answers; with the middle where one is no number. */
+/* Begins with the last answers, or with the middle if an answer is no number. */
 FOOTPOINT_PART void footpoint_detail_KIND_resume(BLOCK *b, footpoint_detail_KIND_last *last,
                                                  int count, const double *xi, const double *eta)
 {
@@ -151,8 +151,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_resume(BLOCK *b, footpoint_detail_KIND
     }
 }
 
-/* Steps until the longest of them is so short that one that is proved mostly succeeds, see step_leaves() of the generator, but `most` at
- * most. */
+/* Takes up to `most` steps, until the longest is so short that a proved step mostly succeeds; see step_leaves() of the
+ * generator. */
 FOOTPOINT_PART void footpoint_detail_KIND_settle(BLOCK *b, const footpoint_detail_KIND_lanes *t,
                                                  int most, double promise)
 {
@@ -172,7 +172,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_settle(BLOCK *b, const footpoint_detai
     }
 }
 
-/* Doubts answers that are more than half of the patch away from the last, and those from no number. */
+/* Doubts answers that are more than half of the patch away from the last answer, or whose last answer is no number. */
 FOOTPOINT_PART void footpoint_detail_KIND_astray(BLOCK *b, const footpoint_detail_KIND_last *last)
 {
     int l;
@@ -181,7 +181,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_astray(BLOCK *b, const footpoint_detai
                        footpoint_detail_above(b->q[l] - (REAL)last->loc[1][l], 1.0);
 }
 
-/* The answers of pairs that are not proved, by a search of each; last: NULL, or from where. */
+/* Searches unproved pairs one by one, from the last answers unless `last` is NULL. */
 FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK *b,
                                                const footpoint_detail_KIND_last *last, int count,
                                                double promise, double *xi, double *eta, double *gap,
@@ -203,8 +203,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK
         }
 }
 
-/* n pairs, or n slave nodes over one segment unless that is NULL; column: of their coordinates.  begin: NULL from the last answers
- * in xi and eta, with `bare` steps at most. */
+/* Searches n pairs or, unless `segment` is NULL, n slave nodes over one segment; `column` holds their coordinates. It
+ * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. */
 FOOTPOINT_APART void footpoint_detail_KIND_run(footpoint_detail_KIND_begin *begin, int bare,
                                                ALONE_SEARCH *search, const double *const *segment,
                                                size_t n, const double *const *column,

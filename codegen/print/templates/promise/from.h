@@ -1,6 +1,6 @@
 /* Searches from the last answer, single and over arrays. */
 
-/* The search without a last answer. */
+/* Searches without a last answer. */
 typedef int footpoint_detail_KIND_name(NODE_PARAMETERS, REAL loc[2], REAL *gap);
 
 /* Returns its highest bit set if (xi,eta) is more than half of the segment away from loc, or NaN. */
@@ -9,8 +9,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_strayed(const REAL loc[2], REAL x
     return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
 }
 
-/* Continues from (xi,eta), to which an expansion about loc has led without a proof: two more expansions, then the
- * search without a last answer. */
+/* Continues from (xi,eta), the unproved end of an expansion about loc: takes two more expansions, then searches without
+ * a last answer. */
 FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *name,
                                                  const REAL *const *x, REAL promise, REAL least,
                                                  REAL xi, REAL eta, REAL loc[2], REAL *gap)
@@ -29,8 +29,8 @@ FOOTPOINT_PART int footpoint_detail_KIND_further(footpoint_detail_KIND_name *nam
     return name(VECTOR_ROWS, loc, gap);
 }
 
-/* Follows an element of arrays of last answers, from which loops over arrays have led to (u,v); not inlined, because it
- * is seldom called. */
+/* Follows an element of arrays of last answers, which a loop has moved to (u,v). It is seldom called, and so not
+ * inlined. */
 FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name *name,
                                                      const REAL *const *x, REAL promise, REAL least,
                                                      REAL u, REAL v, REAL *xi, REAL *eta, REAL *gap,
@@ -44,10 +44,10 @@ FOOTPOINT_COLD void footpoint_detail_KIND_follow_one(footpoint_detail_KIND_name 
     *eta = loc[1];
 }
 
-/* Arrays are followed in parts: each part in a loop, which is repeated if many answers are not proved. */
+/* Follows arrays in parts, each in a loop that is repeated if many answers are not proved. */
 enum { footpoint_detail_KIND_span = 64, footpoint_detail_KIND_few = 8 };
 
-/* Copies the vectors of pair i from the columns x; with `over` x has the slave nodes' columns, and c is the segment. */
+/* Copies the vectors of pair i from the columns x. With `over`, x has the slave nodes' columns and c is the segment. */
 FOOTPOINT_PART void footpoint_detail_KIND_pair(REAL (*c)[3], int over, const REAL *const *x,
                                                size_t i, REAL p[VECTORS][3])
 {
@@ -60,7 +60,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_pair(REAL (*c)[3], int over, const REA
     }
 }
 
-/* Searches n pairs, or with `over` n slave nodes over a segment, which is copied so that no result can change it. */
+/* Searches n pairs or, with `over`, n slave nodes over a segment, which is copied so that no result can change it. */
 FOOTPOINT_PART void
 footpoint_detail_KIND_from_n(footpoint_detail_KIND_name *name, int over, const REAL *const *segment,
                              size_t n, const REAL *const *x, REAL promise, REAL least,

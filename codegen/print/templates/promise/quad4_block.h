@@ -1,11 +1,13 @@
-/* Pairs of four-node faces and slave nodes side by side, for loops over arrays of any caller: what is in double. */
+/* Pairs of four-node faces and slave nodes side by side, for loops over arrays: the part in double. */
 
 enum { SIDE = 32 }; /* pairs at a time */
 
-/* Values of pairs.  4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0 are `vector`, rounded `narrow`.  `product` has a a, a b, b b, a c,
- * b c, c c, a d, b d, c d, d d in a unit of length in which the sum of |a|'s and |b|'s coordinates is from 1 to 4; `square` changes
- * products of lengths to that unit.  (p,q): where steps in single precision end; (xi,eta): the answer.  Slopes f and g, or `slope`, and
- * A to `flat` prove it: see footpoint_detail_f_KIND_side_bound.  A pair is not proved if the highest bit of `doubt` or `wide` is set. */
+/* Holds values of pairs. `vector` has a, b, c and d, with 4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0;
+ * `narrow` has them rounded. `product` has a a, a b, b b, a c, b c, c c, a d, b d, c d, d d in a unit of length in
+ * which the absolute values of the coordinates of a and b add up to 1 to 4. `square` changes products of lengths to
+ * that unit. Steps in single precision end at (p,q); the answer is (xi,eta). Slopes f and g, or `slope`, and a11 to
+ * `flat` prove it: see footpoint_detail_f_KIND_side_bound. A pair is not proved if the highest bit of `doubt` or `wide`
+ * is set. */
 typedef struct {
     double x[15][SIDE];
     double vector[4][3][SIDE], square[SIDE];
@@ -20,8 +22,8 @@ typedef struct {
     LANE_BITS doubt[SIDE], wide[SIDE];
 } BLOCK;
 
-/* Computes a, b, c and d from columns x.  In units of rounding of their coordinates a is off by 2 |a| + |c|, b by |a| + 2 |b| + 3 |c|, c by
- * |a| + 2 |c|, d by 4 |a| + 3 |b| + 6 |c| + 3 |d|. */
+/* Computes a, b, c and d from columns x. In units of rounding of their coordinates, a is off by 2 |a| + |c|, b by |a| +
+ * 2 |b| + 3 |c|, c by |a| + 2 |c|, d by 4 |a| + 3 |b| + 6 |c| + 3 |d|. */
 FOOTPOINT_APART void footpoint_detail_KIND_side_narrow(const double *const *x,
                                                        BLOCK *FOOTPOINT_RESTRICT t)
 {
@@ -43,7 +45,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_narrow(const double *const *x,
     }
 }
 
-/* Computes 1 / sqrt(x) of ordinary x.  Where sqrt may set errno, it would keep loops from vectorising. */
+/* Computes 1 / sqrt(x) of ordinary x. It avoids sqrt if that may set errno, because then loops would not vectorise. */
 FOOTPOINT_PART double footpoint_detail_KIND_side_root(double x)
 {
 #if defined(__NO_MATH_ERRNO__) || !defined(__GNUC__)
@@ -63,11 +65,12 @@ FOOTPOINT_PART double footpoint_detail_KIND_side_root(double x)
 #endif
 }
 
-/* Computes at (xi,eta) the slopes f = r_xi . D and g = r_eta . D, D = xS - r, times 16 and in the unit of products, and the gap, as far as
- * they are asked for.
+/* Computes the slopes and the gap at (xi,eta), if they are asked for. Slopes are f = r_xi . D and g = r_eta . D with D
+ * = xS - r, times 16 and in the unit of products.
  *
- * With P = 1 + |xi|, Q = 1 + |eta|, norms |a|, ..., and far = |d| + P Q (|a| + |b| + |c|), in units of rounding 4 r_xi is off by
- * 4 Q (|a| + |c|), 4 r_eta by P (|a| + 4 |b| + 4 |c|), 4 D by 6 far; f by 13 far Q (|a| + |c|), g by 13 far P (0.08 |a| + |b| + |c|). */
+ * Let P = 1 + |xi|, Q = 1 + |eta| and far = |d| + P Q (|a| + |b| + |c|). In units of rounding, 4 r_xi is off by 4 Q
+ * (|a| + |c|), 4 r_eta by P (|a| + 4 |b| + 4 |c|), 4 D by 6 far, f by 13 far Q (|a| + |c|), and g by 13 far P (0.08 |a|
+ * + |b| + |c|). */
 FOOTPOINT_PART void footpoint_detail_KIND_side_place(BLOCK *FOOTPOINT_RESTRICT t, int slopes,
                                                      int gap)
 {

@@ -15,12 +15,12 @@ FOOTPOINT_PART void footpoint_detail_quad4_about(const REAL *const *x, REAL s, R
     }
 }
 
-/* Half the squared distance about a point: slopes (f,g), the Hessian, and its rate of change. */
+/* Holds the slopes (f,g) of half the squared distance at a point, its Hessian, and the Hessian's rate of change. */
 typedef struct {
     REAL f, g, uu, r12, vv, tu, tv, cc;
 } footpoint_detail_quad4_near;
 
-/* Bounds for rounding errors, see footpoint_detail_quad4_from(): far^2; for fine promises also lengths. */
+/* Holds bounds for rounding errors, see footpoint_detail_quad4_from(): far^2; for fine promises also lengths. */
 typedef struct {
     REAL square, far, u, v, w;
 } footpoint_detail_quad4_scales;
@@ -34,7 +34,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_slopes(const footpoint_detail_quad4_n
     *g = (r->g - r->r12 * s - r->vv * t) - s * ((2.0 * tv + tu) + both);
 }
 
-/* Computes all of these. */
+/* Moves slopes, Hessian and rate of change by a step (s,t). */
 FOOTPOINT_PART footpoint_detail_quad4_near
 footpoint_detail_quad4_moved(const footpoint_detail_quad4_near *r, REAL s, REAL t)
 {
@@ -73,7 +73,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_blur(const footpoint_detail_quad4_nea
     return 8e-15 * (row * e->square);
 }
 
-/* A correction of (*s,*t) through the matrix of `at`; its length. */
+/* Corrects (*s,*t) through the matrix of `at`. Returns the correction's length. */
 FOOTPOINT_PART REAL footpoint_detail_quad4_chord(const footpoint_detail_quad4_near *start,
                                                  const footpoint_detail_quad4_near *at, REAL per,
                                                  REAL *s, REAL *t)
@@ -86,9 +86,9 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_chord(const footpoint_detail_quad4_ne
     return left;
 }
 
-/* Newton's step with the matrix M of `at`, which is (*s,*t) from `start` and no farther from there than `before`, with
- * `correct` a correction through M, and up to `more` of them while the error is too large; (*s,*t) goes along.  The highest
- * bit of the result is not set if the end is proved, see footpoint_detail_quad4_from(). */
+/* Takes Newton's step with the matrix M of `at`, a correction through M if `correct`, and up to `more` corrections
+ * while the error is too large. `at` is (*s,*t) from `start`, no farther than `before`; (*s,*t) moves along. The
+ * highest bit of the result is not set if the end is proved, see footpoint_detail_quad4_from(). */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_stage(const footpoint_detail_quad4_near *start,
                                                       const footpoint_detail_quad4_near *at,
                                                       const footpoint_detail_quad4_scales *e,
@@ -123,7 +123,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_stage(const footpoint_detail_qua
            footpoint_detail_outside(det);
 }
 
-/* Takes up to two such steps from (*s,*t), each with its own matrix, until one is proved; seldom needed. */
+/* Takes up to two such steps from (*s,*t), each with its own matrix, until one is proved. This is seldom needed. */
 FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
                                                         const footpoint_detail_quad4_scales *e,
                                                         REAL promise, REAL *s, REAL *t)
@@ -141,28 +141,28 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_q
     return (REAL_BITS)1 << REAL_TOP;
 }
 
-/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, 2 from the end of
- * such a step, otherwise 3. The highest bit of the result is not set if a minimum of the distance is proved to lie
+/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, 2 from the end
+ * of such a step, otherwise 3. The highest bit of the result is not set if a minimum of the distance is proved to lie
  * within `promise` of the answer, which is at most 2/3 away. Any start is allowed, also NaN.
  *
  * Newton's step and a correction through the same matrix are proved together, with one quotient. Fine promises take a
  * step before, except from nearby, because they would need many corrections through the first matrix. If moves are
  * large, that costs a loop over arrays less than a full repetition.
  *
- * With the slopes F and M near H^-1, z + M F(z) contracts by q = |1 - M H(z)|.  A ball about the point that M is of,
- * in which q <= h <= 0.2, holds the iterates, a root within (q |x| + R) / (1 - q) of the last one, x being the last
- * correction and R the rounding errors of |M F|, and no zero of det H.  |H(z) - H| has rows of at most |z| times
- * 4 |tu| + 2 |tv| + cc and 2 |tu| + 4 |tv| + cc, where |z| <= 1/3; `turn` bounds det |M| times these.  Newton's step is
- * the first iterate; without a correction half of it stands for |x|, as q grows from 0 with |z|.  Corrections after those
- * that the ball is made of are less than a fifth each of the one before, so that it holds them, too.  2.61 is twice 1.3, as
- * xi = 2 s - 1; 1 / (1 - q) <= 1.25.
+ * Let F be the slopes and M a matrix near H^-1. Then z + M F(z) contracts by q = |1 - M H(z)|. Consider the ball about
+ * the point of M in which q <= h <= 0.2. It holds the iterates, and no zero of det H. It also holds a root within (q
+ * |x| + R) / (1 - q) of the last iterate, where x is the last correction and R bounds the rounding errors of |M F|.
+ * |H(z) - H| has rows of at most |z| times 4 |tu| + 2 |tv| + cc and 2 |tu| + 4 |tv| + cc, where |z| <= 1/3; `turn`
+ * bounds det |M| times these. Newton's step is the first iterate. Without a correction, half of it stands for |x|,
+ * because q grows from 0 with |z|. Each further correction is less than a fifth of the one before, so the ball holds
+ * it, too. 2.61 is twice 1.3, as xi = 2 s - 1; 1 / (1 - q) <= 1.25.
  *
- * With the lengths U, V, C, W of u, v, c, w and S >= |ab| + |ad| + |c|, let far = W + (1 + |s|) (1 + |t|) S. In units
- * of rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its changes
- * within 1/3 by 27 far^2. So slopes at z are off by 24 far (U + W + 4 |z| far), for which the code counts 30, including
- * the sum for xi, and with |z| <= 1/3 70 far^2. M differs from H^-1, and from its use, by 25 far^2 |M|: q is larger by
- * at most |M| 3e-14 far^2. Sums in any order. If det is well within the range of numbers, underflow is below these
- * bounds.
+ * Let U, V, C, W be the lengths of u, v, c, w, S >= |ab| + |ad| + |c|, and far = W + (1 + |s|) (1 + |t|) S. In units of
+ * rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its changes within
+ * 1/3 by 27 far^2. So slopes at z are off by 24 far (U + W + 4 |z| far). For fine promises the code counts 30 instead
+ * of 24, including the sum for xi; for others 70 far^2, with |z| <= 1/3. M differs from H^-1, and from its use, by 25
+ * far^2 |M|: q is larger by at most |M| 3e-14 far^2. Sums may have any order. If det is well within the range of
+ * numbers, underflow is below these bounds.
  *
  * The normal at a step is u x v + s (u x c) + t (c x v), the last two of which are normal to c. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL promise, REAL least,
@@ -199,7 +199,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
     (void)least;
     if (stages > 1 && footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> REAL_TOP) {
         *gap = 0.0;
-        return (REAL_BITS)1 << REAL_TOP; /* compilers' maxima of NaN raise exceptions */
+        return (REAL_BITS)1 << REAL_TOP; /* maxima of compilers raise exceptions of NaN */
     }
     footpoint_detail_cross(u, v, n);
     footpoint_detail_cross(u, c, by_s);

@@ -1,6 +1,6 @@
-/* Pairs of four-node faces and slave nodes side by side: the loop that callers have. */
+/* Pairs of four-node faces and slave nodes side by side: the loop over blocks of pairs. */
 
-/* Copies columns for a block that is not full, the last pair in place of those that lack. */
+/* Copies columns into a block that is not full, and repeats the last pair to fill it. */
 FOOTPOINT_COLD void footpoint_detail_KIND_side_fill(BLOCK *t, const double **x, int count)
 {
     int k, l;
@@ -11,7 +11,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_side_fill(BLOCK *t, const double **x, 
     }
 }
 
-/* Takes as many steps as the promise needs, or `more` from where they ended, and proves the last. */
+/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int more)
 {
     footpoint_detail_LANES_KIND_side_products(t);
@@ -34,7 +34,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, i
     footpoint_detail_LANES_KIND_side_corrections(t, (LANE)promise);
 }
 
-/* Stores answers.  Returns how many are not proved, or more. */
+/* Stores answers. Returns an upper bound on the number of unproved answers. */
 FOOTPOINT_PART int footpoint_detail_KIND_side_store(const BLOCK *t, int count,
                                                     double *FOOTPOINT_RESTRICT xi,
                                                     double *FOOTPOINT_RESTRICT eta,
@@ -65,7 +65,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_side_fails(const BLOCK *t, int l)
     return (t->doubt[l] | t->wide[l]) >> LANE_TOP || footpoint_detail_infinite(t->gap[l]) >> 63;
 }
 
-/* Takes more steps where `failed`, which changes for what is proved then. */
+/* Takes more steps. Stores answers of `failed` pairs that these prove, which then no longer count as failed. */
 FOOTPOINT_COLD void footpoint_detail_KIND_side_again(BLOCK *t, double promise, int *failed,
                                                      int count, double *xi, double *eta,
                                                      double *gap)
@@ -81,7 +81,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_side_again(BLOCK *t, double promise, i
         }
 }
 
-/* Searches pairs one by one where `failed`. */
+/* Searches `failed` pairs one by one. */
 FOOTPOINT_COLD void footpoint_detail_KIND_side_mend(footpoint_detail_search *search, int nodes,
                                                     const int *failed, const double *const *x,
                                                     int count, double promise, double *xi,
@@ -105,7 +105,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_side_mend(footpoint_detail_search *sea
         }
 }
 
-/* Repairs what is not proved: many failures by more steps, unless rounding forbids most proofs. */
+/* Repairs unproved answers. If many failed, it first takes more steps, unless rounding forbids most proofs. */
 FOOTPOINT_COLD void footpoint_detail_KIND_side_repair(footpoint_detail_search *search, int nodes,
                                                       BLOCK *t, int unproved,
                                                       const double *const *x, int count,
@@ -120,7 +120,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_side_repair(footpoint_detail_search *s
     footpoint_detail_KIND_side_mend(search, nodes, failed, x, count, promise, xi, eta, gap, status);
 }
 
-/* Searches n pairs.  A few are done sooner one by one. */
+/* Searches n pairs. A few are searched one by one, which is faster. */
 FOOTPOINT_APART void footpoint_detail_KIND_side_run(footpoint_detail_search *search, int nodes,
                                                     size_t n, const double *const *x,
                                                     double promise, double *xi, double *eta,

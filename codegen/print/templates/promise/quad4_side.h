@@ -1,6 +1,6 @@
-/* Pairs of four-node faces and slave nodes side by side: what is in single precision. */
+/* Pairs of four-node faces and slave nodes side by side: the part in single precision. */
 
-/* Computes products.  Where the unit of length is out of range, doubt remains. */
+/* Computes products. Sets doubt if the unit of length is out of range. */
 FOOTPOINT_APART void footpoint_detail_KIND_side_products(BLOCK *FOOTPOINT_RESTRICT t)
 {
     int l, i, k;
@@ -41,8 +41,8 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_products(BLOCK *FOOTPOINT_RESTRI
     }
 }
 
-/* The Hessian [r11 r12; r12 r22] of half the square of the distance, tu = r_xi . c, tv = r_eta . c, and y = r_xi . r_eta - a . b, at (p,q);
- * products e. */
+/* Holds values at (p,q): products e, tu = r_xi . c, tv = r_eta . c, y = r_xi . r_eta - a . b, and the Hessian [r11 r12;
+ * r12 r22] of half the squared distance. */
 typedef struct {
     REAL e[10], p, q, tu, tv, y, r11, r22, r12;
 } footpoint_detail_KIND_side_bend;
@@ -64,7 +64,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_visit(const BLOCK *t, int l,
     h->r12 = (h->e[1] - h->e[8]) + (h->y + h->y);
 }
 
-/* Begins where the slave node meets the parallelogram of the mid-lines, corrected for c to first order. */
+/* Starts at the projection of the slave node on the parallelogram of the mid-lines, corrected for c to first order. */
 FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT t)
 {
     int l;
@@ -79,7 +79,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT 
     }
 }
 
-/* A step of Gauss and Newton, or of Newton. */
+/* Takes a Gauss-Newton step or a Newton step. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_step(BLOCK *FOOTPOINT_RESTRICT t, int gauss)
 {
     int l;
@@ -108,7 +108,8 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
     footpoint_detail_KIND_side_step(t, 0);
 }
 
-/* The greater of numbers >= 0, or NaN.  Vector instructions for floating-point maxima raise exceptions of NaN. */
+/* Returns the greater of two numbers >= 0, or NaN. It compares bits, because vector instructions for maxima raise
+ * exceptions of NaN. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_side_greater(REAL a, REAL b)
 {
     union {
@@ -147,7 +148,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RES
         footpoint_detail_KIND_side_correct(t, l, (REAL)t->f[l], (REAL)t->g[l], promise);
 }
 
-/* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if it is `rough`.
+/* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if `rough`.
  *
  * F has the Jacobian -H.  T(y) = y + A F(y), A being H^-1 as computed at (p,q), has the derivative 1 - A H(y).  In a ball of 5/4 step
  * about (p,q), in maximum norms, that is at most h = most + |A| L 5/4 step: `most` bounds |1 - A H(p,q)|, L is a Lipschitz constant
@@ -156,10 +157,11 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RES
  * products of A and F 3 units of the sum of their absolute values, where 5 are counted.  H is positive definite at the root: A is,
  * and so is every matrix on the way from its inverse to H.
  *
- * Rounding errors in units of single precision: with U = |a| + |q c|, V = |b| + |p c|, T = |d| + |p a| + |q| V and W = U V + |c| T,
- * r11 is off by 11 U U, r12 by 11 W, r22 by 11 V V.  Entries of A add 2 units of H, their divisor 5, so that `most` needs 18 units
- * of |A| |H| and has 22.  r_xi . c is off by 8 |c| U, where L has 8, F by 14 U T and V T.  In double F is off by 13 units of the bounds
- * here, where it is computed, and by 17 at a second correction, whose place is up to 1 / 12 away.
+ * Rounding errors in units of single precision: let U = |a| + |q c|, V = |b| + |p c|, T = |d| + |p a| + |q| V and W = U
+ * V + |c| T. Then r11 is off by 11 U U, r12 by 11 W, r22 by 11 V V. Entries of A add 2 units of H, their divisor adds
+ * 5, so `most` needs 18 units of |A| |H|; the code counts 22. r_xi . c is off by 8 |c| U, which L includes. F is off by
+ * 14 U T and 14 V T. In double, F is off by 13 units of the bounds here at the point where it is computed, and by 17 at
+ * a second correction, up to 1 / 12 away.
  *
  * Vectors are rounded in double, d by at most 6 units of |a| + |b| + |c|, for which T has 1e-9 of that sum.  Through T, `most`,
  * `turn` and `off` then prove nothing if |c| exceeds about 5e4 U, and what is left fits into the slack of 14 and 22.  Where F is
