@@ -1,7 +1,7 @@
 /* Edges of three nodes: the cubic whose roots are feet of perpendiculars, and proofs about it. */
 
-/* An edge is r = C + xi h / 2 + xi^2 k / 2 with h = B - A and k = (A - C) + (B - C).  With s = S - C the derivative of
- * 2 |S - r|^2 is c[0] + xi (c[1] + xi (c[2] + xi c[3])), c[3] >= 0; at its minima it rises from < 0 to > 0. */
+/* Holds an edge r = C + xi h / 2 + xi^2 k / 2 with h = B - A and k = (A - C) + (B - C). With s = S - C, the derivative
+ * of 2 |S - r|^2 is c[0] + xi (c[1] + xi (c[2] + xi c[3])), c[3] >= 0. At minima it rises from < 0 to > 0. */
 struct footpoint_detail_parabola {
     REAL h[2], k[2], s[2], c[4];
     REAL hh, size,
@@ -60,10 +60,11 @@ FOOTPOINT_PART REAL footpoint_detail_edge3_step(const REAL f[3])
     return f[0] * f[1] / (f[1] * f[1] - f[0] * f[2]);
 }
 
-/* The highest bit of the result is not set if a minimum is proved to lie within the promise of xi - step.  The slope of
- * the cubic there is at least `slope`, as c[3] >= 0, and nearly so within the promise.  Rounding, and what the step
- * leaves of the cubic, are below that times the promise, so that the cubic changes sign within it.  If a number is not
- * finite, the tangent at xi - step, which the gap needs, is not, or the inequality fails. */
+/* Proves a step: the highest bit of the result is not set if a minimum is proved to lie within the promise of xi -
+ * step. The slope of the cubic there is at least `slope`, as c[3] >= 0, and nearly so within the promise. Rounding, and
+ * the rest that the step leaves of the cubic, are below that times the promise, so that the cubic changes sign within
+ * it. If a number is not finite, then the tangent at xi - step, which the gap needs, is not finite, or the inequality
+ * fails. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_prove(const struct footpoint_detail_parabola *e,
                                                       const REAL f[3], REAL xi, REAL step,
                                                       REAL promise)
@@ -141,7 +142,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_locate(const REAL *const *x, REA
     return flaw | footpoint_detail_edge3_gap(&e, *xi, gap);
 }
 
-/* Finds it from the last answer. */
+/* Finds the foot point from the last answer. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_follow(const REAL *const *x, REAL promise, REAL *xi,
                                                        REAL *gap)
 {

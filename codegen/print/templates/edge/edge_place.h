@@ -1,6 +1,6 @@
 /* Values at a place of an edge: shape functions, tangent, normal, gap, and their derivatives at a foot point. */
 
-/* The edge at one place, and the parts of derivatives. */
+/* Holds an edge at one place, and the parts of derivatives. */
 struct footpoint_detail_KIND_rates {
     REAL phi[VECTORS],
         slope[VECTORS]; /* coefficients of the vectors in r - xS, and their derivatives by xi */

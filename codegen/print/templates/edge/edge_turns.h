@@ -1,8 +1,8 @@
 /* Derivatives of projection along a direction, first and second. */
 
-/* Differentiating r(xi) + t q = xS by coordinates i and e: {xi, t}_i = - v . (phi_i - t q_i) and {xi, t}_ie = - v . [...], with rows v
- * for which v . r_xi and v . q are {1, 0} and {0, 1}.  The bracket is the sum of r_xixi xi_i xi_e, (f_i . u_e) w_i, (f_e . u_i) w_e and
- * t q_ie. */
+/* Holds the parts of derivatives. Differentiating r(xi) + t q = xS by coordinates i and e gives {xi, t}_i = - v .
+ * (phi_i - t q_i) and {xi, t}_ie = - v . [...]. The rows v satisfy v . r_xi = {1, 0} and v . q = {0, 1}. The bracket is
+ * the sum of r_xixi xi_i xi_e, (f_i . u_e) w_i, (f_e . u_i) w_e and t q_ie. */
 struct footpoint_detail_KIND_turns {
     REAL u[2][COORDINATES + 2]; /* first derivatives of xi and t, the distance */
     REAL w[2][COORDINATES + 2]; /* v times those of r(xi) and q at fixed xi and t, and */
@@ -11,7 +11,7 @@ struct footpoint_detail_KIND_turns {
     REAL q[2], t, unit, over;   /* t is in units of `unit`, over: 1 over the direction's length */
 };
 
-/* By the direction, of which there are two coordinates behind the others. */
+/* Computes the parts by the direction, whose two coordinates come last. */
 FOOTPOINT_PART void footpoint_detail_KIND_turn_direction(struct footpoint_detail_KIND_turns *s,
                                                          const REAL *const *v)
 {
@@ -26,8 +26,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_turn_direction(struct footpoint_detail
         }
 }
 
-/* From t, q, unit and over, and an edge about 1 long.  The highest bit of what it returns is set if the line is so nearly
- * parallel to the edge that rounding may cost derivatives more than about 1e-9. */
+/* Computes the parts from t, q, unit and over, for an edge about 1 long. The highest bit of the result is set if the
+ * line is so nearly parallel to the edge that rounding may cost derivatives more than about 1e-9. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_turn(const REAL *const *x, REAL xi,
                                                     struct footpoint_detail_KIND_turns *s)
 {
@@ -64,7 +64,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_turn(const REAL *const *x, REAL x
            footpoint_detail_infinite(det);
 }
 
-/* At least the largest second derivative number j. */
+/* Bounds second derivatives number j from above. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_bend_most(const struct footpoint_detail_KIND_turns *s,
                                                     int j)
 {
@@ -78,7 +78,8 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_bend_most(const struct footpoint_detai
     return 2.0 * (u * fabs(s->c[j]) + w * f) * u + 2.0 * fabs(s->t * s->over) * w;
 }
 
-/* Second derivatives number j, packed.  Those by the direction alone have t times v times the second derivatives of q, too. */
+/* Computes second derivatives number j, packed. If both coordinates are of the direction, t times v times the second
+ * derivatives of q is added. */
 FOOTPOINT_PART void footpoint_detail_KIND_bend(const struct footpoint_detail_KIND_turns *s, int j,
                                                REAL *row)
 {
@@ -96,7 +97,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_bend(const struct footpoint_detail_KIN
     }
 }
 
-/* Writes the distance, first and second derivatives: rows 0, 1, 2 and 3, 4, those that are not NULL; a status. */
+/* Writes the distance, first and second derivatives: rows 0, 1 to 2 and 3 to 4, unless NULL. Returns a status. */
 FOOTPOINT_PART int footpoint_detail_KIND_bends(const struct footpoint_detail_KIND_turns *s,
                                                REAL *const *row)
 {

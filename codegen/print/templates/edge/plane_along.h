@@ -1,17 +1,17 @@
 /* The intersection of a line with an edge: a root of a polynomial of degree at most two. */
 
-/* The largest error of xi behind FOOTPOINT_OK. */
+/* Bounds the error of xi with FOOTPOINT_OK. */
 #ifndef ALONG_PROMISE
 #define ALONG_PROMISE REAL_ALONG
 #endif
 
-/* A line against an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0.  By rounding a[0] is off by 3
- * units of far, a[1] by 3 and a[2] by 4 of wide, which also bound their absolute values. */
+/* Holds a line relative to an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0. By rounding, a[0] is
+ * off by 3 units of far, a[1] by 3 and a[2] by 4 of wide; far and wide also bound their absolute values. */
 struct footpoint_detail_line {
     REAL a[3], far, wide;
 };
 
-/* The direction in a unit, 2^exponent, in which it is about 1 long; a status. */
+/* Computes the direction in a unit, 2^exponent, in which it is about 1 long. Returns a status. */
 FOOTPOINT_FN int footpoint_detail_plane_direction(const REAL along[2], REAL p[2], int *exponent)
 {
     REAL most;
@@ -26,7 +26,7 @@ FOOTPOINT_FN int footpoint_detail_plane_direction(const REAL along[2], REAL p[2]
     return FOOTPOINT_OK;
 }
 
-/* The sum of absolute values of the products of a cross product. */
+/* Adds up the absolute values of the products of a cross product. */
 FOOTPOINT_PART REAL footpoint_detail_plane_across(const REAL p[2], REAL x, REAL y)
 {
     return fabs(p[0]) * fabs(y) + fabs(p[1]) * fabs(x);

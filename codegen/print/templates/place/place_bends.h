@@ -1,11 +1,11 @@
-/* Second derivatives of projection along a direction, out of first ones and second derivatives of the face. */
+/* Second derivatives of projection along a direction, from first ones and second derivatives of the face. */
 
-/* The most coordinates of nodes, slave node and direction. */
+/* Limits the coordinates of nodes, slave node and direction. */
 #define FOOTPOINT_DETAIL_MOST_TURNS 33
 
-/* By coordinates i and e, r(xi,eta) + t q = xS has the second derivatives {xi, eta, t}_ie = - v . [...] with the rows v of
- * footpoint_detail_solve_along, which are the derivatives by the slave node.  The bracket is the sum of r_xixi xi_i xi_e and its
- * like, of (f_i . u_e) w_i and (f_e . u_i) w_e, and of t q_ie. */
+/* Holds the parts of second derivatives. By coordinates i and e, r(xi,eta) + t q = xS has the second derivatives {xi,
+ * eta, t}_ie = - v . [...]. The rows v of footpoint_detail_solve_along are the derivatives by the slave node. The
+ * bracket is the sum of r_xixi xi_i xi_e and its like, of (f_i . u_e) w_i and (f_e . u_i) w_e, and of t q_ie. */
 struct footpoint_detail_turns {
     REAL u[3][FOOTPOINT_DETAIL_MOST_TURNS]; /* first derivatives of xi, eta and t */
     REAL w
@@ -16,8 +16,8 @@ struct footpoint_detail_turns {
     REAL q[3], t, unit, over; /* t is in units of `unit`, over: 1 over the direction's length */
 };
 
-/* The rest from u, t, q, unit and over, to begin with in units of length and direction in which the face is about 1 and the
- * direction 1 long, in the end, but for t, the caller's.  shape: rows phi_xi, phi_eta, r_xixi, r_xieta, r_etaeta. */
+/* Computes the rest from u, t, q, unit and over. At first the face is about 1 and the direction 1 long; at the end, all
+ * but t are in the caller's units. shape: rows phi_xi, phi_eta, r_xixi, r_xieta, r_etaeta. */
 FOOTPOINT_PART void footpoint_detail_turn(struct footpoint_detail_turns *s,
                                           const REAL *const *shape, int nodes)
 {
@@ -40,7 +40,7 @@ FOOTPOINT_PART void footpoint_detail_turn(struct footpoint_detail_turns *s,
         }
 }
 
-/* At least the largest second derivative number j, of xi, eta or the distance. */
+/* Bounds second derivatives number j, of xi, eta or the distance, from above. */
 FOOTPOINT_PART REAL footpoint_detail_turned_most(const struct footpoint_detail_turns *s, int n,
                                                  int j)
 {
@@ -57,7 +57,8 @@ FOOTPOINT_PART REAL footpoint_detail_turned_most(const struct footpoint_detail_t
            2.0 * fabs(s->t * s->over) * w;
 }
 
-/* Second derivatives number j, packed.  Those by the direction alone have t times v times the second derivatives of q, too. */
+/* Computes second derivatives number j, packed. If both coordinates are of the direction, t times v times the second
+ * derivatives of q is added. */
 FOOTPOINT_PART void footpoint_detail_turned(const struct footpoint_detail_turns *s, int n, int j,
                                             REAL *FOOTPOINT_RESTRICT row)
 {
@@ -78,7 +79,7 @@ FOOTPOINT_PART void footpoint_detail_turned(const struct footpoint_detail_turns 
     }
 }
 
-/* Writes the distance, first and second derivatives: rows 0, 1 to 3 and 4 to 6, those that are not NULL; a status. */
+/* Writes the distance, first and second derivatives: rows 0, 1 to 3 and 4 to 6, unless NULL. Returns a status. */
 FOOTPOINT_PART int footpoint_detail_write_turns(const struct footpoint_detail_turns *s, int n,
                                                 REAL *const *row)
 {

@@ -27,9 +27,9 @@ FOOTPOINT_PART int BENDS_detail_turns(const REAL *const *x, const REAL along[3],
     return status;
 }
 
-/* footpoint_KIND_hessian_along: at loc = {xi, eta} as a projection found it dist, d_xi, d_eta and d_dist as
- *         footpoint_KIND_gradients_along, and second derivatives of xi, eta and dist by the same coordinates r and c, r >= c,
- *         packed: element r (r + 1) / 2 + c.  Rows may be NULL.  Statuses are the same.
+/* footpoint_KIND_hessian_along:  computes, at loc = {xi, eta} as a projection found it, dist, d_xi, d_eta and d_dist as
+ *           footpoint_KIND_gradients_along does, and second derivatives of xi, eta and dist by the same coordinates r
+ *           and c, r >= c, packed: element r (r + 1) / 2 + c.  Rows may be NULL.  Statuses are the same.
  * UPPER_HESSIAN_ALONG_OF(footpoint_KIND_along), at file scope, joins it with the projection: footpoint_KIND_along_hessian. */
 FOOTPOINT_FN int BENDS(NODE_PARAMETERS, const REAL along[3], const REAL loc[2], REAL *dist,
                        REAL *d_xi, REAL *d_eta, REAL *d_dist, REAL *h_xi, REAL *h_eta, REAL *h_dist)

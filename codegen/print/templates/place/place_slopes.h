@@ -1,10 +1,10 @@
 /* Derivatives of projection along a direction, from shape functions and tangents. */
 
 /* Computes rows v with v . (d xS - sum phi_k d xk - t dq) = d xi, d eta and dt for r(xi,eta) + t q = xS, by Cramer's
- * rule with the tangents a and b.  a and b are sums of edges, whose squares add up to at most `size`.  By estimate, not
- * proved, they are right to 40 rounding errors (of 2^-53) of its root, and their products to that times the root of
- * size (a . a + b . b).  The highest bit of the result is set if (a x b) . q is less than 1.2e-5 times that, or a number
- * is not finite; above, v is right to 1e-9.  all: at least the square of each row. */
+ * rule with the tangents a and b. a and b are sums of edges, whose squares add up to at most `size`. By estimate, not
+ * proof, they are right to 40 rounding errors (of 2^-53) of the root of `size`, and their products to that times the
+ * root of size (a . a + b . b). The highest bit of the result is set if (a x b) . q is less than 1.2e-5 times that
+ * root, or a number is not finite; above, v is right to 1e-9. all: at least the square of each row. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_solve_along(const REAL a[3], const REAL b[3],
                                                       const REAL q[3], REAL size, REAL v[3][3],
                                                       REAL *all)

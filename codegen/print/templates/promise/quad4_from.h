@@ -199,7 +199,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
     (void)least;
     if (stages > 1 && footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> REAL_TOP) {
         *gap = 0.0;
-        return (REAL_BITS)1 << REAL_TOP; /* maxima of compilers raise exceptions of NaN */
+        return (REAL_BITS)1 << REAL_TOP; /* compilers' maxima raise exceptions on NaN */
     }
     footpoint_detail_cross(u, v, n);
     footpoint_detail_cross(u, c, by_s);

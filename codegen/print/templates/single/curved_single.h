@@ -1,6 +1,6 @@
 /* Newton's step of curved faces with a proof, in single precision. */
 
-/* How far rounding leads vectors astray, in lengths: tangents and second derivatives, and d = xS - r. */
+/* Holds rounding errors of vectors, as lengths: of tangents and second derivatives, and of d = xS - r. */
 typedef struct {
     REAL tangents, place;
 } footpoint_detail_KIND_blur;
@@ -12,18 +12,20 @@ FOOTPOINT_PART void footpoint_detail_KIND_blur_at(const footpoint_detail_KIND_te
     b->place = REAL_UNIT * footpoint_detail_KIND_place_off(of, x, y);
 }
 
-/* A step of Newton from (*p,*q) to the foot point.  The highest bit of the result is not set if a minimum of the distance is proved to
- * lie within promise * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step from (*p,*q) to the foot point. The highest bit of the result is not set if a minimum of the
+ * distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11 r12; r12 r22]; `step` = |H^-1 F|, in maximum norms.  Row i of
- * the derivatives of H adds up to l_i = R_i A + 2 R A_i + |D| T_i at most, where R_i = |r_i|, A_i = |r_i1| + |r_i2|, T_i = |r_i11| +
- * 2 |r_i12| + |r_i22|, R and A being sums over i, each the largest in a ball of 1/8.  Let w = max(r22 l_1 + |r12| l_2, |r12| l_1 +
- * r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|.  If h = w step <= 1/4, then there is a root within 1.2 step of x, it is within
- * 0.7 h step of the answer, and H is positive definite all the way there (Newton and Kantorovich).
+ * F = (r_xi . D, r_eta . D) with D = xS - r has the Jacobian -H, H = [r11 r12; r12 r22], and `step` = |H^-1 F|, in
+ * maximum norms. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i. Here R_i = |r_i|,
+ * A_i = |r_i1| + |r_i2| and T_i = |r_i11| + 2 |r_i12| + |r_i22|; R and A are sums over i; each is the largest value in
+ * a ball of 1/8. Let w = max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|. If
+ * h = w step <= 1/4, then a root lies within 1.2 step of x and within 0.7 h step of the answer, and H is positive
+ * definite all the way there (Newton and Kantorovich).
  *
- * Rounding: errors of vectors, `blur`, are added to their absolute values in l_i.  Dot products and Cramer's rule count as 8 units of
- * |r_i| |D|.  Each row of H is off by 2 `off_h`: by that times the step in F; and `tilt` bounds |H^-1| times it.  The errors of F and
- * of h grow by 1 / (1 - tilt) at most.  By the weak inequality of `det` its relative error is below 4e-4. */
+ * Rounding: in l_i, errors of vectors, `blur`, are added to their absolute values. Dot products and Cramer's rule count
+ * as 8 units of |r_i| |D|. Each row of H is off by 2 `off_h`; F is off by that times the step, and `tilt` bounds |H^-1|
+ * times it. Errors of F and of h grow by at most 1 / (1 - tilt). The weak inequality of `det` keeps its relative error
+ * below 4e-4. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_terms *of,
                                                     REAL promise, REAL *p, REAL *q)
 {

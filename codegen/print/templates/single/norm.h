@@ -1,4 +1,4 @@
-/* Lengths of vectors, for bounds on rounding errors. */
+/* Lengths of vectors, for bounds of rounding errors. */
 
 FOOTPOINT_PART REAL footpoint_detail_norm(const REAL a[3])
 {

@@ -1,15 +1,15 @@
 /* Rounding errors of the quadrilateral with mid-side nodes, term by term. */
 
-/* The sum of the absolute values of all that bends. */
+/* Adds up the absolute values of all terms that curve the face. */
 FOOTPOINT_PART REAL footpoint_detail_quad8_bent(const footpoint_detail_quad8_terms *t)
 {
     return footpoint_detail_sum(t->a) + footpoint_detail_sum(t->b) + footpoint_detail_sum(t->c) +
            footpoint_detail_sum(t->g) + footpoint_detail_sum(t->h);
 }
 
-/* Bounds, in units of rounding, the errors of tangents and of second derivatives, as vectors.  In units of rounding e and f are off by
- * one of themselves; a to h by `size`, that of the halves of the edges, b by half of it, and by 2 |a| + |g| and the like.  Operations add
- * one of each partial sum, seven of a term. */
+/* Bounds the errors of tangents and of second derivatives, as vectors, in units of rounding. e and f are off by one
+ * unit of themselves. a to h are off by `size`, the size of the halves of the edges (b by half of it), and by 2 |a| +
+ * |g| and the like. Operations add one unit of each partial sum, seven of a term. */
 FOOTPOINT_PART REAL footpoint_detail_quad8_tangents_off(const footpoint_detail_quad8_terms *t,
                                                         REAL x, REAL y)
 {
@@ -19,7 +19,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad8_tangents_off(const footpoint_detail_q
            (t->size + 9.0 * bend) * ((1.0 + x) * (1.0 + y) + 0.5 * (x * x + y * y));
 }
 
-/* The same for d = xS - r.  In the middle it is off by 3 |d| + |e| + size / 2 + 2 |a| + |g|. */
+/* Bounds the error of d = xS - r likewise. In the middle, d is off by 3 |d| + |e| + size / 2 + 2 |a| + |g|. */
 FOOTPOINT_PART REAL footpoint_detail_quad8_place_off(const footpoint_detail_quad8_terms *t, REAL x,
                                                      REAL y)
 {

@@ -1,16 +1,16 @@
 /* Rounding errors of the quadrilateral with mid-side nodes and a middle, term by term. */
 
-/* The sum of the absolute values of all that bends. */
+/* Adds up the absolute values of all terms that curve the face. */
 FOOTPOINT_PART REAL footpoint_detail_quad9_bent(const footpoint_detail_quad9_terms *t)
 {
     return footpoint_detail_sum(t->a) + footpoint_detail_sum(t->b) + footpoint_detail_sum(t->c) +
            footpoint_detail_sum(t->g) + footpoint_detail_sum(t->h) + footpoint_detail_sum(t->k);
 }
 
-/* Bounds, in units of rounding, the errors of tangents and of second derivatives, as vectors.  In units of rounding e and f are off by
- * one of themselves; a and c by 1.42 size, g and h by size, b by half of it, k by 3.5 of it, and by |a|, 2 |g| + |a| + |k| / 2,
- * 6 |a| + 2 |g| + 3 |k| and the like.  Operations add
- * one of each partial sum, eight of a term. */
+/* Bounds the errors of tangents and of second derivatives, as vectors, in units of rounding. e and f are off by one
+ * unit of themselves. a and c are off by 1.42 size, g and h by size, b by half of it, k by 3.5 of it, and also by |a|,
+ * 2 |g| + |a| + |k| / 2, 6 |a| + 2 |g| + 3 |k| and the like. Operations add one unit of each partial sum, eight of a
+ * term. */
 FOOTPOINT_PART REAL footpoint_detail_quad9_tangents_off(const footpoint_detail_quad9_terms *t,
                                                         REAL x, REAL y)
 {
@@ -20,7 +20,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad9_tangents_off(const footpoint_detail_q
            (3.5 * t->size + 14.0 * bend) * (xx + yy + x * y * (1.0 + 0.5 * (x + y)));
 }
 
-/* The same for d = xS - r, which is off by one of itself in the middle. */
+/* Bounds the error of d = xS - r likewise. In the middle, d is off by one unit of itself. */
 FOOTPOINT_PART REAL footpoint_detail_quad9_place_off(const footpoint_detail_quad9_terms *t, REAL x,
                                                      REAL y)
 {

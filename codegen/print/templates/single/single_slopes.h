@@ -1,11 +1,15 @@
 /* Slopes of the squared distance on a curved face, and rounding errors, in single precision. */
 
-/* Let E and D be the errors of tangents and second derivatives, and of d; u the unit of rounding; N = `all` bounds the sums of the
- * absolute values of the vectors' terms for |s|, |t| <= 2, B those of second and higher derivatives.  Third derivatives and k are off by
- * 3 E, a and b of footpoint_detail_KIND_form_over by 9 E + 5 u N, entries of M by 200 E N + 10 E |d| + D B + u N (300 N + 30 |d|).  dd is
- * off by 2 D |d| + 10 u dd, and what a quadratic adds by 300 u N (N + |d|) beside the errors of M.  Derivatives by the turned
- * coordinates of a triangle are off by 4 E; its (xi,eta), less the middle's, by u, which makes u B of tangents and u (|r_xi| + |r_eta|)
- * of d.  Second derivatives of half the square of the distance are less than N^2 + |d| B, third ones than (4 N + |d|) B. */
+/* Computes the slopes of half the squared distance at (p,q), and bounds rounding errors.
+ *
+ * Let E and D be the errors of tangents and second derivatives, and of d; let u be the unit of rounding. For |s|, |t|
+ * <= 2, N = `all` bounds the sums of the absolute values of the vectors' terms, B bounds those of second and higher
+ * derivatives. Third derivatives and k are off by 3 E, a and b of footpoint_detail_KIND_form_over by 9 E + 5 u N,
+ * entries of M by 200 E N + 10 E |d| + D B + u N (300 N + 30 |d|). dd is off by 2 D |d| + 10 u dd, and a quadratic's
+ * share by 300 u N (N + |d|) beside the errors of M. Derivatives by the turned coordinates of a triangle are off by 4
+ * E. Its (xi,eta), less the middle's, is off by u, which adds u B to errors of tangents and u (|r_xi| + |r_eta|) to
+ * those of d. Second derivatives of half the squared distance are less than N^2 + |d| B, third derivatives less than (4
+ * N + |d|) B. */
 FOOTPOINT_PART void footpoint_detail_KIND_slopes(const footpoint_detail_KIND_terms *of, REAL p,
                                                  REAL q, footpoint_detail_KIND_anchor *z)
 {

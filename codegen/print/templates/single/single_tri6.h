@@ -1,13 +1,14 @@
 /* Rounding errors of the triangle with mid-side nodes, term by term. */
 
-/* The sum of the absolute values of all that bends. */
+/* Adds up the absolute values of all terms that curve the face. */
 FOOTPOINT_PART REAL footpoint_detail_tri6_bent(const footpoint_detail_tri6_terms *t)
 {
     return footpoint_detail_sum(t->a) + footpoint_detail_sum(t->b) + footpoint_detail_sum(t->c);
 }
 
-/* Bounds, in units of rounding, the errors of tangents and of second derivatives, as vectors.  In units of rounding e is off by
- * 1.41 size + 3 |e|, as f is; a by 5.7 size + |a|, as b and c are.  Operations add one of each partial sum. */
+/* Bounds the errors of tangents and of second derivatives, as vectors, in units of rounding. e and f are off by 1.41
+ * size + 3 |e| and 1.41 size + 3 |f|; a is off by 5.7 size + |a|, b and c likewise. Operations add one unit of each
+ * partial sum. */
 FOOTPOINT_PART REAL footpoint_detail_tri6_tangents_off(const footpoint_detail_tri6_terms *t, REAL x,
                                                        REAL y)
 {
@@ -16,8 +17,8 @@ FOOTPOINT_PART REAL footpoint_detail_tri6_tangents_off(const footpoint_detail_tr
     return 5.0 * straight + (5.7 * t->size + 4.0 * bend) * (1.0 + x + y);
 }
 
-/* The same for d = xS - r.  In the middle it is off by 6 |d| + 3.7 size, because the distances of xS from mid-side nodes add up to
- * 3 |d| + 2.6 size at most. */
+/* Bounds the error of d = xS - r likewise. In the middle, d is off by 6 |d| + 3.7 size, because the distances of xS
+ * from mid-side nodes add up to at most 3 |d| + 2.6 size. */
 FOOTPOINT_PART REAL footpoint_detail_tri6_place_off(const footpoint_detail_tri6_terms *t, REAL x,
                                                     REAL y)
 {

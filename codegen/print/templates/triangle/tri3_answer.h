@@ -13,10 +13,11 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_fast(void)
 /* Takes a Newton step from (xi,eta) to the foot point of a plane triangle, which it reaches up to rounding. The highest
  * bit of the result is not set if the foot point is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * Let e be the unit of rounding, u, v and w the edges AB, AC and AS.  Coordinates of d = w - xi u - eta v are off by 4 e T, T = |w| +
- * |xi u| + |eta v|, so that f = u . d is off by e |u| . (4 T + 5 |d|), and g = v . d likewise, sums of any order.  Products of edges are off
- * by 5 e uu, 5 e vv and 5 e m, m >= |u . v|, and the determinant by 24 e uu vv, which is REAL_CRAMER / 1.2 of it at most: so REAL_CRAMER
- * of f and g covers Cramer's rule, and 1.01 what bounds are rounded by. */
+ * Let e be the unit of rounding, and u, v and w the edges AB, AC and AS. Coordinates of d = w - xi u - eta v are off by
+ * 4 e T with T = |w| + |xi u| + |eta v|. So f = u . d is off by e |u| . (4 T + 5 |d|), and g = v . d likewise, for sums
+ * in any order. Products of edges are off by 5 e uu, 5 e vv and 5 e m with m >= |u . v|. The determinant is off by 24 e
+ * uu vv, at most REAL_CRAMER / 1.2 of itself. So REAL_CRAMER of f and g covers Cramer's rule, and 1.01 covers the
+ * rounding of bounds. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_prove(const REAL *const *x, REAL promise, REAL *xi,
                                                      REAL *eta)
 {
@@ -57,8 +58,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_prove(const REAL *const *x, REAL 
            footpoint_detail_infinite(room + other + *xi + *eta) | footpoint_detail_tri3_fast();
 }
 
-/* Answers if a search is not good beyond doubt: it repeats the search in a unit of length in which the triangle is
- * about 1 long. */
+/* Answers if a search leaves a doubt: repeats it in a unit of length in which the triangle is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_tri3_answer(footpoint_detail_search *search,
                                                 const REAL *const *x, int nodes, REAL promise,
                                                 REAL loc[2], REAL *gap)

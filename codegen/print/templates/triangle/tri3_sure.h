@@ -7,22 +7,22 @@ FOOTPOINT_PART REAL footpoint_detail_tri3_choose(const REAL how[4], REAL a, REAL
     return footpoint_detail_either(base * how[1], footpoint_detail_either(base * how[0], a, b), c);
 }
 
-/* The highest bit of the result is not set if the closest point of the triangle is proved to lie within `promise` of
- * the result of footpoint_detail_tri3_find.
+/* Proves an answer: the highest bit of the result is not set if the closest point of the triangle is proved to lie
+ * within `promise` of the result of footpoint_detail_tri3_find.
  *
- * From corner P, the first of the nearest edge, or A, edges e and h lead to the next corners; r = P + a e + b h, D = xS
- * - r, slopes F = e . D and G = h . D. Let (s,t) lead from here to the closest point. At that point no feasible
- * direction leads downhill, so |s e + t h|^2 <= s F + t G. Terms < 0 of feasible steps are left out: f and g bound the
- * slopes F and G of the others. So |s e + t h|^2 <= 2 (hh f^2 + ee g^2) / |e x h|^2, and s^2 and t^2 are at most hh and
- * ee over |e x h|^2 times that. At the end of e feasible steps lead along -e and h - e. On an edge, xi and eta change
- * by at most |s| + |t|.
+ * From corner P, the first of the nearest edge, or A, edges e and h lead to the next corners. Let r = P + a e + b h, D
+ * = xS - r, and slopes F = e . D and G = h . D. Let (s,t) lead from here to the closest point. At that point no
+ * feasible direction leads downhill, so |s e + t h|^2 <= s F + t G. Terms < 0 of feasible steps are left out: f and g
+ * bound the slopes F and G of the others. So |s e + t h|^2 <= 2 (hh f^2 + ee g^2) / |e x h|^2, and s^2 and t^2 are at
+ * most hh and ee over |e x h|^2 times that. At the end of e, feasible steps lead along -e and h - e. On an edge, xi and
+ * eta change by at most |s| + |t|.
  *
- * If G leads outwards even at the closest point of the edge, by e . h s, that is the closest of all, and s is at most f
- * / ee.
+ * If G leads outwards even at the closest point of the edge, by e . h s, then that point is the closest of all, and s
+ * is at most f / ee.
  *
- * Rounding, as in footpoint_detail_tri3_prove: D is off by 4 units of T, slopes by 9 of |e| . T and |h| . T; of |e x h|^2 more than
- * half is left, as it is more than REAL_FLAT of the square of all edges.  On an edge xi and eta add up to 1 but for a unit.  16 REAL_MIN are
- * more than what underflows. */
+ * Rounding, as in footpoint_detail_tri3_prove: D is off by 4 units of T, slopes by 9 of |e| . T and |h| . T. More than
+ * half of |e x h|^2 is left, because it exceeds REAL_FLAT of the square of all edges. On an edge, xi and eta add up to
+ * 1 within a unit. 16 REAL_MIN exceed all underflow. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_sure(const REAL *const *x, REAL promise,
                                                     const REAL at[3], const REAL how[4])
 {
@@ -105,8 +105,8 @@ FOOTPOINT_COLD int footpoint_detail_tri3_proved_again(footpoint_detail_nearby *n
     return status;
 }
 
-/* Returns a lower bound on the distance of the triangle: its square is convex, so along the way to a corner it falls by
- * at most twice the slope. */
+/* Returns a lower bound on the distance of the triangle. The squared distance is convex, so along the way to a corner
+ * it falls by at most twice the slope. */
 FOOTPOINT_COLD REAL footpoint_detail_tri3_none_nearer(const REAL *const *x, REAL promise,
                                                       int status, const REAL at[3])
 {
