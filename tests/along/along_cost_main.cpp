@@ -1,6 +1,6 @@
-/* Calls of footpoint_quad4_along, of the same with first derivatives, and of Newton's iteration with dual numbers of 18 directions, on
- * the same ordinary lines, to count instructions of: along_cost_main along|gradients|duals.  Dual numbers must have the same
- * derivatives. */
+/* Calls footpoint_quad4_along, the same with first derivatives, or Newton's iteration with dual numbers of 18
+ * directions, on the same ordinary lines, to count their instructions: along_cost_main along|gradients|duals. Dual
+ * numbers must have the same derivatives. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad4_derivatives.h"
 
@@ -16,7 +16,7 @@ struct answer {
     double value[3], d[3][ALL]; /* xi, eta, distance */
 };
 
-/* A value and its derivatives by nodes, slave node and direction. */
+/* Holds a value and its derivatives by nodes, slave node and direction. */
 struct dual {
     double v, d[ALL];
 };
@@ -87,7 +87,7 @@ static dual determinant(const dual a[3], const dual b[3], const dual c[3])
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/* One step for {xi, eta, distance}; returns its size. */
+/* Takes a step for {xi, eta, distance}; returns its size. */
 static double step(const dual x[6][3], const dual q[3], dual at[3])
 {
     const dual one = constant(1.0), left = one - at[0], right = one + at[0], low = one - at[1], high = one + at[1];
@@ -122,7 +122,7 @@ int counted_gradients(const double x[6][3], answer *to)
                                            to->d[1], to->d[2]);
 }
 
-/* From the middle, until the step is below 1e-10: derivatives of that step's end are as right. */
+/* Iterates from the middle until the step is below 1e-10: then derivatives at its end are as accurate. */
 int counted_duals(const double x[6][3], answer *to)
 {
     dual y[6][3], at[3] = {constant(0.0), constant(0.0), constant(0.0)}, q[3];

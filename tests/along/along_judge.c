@@ -55,7 +55,7 @@ void along_tangents(const struct exact_face *f, const quadruple *y, quadruple xi
     }
 }
 
-/* One Newton step for {xi, eta, distance}. */
+/* Takes a Newton step for {xi, eta, distance}. */
 static void newton(const struct exact_face *f, const quadruple *y, const quadruple q[3], quadruple at[3])
 {
     quadruple r[3], a[3], b[3], c[3], normal[3];

@@ -1,8 +1,7 @@
-/* Derivatives of projection along a direction, FOOTPOINT_KIND_GRADIENTS_ALONG_OF(footpoint_KIND_along): with ordinary faces and
- * lines, and with slim faces and lines that are nearly parallel to them, against differences of two solutions by Newton's
- * method in quadruple precision.  What has status FOOTPOINT_OK is right to 1e-9 of the row's sum.  The library's projections are
- * those of the headers.  Some hundred lines a kind;
- * FOOTPOINT_LONG=1: 1e5. */
+/* Checks derivatives of projection along a direction, FOOTPOINT_KIND_GRADIENTS_ALONG_OF(footpoint_KIND_along), against
+ * differences of two solutions by Newton's method in quadruple precision. Faces and lines are ordinary, or faces are
+ * slim and lines nearly parallel to them. Results with FOOTPOINT_OK must be right to 1e-9 of the row's sum. The
+ * library's projections must equal the headers'. Some hundred lines a kind; FOOTPOINT_LONG=1: 1e5. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad4_derivatives.h"
 #include "../../generated/footpoint_quad8.h"
@@ -66,7 +65,7 @@ static const struct kind {
 
 enum { KINDS = sizeof kind / sizeof *kind };
 
-/* The derivatives along a random change of all coordinates are the differences of two solutions. */
+/* Checks that the derivatives along a random change of all coordinates are the differences of two solutions. */
 static void judge(uint64_t *stream, const struct kind *k, along_vectors x, const struct answer *a)
 {
     const struct exact_face f = exact_face_of(k->nodes);
@@ -134,7 +133,7 @@ static void hard_lines_are_right_or_refused(void **state)
     assert_true(refused < KINDS * count() / 2);
 }
 
-/* A power of 2 is another unit of length, or of the direction, to the bit. */
+/* Checks that another unit of length or of the direction, a power of 2, changes no bit. */
 static void units_do_not_matter(void **state)
 {
     uint64_t stream = 7;
@@ -185,7 +184,7 @@ static void statuses(void **state)
     }
 }
 
-/* Lines of a kind, some of which have no answer, as arrays of a mesh. */
+/* Holds lines of a kind, some without an answer, as arrays of a mesh. */
 struct lines {
     double xyz[LINES * (MOST_NODES + 1) * 3], along[LINES * 3];
     int seg[LINES * MOST_NODES], slave[LINES];

@@ -1,6 +1,6 @@
-/* Second derivatives of projection along a direction, FOOTPOINT_KIND_HESSIAN_ALONG_OF(footpoint_KIND_along), against second
- * differences of three solutions by Newton's method in quadruple precision; first derivatives against
- * footpoint_KIND_gradients_along.  Some hundred lines a kind; FOOTPOINT_LONG=1: 1e5. */
+/* Checks second derivatives of projection along a direction, FOOTPOINT_KIND_HESSIAN_ALONG_OF(footpoint_KIND_along),
+ * against second differences of three solutions by Newton's method in quadruple precision, and first derivatives
+ * against footpoint_KIND_gradients_along. Some hundred lines a kind; FOOTPOINT_LONG=1: 1e5. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad4_derivatives.h"
 #include "../../generated/footpoint_quad8.h"
@@ -68,8 +68,8 @@ static const struct kind {
 
 enum { KINDS = sizeof kind / sizeof *kind };
 
-/* The second derivative along a random change of all coordinates is the second difference of three solutions.  Returns the
- * largest error, over the sum of absolute values. */
+/* Compares the second derivative along a random change of all coordinates with the second difference of three
+ * solutions. Returns the largest error, over the sum of absolute values. */
 static double error_of(uint64_t *stream, const struct kind *k, along_vectors x, const struct answer *a)
 {
     const struct exact_face f = exact_face_of(k->nodes);
@@ -130,7 +130,7 @@ static int count(void)
     return (int)long_cases(SHORT, LONG);
 }
 
-/* Lines of a family; returns how many were refused. */
+/* Judges lines of a family; returns the number of refused lines. */
 static int judge(uint64_t stream, double slim, double flat, double allowed)
 {
     double worst[KINDS] = {0.0};
@@ -170,7 +170,7 @@ static void hard_lines_are_right_or_refused(void **state)
     assert_in_range(judge(5, 9.0, 7.0, 1e-9), 1, KINDS * count() / 2);
 }
 
-/* A power of 2 is another unit of length, or of the direction, to the bit. */
+/* Checks that another unit of length or of the direction, a power of 2, changes no bit. */
 static void units_do_not_matter(void **state)
 {
     uint64_t stream = 7;

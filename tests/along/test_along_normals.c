@@ -1,5 +1,5 @@
-/* Projection along the averaged normal of faces at a node: derivatives of xi, eta and distance by the nodes of these faces, through the
- * normal, and by the node itself, against differences of two solutions in quadruple precision. */
+/* Checks projection along the averaged normal of faces at a node: derivatives of xi, eta and distance by the nodes of
+ * these faces, through the normal, and by the node itself, against differences of two solutions in quadruple precision. */
 #include "../../runtime/geometry/footpoint-averaged-normal.h"
 #include "../support/long_cases.h"
 #include "along_judge.h"
@@ -14,7 +14,7 @@
 
 enum { FACES = 3, MOST_AROUND = 1 + FACES * MOST_NODES, SHORT = 20, LONG = 20000 };
 
-/* Faces around node 0, of which each has it at another place, and a face that node 0 is projected onto, last. */
+/* Holds faces around node 0, which is a different corner of each, and last a face onto which node 0 is projected. */
 struct surface {
     int nodes, seg[FACES * MOST_NODES];
     double around[MOST_AROUND][3];
@@ -40,7 +40,7 @@ static void draw(uint64_t *stream, int nodes, struct surface *s)
     }
 }
 
-/* {xi, eta, distance} with all nodes moved. */
+/* Solves for {xi, eta, distance} with all nodes moved. */
 static void solve_moved(const struct surface *s, const double *by, quadruple step, const double from[3],
                         quadruple at[3])
 {
@@ -66,7 +66,7 @@ static void solve_moved(const struct surface *s, const double *by, quadruple ste
     along_solve(&f, y, from, at);
 }
 
-/* The derivative along a change `by` of the nodes of the face and of all nodes around. */
+/* Returns the derivative along a change `by` of the nodes of the face and of all nodes around. */
 static double chained(const struct surface *s, enum footpoint_face face, const double *d, const double *by)
 {
     const double *const around = by + 3 * s->nodes;
@@ -119,7 +119,7 @@ static void derivatives_match_differences(void **state)
     assert_true(judged >= 4 * long_cases(SHORT, LONG));
 }
 
-/* Two edges at a corner of the plane: the sum of their normals, weighted by half their lengths. */
+/* Checks two edges at a corner of the plane: the sum of their normals, weighted by half their lengths. */
 static void edges_have_normals(void **state)
 {
     const double xyz[] = {0, 0, 0, 2, 0, 9, 2, 4, -9, 1, 0, 3, 2, 2, 3};

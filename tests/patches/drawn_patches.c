@@ -8,7 +8,7 @@
 
 enum { VECTORS = PATCH_VECTORS };
 
-/* The slave node over a place in and beside the patch. */
+/* Places the slave node over a point in or beside the patch. */
 static void draw_slave(struct patch_case *f, double xi, double eta, double gap)
 {
     struct patch_net t;
@@ -29,8 +29,8 @@ static void draw_slave(struct patch_case *f, double xi, double eta, double gap)
             (double)(r[0][i] + (xi - z[0]) * u[i] + (eta - z[1]) * v[i]) + (length > 0 ? gap * n[i] / length : 0);
 }
 
-/* Corners of a quadrilateral of edges 2 and 2 `width`, skewed, tapered and warped, and normals of a body of curvature `bend`, tilted by
- * `tilt`. */
+/* Draws corners of a quadrilateral with edges 2 and 2 `width`, skewed, tapered and warped, and normals of a body of
+ * curvature `bend`, tilted by `tilt`. */
 static void draw_corners(uint64_t *stream, struct patch_case *f, double width, double bend, double tilt)
 {
     static const double at[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -52,7 +52,7 @@ static void draw_corners(uint64_t *stream, struct patch_case *f, double width, d
     }
 }
 
-/* Turned and moved by `shift`; then times 2^exponent. */
+/* Turns the patch, moves it by `shift`, and scales it by 2^exponent. */
 static void move(uint64_t *stream, struct patch_case *f, double shift, int exponent)
 {
     double axis[3][3], to[3];
@@ -77,7 +77,7 @@ static void move(uint64_t *stream, struct patch_case *f, double shift, int expon
     }
 }
 
-/* One of -1, 1, or near them, or between. */
+/* Draws -1 or 1, a number near them, or one between. */
 static double draw_near_border(uint64_t *stream)
 {
     const double sign = draw_sign(stream);

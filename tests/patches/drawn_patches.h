@@ -6,7 +6,8 @@
 
 #include <stdint.h>
 
-/** Ordinary; strongly warped; slivers; slave nodes about the border; wild: collapsed, far away, of any size. */
+/** Names groups of patches: ordinary; strongly warped; slivers; slave nodes near the border; wild: collapsed, far away,
+ *  of any size. */
 enum patch_group { PATCH_ORDINARY, PATCH_STRONG, PATCH_SLIVER, PATCH_BORDER, PATCH_WILD, PATCH_GROUPS };
 
 /** Draws corners, normals and slave node of a patch, whose kind must be set. */

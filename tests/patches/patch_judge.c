@@ -1,4 +1,4 @@
-/* The judge makes control points by their definition; see patch_judge.h. */
+/* Computes control points by their definition; see patch_judge.h. */
 #include "patch_judge.h"
 
 #include "../../runtime/footpoint.h"
@@ -27,14 +27,15 @@ static void less(const wide a[3], const wide b[3], wide c[3])
         c[i] = a[i] - b[i];
 }
 
-/* n x a */
+/* Computes n x a. */
 static void turned(const double n[3], const wide a[3], wide c[3])
 {
     for (int i = 0; i < 3; i++)
         c[i] = n[(i + 1) % 3] * a[(i + 2) % 3] - n[(i + 2) % 3] * a[(i + 1) % 3];
 }
 
-/* The two inner points beside an edge p[0] ... p[3] from the rows beside it at its ends, by Chiyokura and Kimura. */
+/* Computes the two inner points beside an edge p[0] ... p[3] from the rows beside it at its ends, by Chiyokura and
+ * Kimura. */
 static void inner(wide *const p[4], wide *const beside[2], const double *const n[2], wide *const q[2])
 {
     wide c[3][3], a[2][3], g[2][3], k[2], h[2];
@@ -53,7 +54,7 @@ static void inner(wide *const p[4], wide *const beside[2], const double *const n
     }
 }
 
-/* Inner points of all edges; p[i][j]: i along xi. */
+/* Computes inner points of all edges; p[i][j]: i along xi. */
 static void all_inner(const struct patch_case *f, struct patch_net *t)
 {
     static const int normal[2][2] = {{4, 7}, {5, 6}}; /* by xi, eta */
@@ -97,7 +98,7 @@ void patch_net_make(const struct patch_case *f, struct patch_net *t)
         all_inner(f, t);
 }
 
-/* Bernstein's polynomials and their derivatives by xi. */
+/* Computes Bernstein polynomials and their derivatives by xi. */
 static void bernstein(wide z, wide b[2][4])
 {
     const wide t = (1 + z) / 2, u = 1 - t;
@@ -106,7 +107,7 @@ static void bernstein(wide z, wide b[2][4])
     memcpy(b, all, sizeof all);
 }
 
-/* An inner point of a Gregory patch, and its derivatives by xi and eta. */
+/* Computes an inner point of a Gregory patch, and its derivatives by xi and eta. */
 static void blend(const struct patch_net *t, int i, int j, const wide z[2], wide p[3][3])
 {
     const wide x = (i == 1 ? 1 + z[0] : 1 - z[0]) / 2, y = (j == 1 ? 1 + z[1] : 1 - z[1]) / 2, sum = x + y;
@@ -139,7 +140,7 @@ void patch_net_at(const struct patch_case *f, const struct patch_net *t, const w
         }
 }
 
-/* Slopes of half the squared distance, downhill. */
+/* Computes the slopes of half the squared distance, downhill. */
 static void slopes(const struct patch_case *f, const struct patch_net *t, const wide z[2], wide g[2])
 {
     wide r[3][3], d[3];
@@ -150,7 +151,7 @@ static void slopes(const struct patch_case *f, const struct patch_net *t, const 
     g[1] = dot(r[2], d);
 }
 
-/* Newton's steps from z until they stand, of coordinates that are not held; whether that is a minimum. */
+/* Takes Newton steps from z until they stop, in coordinates that are not held. Returns true if that is a minimum. */
 static bool minimum_near(const struct patch_case *f, const struct patch_net *t, const bool held[2], wide z[2])
 {
     const wide h = 1e-10;
@@ -178,7 +179,7 @@ static bool is_within(const wide z[2], const double loc[2], double promise)
     return size_of(z[0] - loc[0]) <= promise && size_of(z[1] - loc[1]) <= promise;
 }
 
-/* Whether what is held lies at the border, and slopes there lead out of the patch. */
+/* Returns true if held coordinates lie at the border and slopes there lead out of the patch. */
 static bool is_outwards(const struct patch_case *f, const struct patch_net *t, const bool held[2], const wide z[2])
 {
     wide g[2];
@@ -189,8 +190,8 @@ static bool is_outwards(const struct patch_case *f, const struct patch_net *t, c
     return true;
 }
 
-/* Whether a minimum, with `held` coordinates those of loc, lies within the promise of loc: `known`, which is one if *is_known, or one
- * that is found now. */
+/* Returns true if a minimum that shares the `held` coordinates of loc lies within the promise of loc. That is `known`
+ * if *is_known, otherwise a minimum that is searched here. */
 static bool holds(const struct patch_case *f, const struct patch_net *t, const bool held[2], const double loc[2],
                   double promise, wide known[2], bool *is_known)
 {

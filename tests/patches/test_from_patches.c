@@ -1,6 +1,6 @@
-/* Searches on patches that begin with the last answer: where they return FOOTPOINT_OK or FOOTPOINT_OUTSIDE a minimum of the distance
- * lies within NAME_PROMISE, and they return one of them wherever NAME does.  Starts are off by 1e-6 to 10 patches, or are no
- * numbers; alone, in arrays and over one patch.  With FOOTPOINT_LONG a million calls. */
+/* Checks searches on patches from the last answer. If they return FOOTPOINT_OK or FOOTPOINT_OUTSIDE, a minimum of the
+ * distance must lie within NAME_PROMISE; they must return one of these if NAME does. Starts are off by 1e-6 to 10
+ * patches, or are no numbers; in calls, in arrays and over one patch. With FOOTPOINT_LONG a million calls. */
 #include "../../generated/footpoint_bezier.h"
 #include "../../generated/footpoint_gregory.h"
 #include "../../generated/footpoint_paper_gregory.h"
@@ -70,7 +70,7 @@ static const struct function {
     FUNCTIONS(ROW)};
 enum { COUNT = sizeof functions / sizeof *functions };
 
-/* A patch and the judge's view of it. */
+/* Holds a patch and the judge's view of it. */
 struct subject {
     struct patch_case f, unit;
     struct patch_net net;
@@ -88,7 +88,7 @@ static void view(struct subject *s)
         s->x[v] = s->f.x[v];
 }
 
-/* A last answer: the foot point moved by 1e-6 to 10 patches of width 2, now and then no number. */
+/* Draws a last answer: the foot point moved by 1e-6 to 10 patches of width 2, or sometimes no number. */
 static void draw_start(uint64_t *stream, const double loc[2], double start[2])
 {
     const double moved = draw_power(stream, -6, 1.3);
@@ -116,7 +116,7 @@ static bool is_proof(int status)
     return status == FOOTPOINT_OK || status == FOOTPOINT_OUTSIDE;
 }
 
-/* One answer; `status` is what it came with, `scratch` the status from scratch. */
+/* Judges an answer with its `status`; `scratch` is the status of the search from scratch. */
 static void judge(struct subject *s, const struct function *f, const double start[2], int scratch, int status,
                   const double loc[2])
 {
@@ -151,7 +151,7 @@ static void test_moves(void **state)
         }
 }
 
-/* Pairs in arrays, or the slave nodes of all over the first patch. */
+/* Searches pairs in arrays or, with `over`, the slave nodes of all pairs over the first patch. */
 static void arrays(const struct function *f, bool over, uint64_t *stream)
 {
     static double column[ROWS][PAIRS], start[2][PAIRS], loc[2][PAIRS], gap[PAIRS];

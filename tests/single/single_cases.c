@@ -9,7 +9,7 @@
 const char *const single_families[SINGLE_FAMILIES] = {
     "ordinary", "strongly curved", "sliver", "wild", "offset", "tiny", "huge", "far", "mixed"};
 
-/* Each coordinate of each point in a scale of its own. */
+/* Draws each coordinate of each point at a scale of its own. */
 static void draw_mixed(uint64_t *stream, struct curved_case *f)
 {
     for (int k = 0; k <= f->kind->nodes; k++)

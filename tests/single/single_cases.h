@@ -6,8 +6,8 @@
 
 #include <stdint.h>
 
-/** The groups of curved_cases.h, ordinary faces far from the origin, of any size, with a far slave node, and coordinates of mixed
- *  scales. */
+/** Names the groups of curved_cases.h, ordinary faces far from the origin, faces of any size, faces with a far slave
+ *  node, and coordinates of mixed scales. */
 enum single_family {
     SINGLE_OFFSET = CURVED_GROUPS,
     SINGLE_TINY,

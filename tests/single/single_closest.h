@@ -7,7 +7,7 @@ enum { CASES_LONG = 100000, FUNCTIONS = 9, COLUMNS = 3 * CURVED_NODES + 3 };
 #define TIE 3.01e-5    /* distances this much apart, over the longest edge, are equal */
 #define ROUNDING 2e-5  /* of distances */
 #define ON_EDGE 1.3e-7 /* of xi and eta */
-#define OVER 3.1e-8    /* what the sum of xi and eta may exceed 1 by */
+#define OVER 3.1e-8    /* the sum of xi and eta may exceed 1 by this */
 
 static void round_case(struct curved_case *f)
 {

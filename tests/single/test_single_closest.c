@@ -1,4 +1,4 @@
-/* Closest points of faces of six, eight and nine nodes in float; 1e5 of each kind and group with FOOTPOINT_LONG. */
+/* Checks closest points of faces of six, eight and nine nodes in float; 1e5 of each kind and group with FOOTPOINT_LONG. */
 #define FOOTPOINT_PART static inline /* three kinds are compiled sooner */
 #define FOOTPOINT_LOOP static inline
 #include "footpoint_quad8_float.h"

@@ -1,7 +1,7 @@
-/* What functions of faces of six, eight and nine nodes promise in float: where NAME returns FOOTPOINT_OK, alone or over arrays, a
- * minimum of the distance lies within NAME_PROMISE of xi and eta, whatever the face.  The judge takes Newton's steps in quadruple
- * precision from the same floats.  Some faces of each family; 1e5 of each with FOOTPOINT_LONG, which prints the shares that are
- * proved. */
+/* Checks functions of faces of six, eight and nine nodes in float. If NAME returns FOOTPOINT_OK, in a call or over
+ * arrays, a minimum of the distance must lie within NAME_PROMISE of xi and eta, whatever the face. The judge takes
+ * Newton's steps in quadruple precision from the same floats. FOOTPOINT_LONG draws 1e5 faces of each family and prints
+ * the shares that are proved. */
 #define FOOTPOINT_PART static inline /* three kinds are compiled sooner */
 #define FOOTPOINT_LOOP static inline
 #include "../support/long_cases.h"
@@ -107,7 +107,7 @@ static void judge(const struct curved_case *f, const char *family, long proved[F
     }
 }
 
-/* Percent of ordinary faces that must be proved of the coarsest and of the finest promise. */
+/* Sets the percentage of ordinary faces that must be proved for the coarsest and for the finest promise. */
 enum { LEAST_FAST = 99, LEAST_FINE = 80 };
 
 static void answers_keep_the_promise(void **state)
@@ -132,7 +132,7 @@ static void answers_keep_the_promise(void **state)
     }
 }
 
-/* Over arrays the same answers as alone, but for rounding where compilers fuse operations. */
+/* Checks that arrays return the answers of calls, except for rounding if compilers fuse operations. */
 static void arrays_match_calls(void **state)
 {
     static float column[ROWS][BLOCK], xi[BLOCK], eta[BLOCK], gap[BLOCK];

@@ -1,6 +1,7 @@
-/* What edges promise in float: where footpoint_edge2_float_exact, footpoint_edge3_float_accurate, their _from and their _closest
- * return FOOTPOINT_OK or FOOTPOINT_NOT_UNIQUE, that holds, alone and over arrays, for the families of edge_judge.h.  The judge finds
- * all roots of the cubic of shape functions in quadruple precision from the same floats.  1e5 of each with FOOTPOINT_LONG. */
+/* Checks edges in float. If footpoint_edge2_float_exact, footpoint_edge3_float_accurate, their _from or their _closest
+ * return FOOTPOINT_OK or FOOTPOINT_NOT_UNIQUE, that must hold, in calls and over arrays, for the families of
+ * edge_judge.h. The judge finds all roots of the cubic of shape functions in quadruple precision from the same floats.
+ * 1e5 of each with FOOTPOINT_LONG. */
 #include "../support/long_cases.h"
 #include "footpoint_edge2_float.h"
 #include "footpoint_edge3_float.h"
@@ -77,7 +78,7 @@ static void begin(struct judged *j, int nodes, const struct edge *e)
     judge_single(j);
 }
 
-/* Returns 1 if the foot point is proved, plus 2 if the closest point is, or another that is as near. */
+/* Returns 1 if the foot point is proved, plus 2 if the closest point is proved, or that another point is as near. */
 static int judge(int nodes, const struct edge *e, enum family family, float last)
 {
     struct judged j;
@@ -101,7 +102,7 @@ static int judge(int nodes, const struct edge *e, enum family family, float last
 
 /* ---- tests ---- */
 
-/* Percent of foot points and of closest points that must be proved, by nodes. */
+/* Sets the percentages of foot points and of closest points that must be proved, by nodes. */
 /* clang-format off */
 static const int least[2][FAMILIES][2] = {
     {{99, 99}, {99, 99}, {99, 99}, {99, 99}, {99, 99}, {60, 60}, {65, 65}, {60, 60}, {60, 60}, {0, 0}, {99, 99}, {99, 99}},
@@ -130,7 +131,7 @@ static void promises_hold(void **state)
         }
 }
 
-/* Over arrays the same bits as alone, but for fused operations. */
+/* Checks that arrays return the bits of calls, except for fused operations. */
 static void arrays_match_calls(void **state)
 {
     static float column[8][BLOCK], xi[3][BLOCK], gap[3][BLOCK];
@@ -175,7 +176,7 @@ static void arrays_match_calls(void **state)
     }
 }
 
-/* Where lines meet edges: the judge walks from the answer along the line. */
+/* Checks intersections of lines and edges: the judge walks from the answer along the line. */
 static void lines_meet_edges(void **state)
 {
     uint64_t stream = 12;

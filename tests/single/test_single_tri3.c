@@ -1,7 +1,7 @@
-/* What plane triangles promise in float: where footpoint_tri3_float_exact returns FOOTPOINT_OK the foot point lies within its
- * promise, and so does the closest point of the closed triangle where its _closest does; alone and over arrays, on ordinary
- * triangles, slivers, far and shifted ones, of any size and of coordinates of mixed scales, on borders.  The judge solves the normal
- * equations in quadruple precision from the same floats.  1e5 of each family with FOOTPOINT_LONG. */
+/* Checks plane triangles in float. If footpoint_tri3_float_exact returns FOOTPOINT_OK, the foot point must lie within
+ * its promise; the same holds for the closest point and its _closest. Triangles are ordinary, slivers, far, shifted, of
+ * any size, and of coordinates of mixed scales; slave nodes also lie over borders. The judge solves the normal
+ * equations in quadruple precision from the same floats. 1e5 of each family with FOOTPOINT_LONG. */
 #include "../support/long_cases.h"
 #include "footpoint_tri3_float.h"
 
@@ -53,7 +53,7 @@ static struct triangle draw(enum family family, uint64_t *stream)
 
 /* ---- the judge ---- */
 
-/* Edges u, v and the slave node w from corner `from`: {u.u, u.v, v.v, u.w, v.w, w.w}. */
+/* Computes {u.u, u.v, v.v, u.w, v.w, w.w} of the edges u, v and the slave node w from corner `from`. */
 static void products(const struct triangle *t, int from, wide p[6])
 {
     memset(p, 0, 6 * sizeof *p);
@@ -75,7 +75,7 @@ static void find_foot(const struct triangle *t, wide z[2])
     z[1] = (p[0] * p[4] - p[1] * p[3]) / det;
 }
 
-/* The closest point: the foot point inside, or that of an edge. */
+/* Finds the closest point: the foot point if it is inside, or the closest point of an edge. */
 static void find_closest(const struct triangle *t, wide z[2])
 {
     static const int corner[4][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
@@ -117,7 +117,7 @@ static void fail_on(const struct triangle *t, const char *what, const float loc[
     fail_msg("%s: OK at (%.9g, %.9g)", what, (double)loc[0], (double)loc[1]);
 }
 
-/* Percent that must be proved of foot points and of closest points. */
+/* Sets the percentages of foot points and of closest points that must be proved. */
 static const int least[FAMILIES][2] = {{90, 95}, {15, 90}, {85, 80}, {85, 85}, {70, 70}, {0, 0}, {90, 80}};
 
 static void promises_hold(void **state)
@@ -145,7 +145,7 @@ static void promises_hold(void **state)
     }
 }
 
-/* Over arrays the same bits as alone, but for fused operations. */
+/* Checks that arrays return the bits of calls, except for fused operations. */
 static void arrays_match_calls(void **state)
 {
     static float column[12][BLOCK], xi[2][BLOCK], eta[2][BLOCK], gap[2][BLOCK];
