@@ -339,7 +339,7 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 # fused multiply-add, which takes one.
 of_headers := test_headers test_digits test_promise test_promise_curved test_promise_patches header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
-$(foreach file,header_functions headers_long test_closest test_closest_curved test_closest_promise test_curved test_exceptions test_from test_from_patches test_joined test_patch_place test_place test_sides,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
+$(foreach file,header_functions headers_long test_closest test_closest_curved test_closest_patches test_closest_promise test_curved test_exceptions test_from test_from_patches test_joined test_patch_place test_place test_sides,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
