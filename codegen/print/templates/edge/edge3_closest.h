@@ -17,8 +17,8 @@ FOOTPOINT_PART REAL footpoint_detail_edge3_fall(REAL f, int region)
     return region == 1 ? -f : region == 2 ? f : fabs(f);
 }
 
-/* The highest bit of the result is not set if the closest point lies within the promise of the place at which the
- * distance falls like that, off by at most `error`. */
+/* Proves a closest point: the highest bit of the result is not set if it lies within the promise of the place at which
+ * the distance falls at the rate `fall`, off by at most `error`. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge3_closed(REAL fall, REAL error, REAL low,
                                                        REAL promise)
 {

@@ -8,8 +8,8 @@ typedef struct {
     REAL inner[4][3], twist[4][3], twists[4];
 } footpoint_detail_KIND_terms;
 
-/* An edge as its ends use it: the handle along it, 3 n x handle and the other handle; 3 k and 3 l. For a unit normal n
- * the other handle is k n x handle + l handle. */
+/* Holds an edge as its ends use it: the handle along it, 3 n x handle and the other handle; 3 k and 3 l. For a unit
+ * normal n, the other handle is k n x handle + l handle. */
 typedef struct {
     REAL along[3], turn[3], across[3], k, l;
 } footpoint_detail_KIND_end;

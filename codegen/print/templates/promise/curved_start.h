@@ -1,12 +1,12 @@
-/* Where steps on curved faces begin, and Newton's step. */
+/* Starts of steps on curved faces, and Newton's step. */
 
-/* Coordinates (p,q) of what follows are (xi,eta) less the middle's. */
+/* Returns the middle's coordinate. Below, coordinates (p,q) are (xi,eta) less the middle's. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_middle(void)
 {
     return CORNERS == 3 ? 1.0 / 3.0 : 0.0;
 }
 
-/* From the middle the step of Gauss and Newton, less what the curvature on the way makes of it. */
+/* Takes a Gauss-Newton step from the middle, less the effect of curvature along it. */
 FOOTPOINT_PART void footpoint_detail_KIND_start(const footpoint_detail_KIND_terms *of, REAL *p,
                                                 REAL *q)
 {
@@ -22,7 +22,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_start(const footpoint_detail_KIND_term
     *q = t - (ee * across - ef * along) * per;
 }
 
-/* A step of Newton from (*p,*q) to the foot point. */
+/* Takes a Newton step from (*p,*q) to the foot point. */
 FOOTPOINT_PART void footpoint_detail_KIND_bare(const footpoint_detail_KIND_terms *of, REAL *p,
                                                REAL *q)
 {

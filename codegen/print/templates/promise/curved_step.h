@@ -1,20 +1,21 @@
 /* Newton's step of curved faces with a proof, in double. */
 
-/* The same.  The highest bit of the result is not set if a minimum of the distance is proved to lie within promise *
- * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step, too. The highest bit of the result is not set if a minimum of the distance is proved to lie
+ * within promise * max(1, |xi|, |eta|) of the answer.
  *
- * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11 r12; r12 r22];
- * `step` = |H^-1 F|.  Row i of the derivatives of H adds up to l_i = R_i A + 2 R A_i + |D| T_i at most, where R_i = |r_i|,
- * A_i = |r_i1| + |r_i2|, T_i = |r_i11| + 2 |r_i12| + |r_i22|, R and A being sums over i, each the largest in a ball of 1/8.  Let w =
- * max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|.  If h = w step <= 1/4, then there is a
- * root within 1.2 step of x, it is within 0.7 h step of the answer, and H is positive definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D) with D = xS - r has the Jacobian -H, H = [r11
+ * r12; r12 r22], and `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D|
+ * T_i. Here R_i = |r_i|, A_i = |r_i1| + |r_i2| and T_i = |r_i11| + 2 |r_i12| + |r_i22|; R and A are sums over i; each
+ * is the largest value in a ball of 1/8. Let w = max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1
+ * H(y)| <= w |y - x|. If h = w step <= 1/4, then a root lies within 1.2 step of x and within 0.7 h step of the answer,
+ * and H is positive definite all the way there.
  *
- * Rounding, of sums in any order, u = 1.11e-16: let far = |D| + growth size, see above.  Coordinates of tangents and second
- * derivatives are off by 10 u growth size (1.8 times that), of D by 20 u spread size + 7 u |D|, at most 18 u far, and dot products
- * and Cramer's rule count as 8 u |r_i| |D|: F is off by 30 u far (|r_i| + |D|), and for fine promises finer.  Entries of H are off by
- * 56 u far^2; that and what l_i are off by counts as much as 480 u step far^2 more, and takes 3000 u far^2 |H^-1| of what is allowed
- * to h.  The weak inequality of `det` keeps the rounding errors of w and of the step below what 0.72, 0.249, 0.999 and 0.1 for
- * 1/8 / 1.2 leave. */
+ * Rounding, of sums in any order, u = 1.11e-16: let far = |D| + growth size, see above. Coordinates of tangents and
+ * second derivatives are off by 10 u growth size (1.8 times that), of D by 20 u spread size + 7 u |D|, at most 18 u
+ * far, and dot products and Cramer's rule count as 8 u |r_i| |D|: F is off by 30 u far (|r_i| + |D|), and for fine
+ * promises finer. Entries of H are off by 56 u far^2; that and the errors of l_i count as much as 480 u step far^2
+ * more, and take 3000 u far^2 |H^-1| of the limit of h. The weak inequality of `det` keeps the rounding errors of w and
+ * of the step below the margins of 0.72, 0.249, 0.999 and 0.1 for 1/8 / 1.2. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_terms *of,
                                                     REAL promise, REAL *p, REAL *q)
 {
